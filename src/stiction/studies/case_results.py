@@ -1,6 +1,6 @@
-"""Functions that solve, slide or compare a case.
+"""Solve, slide or compare a case.
 
-For a surface measured by scans, they add the range of friction over the asperity methods.
+For a surface measured by scans, the functions add the range of friction over the asperity methods.
 """
 
 from dataclasses import replace
@@ -30,8 +30,8 @@ if TYPE_CHECKING:
     from stiction.case.arguments import CaseLike
     from stiction.quantities.arguments import QuantityLike
 
-_MOST = 1_000_000  # points at once: more would need too much memory and time
-_FEW = 5  # curves of force against displacement of one case
+_MOST = 1_000_000  # points of one case; more need too much memory and time
+_FEW = 5  # points of one case for which curves of force against displacement are computed
 
 
 def solve_case(case: "CaseLike", choice: Choice | None = None, progress: Progress = silent) -> "xarray.Dataset":
@@ -40,10 +40,10 @@ def solve_case(case: "CaseLike", choice: Choice | None = None, progress: Progres
     Parameters
     ----------
     case : Case, path, or dict like a case file
-        The contact and its points.
+        The contact and its points: loads or mean separations.
     choice : Choice, optional
         Model, laws and options that replace those of the case. The model may be any model that `compare` shows, or
-        "recommended" for `predict`.
+        "recommended" for the prediction, as from `predict`.
     progress : callable
         Receives a label and returns a function that wraps the list of steps.
 
@@ -51,8 +51,9 @@ def solve_case(case: "CaseLike", choice: Choice | None = None, progress: Progres
     -------
     xarray.Dataset
         As from `solve`. With uncertain numbers, results are those of the nominal contact, and NAME_quantile (quantile, ...) and
-        NAME_quantile_error of friction, area, load and pull-off force are added. With scans, friction_coefficient_by_method
-        (asperity_method, points), friction_coefficient_low and friction_coefficient_high are added.
+        its standard error NAME_quantile_error are added for friction_coefficient, contact_area, load and pull_off_force. With
+        scans, friction_coefficient_by_method (asperity_method, points), friction_coefficient_low and
+        friction_coefficient_high, its range over the asperity methods, are added.
 
     Raises
     ------
@@ -80,9 +81,10 @@ def solve_case(case: "CaseLike", choice: Choice | None = None, progress: Progres
 
 
 def film_of_case(case: Case, choice: Choice) -> "xarray.Dataset":
-    """Compute the stresses in the film of a case at its points, as `film_stresses` does.
+    """Compute the stresses in the film of a case at its points, with the models and laws of `choice`.
 
-    Raises InputError, also for swept numbers.
+    Returns the dataset of `film_stresses`, with the title of the case. Raises InputError, also if a number of the case is
+    swept.
     """
     from stiction.studies.stresses.film_stress import film_stresses, require_film  # slow to import, and no other study needs it
 
@@ -150,9 +152,10 @@ def slide_case(
 
 
 def with_groups(data: "xarray.Dataset", subject: Subject) -> "xarray.Dataset":
-    """Return a result with the dimensionless groups of the contact added.
+    """Return a dataset of results with the dimensionless groups of the contact added.
 
-    A single number becomes an attribute. An array becomes a variable, unless it is a coordinate already.
+    A group that is a single number becomes an attribute. A group that is an array becomes a variable, unless the dataset has a
+    variable of this name.
     """
     groups: dict[str, Any] = subject.all_groups()
     swept = {
@@ -169,9 +172,11 @@ def require_choice(choice: Any) -> None:
 
 
 def choice_of_case(case: Case, choice: Choice) -> Choice:
-    """Return the models and laws that a choice selects for a case. Raises InputError.
+    """Return the models and laws that evaluate a case, resolved from what `choice` names.
 
-    The name of a model may be any that `compare` shows; it is replaced by the model and laws that it stands for.
+    The model in `choice` may have any name that `compare` shows; it is replaced by the model and laws that the name stands for.
+    If `choice` names another model than the case, and this model has fixed laws of its own, the laws that the case names are
+    dropped. Raises InputError.
     """
     require_choice(choice)
     laws = {law: key for law, key in choice.laws().items() if law != "model"}
@@ -188,9 +193,9 @@ def compare_case(case: "CaseLike", load: "QuantityLike | None" = None, progress:
     Parameters
     ----------
     case : Case, path, or dict like a case file
-        The contact and its points.
+        The contact.
     load : float [N] or str with a unit, optional
-        Working load, above 0.
+        Working load, above 0; without it only curves are computed.
     progress : callable
         Receives a label and returns a function that wraps the list of models.
 
@@ -216,6 +221,6 @@ def compare_case(case: "CaseLike", load: "QuantityLike | None" = None, progress:
 
 
 def _with_notes(data: "xarray.Dataset", case: Case) -> "xarray.Dataset":
-    """Return the dataset with the title of the case and the version of the program as attributes."""
+    """Return the dataset with the title of the case and the version of the program added as attributes."""
     title = {"case": case.title} if case.title else {}
     return data.assign_attrs(title, program=f"stiction {__version__}")

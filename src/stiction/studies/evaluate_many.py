@@ -1,7 +1,8 @@
-"""Evaluation of many variants of one case, some of which a model may refuse.
+"""Evaluate one model for many variants of a case, some of which the model may refuse.
 
-All studies of many contacts (uncertainty, sensitivity, sweep, fit, design) use it. The numbers that vary are labelled
-arrays at their addresses in the case; the contacts are all combinations along the dimensions of these arrays.
+All studies of many contacts (uncertainty, sensitivity, sweep, fit, design) use it. The numbers that vary are labelled arrays
+(xarray.DataArray), given by their addresses in the case. The contacts are all combinations along the dimensions of these
+arrays.
 """
 
 from collections.abc import Iterator, Mapping, Sequence
@@ -25,16 +26,17 @@ def evaluate_together(
     model: Choice,
     keep: Sequence[str] | None = None,
 ) -> tuple[Case, BatchResult]:
-    """Evaluate a case with these numbers, all of which must give a valid contact.
+    """Evaluate one model for all variants of a case at once; raise an error if a variant is no valid contact.
 
     Parameters
     ----------
     case : Case
         The case with its nominal numbers.
     numbers : dict
-        Number or labelled array in SI units by address, e.g. ("contact", "first", "hardness").
+        Numbers that replace those of the case, by address, e.g. ("contact", "first", "hardness"): each a number or an
+        xarray.DataArray in SI units.
     points : dict, optional
-        {"load": ...} or {"separation": ...}; by default the points of the case.
+        {"load": ...} [N] or {"separation": ...} [m]; by default the points of the case.
     model : Choice
         The model with its laws and options.
     keep : sequence of str, optional
@@ -43,8 +45,8 @@ def evaluate_together(
     Returns
     -------
     tuple
-        The case with these numbers and its results. A result is NaN where there is none; bits of the results give the reason.
-        Warnings and floating-point errors are not raised, but set bits too.
+        The case with these numbers, and its BatchResult. A result is NaN where the model has none; the bits in
+        `validity_warnings` give the reason. Warnings and floating-point errors are not raised, but set bits too.
 
     Raises
     ------
@@ -66,9 +68,10 @@ def evaluate_many(
     *,
     along: Sequence[str],
 ) -> Iterator[tuple[Region, Case | None, BatchResult | None]]:
-    """Yield (region, case, results) in batches; arguments are those of `evaluate_together`.
+    """Evaluate one model for all variants of a case, and yield (region, case, results) in batches.
 
-    along: dimensions along which batches may be split. A region maps each of them to a slice. A batch that raises is
+    The first five arguments, and the case and results of a batch, are as in `evaluate_together`. along: dimensions along which
+    batches may be split. region: slice of each of these dimensions that the batch covers. A batch that raises an error is
     bisected along its longest dimension. For a single refused contact, case and results are None.
     """
     varied = [*numbers.values(), *(points or {}).values()]
@@ -84,9 +87,9 @@ def evaluate_many(
 
 
 def part_of(value: Any, region: Region) -> Any:
-    """Return the part of a labelled array that lies in a region; other values are returned unchanged.
+    """Return the part of an xarray.DataArray inside a region; return any other value unchanged.
 
-    region: slice by dimension.
+    region: slice by dimension; dimensions that the array does not have are ignored.
     """
     mine = {dim: some for dim, some in region.items() if dim in getattr(value, "dims", ())}
     return value.isel(mine) if mine else value

@@ -1,4 +1,4 @@
-"""The results that a report shows of one case: its answer at a working load, all models, and its scans."""
+"""Compute the results that a report shows of one case: its answer at a working load, all models, and its scans."""
 
 import tomllib
 from collections.abc import Mapping
@@ -28,12 +28,13 @@ if TYPE_CHECKING:
 class ReportData:
     """Store the results that a report of one case shows.
 
-    text: the case file as written; "" if there was none. data: the prediction, or the results of the named model at all points
-    of the case. load: working load in N, or dimensionless for [indices]; None if no load is above 0. working_results: results
-    of a named model at the working load. comparison: comparison of all models at the working load, or None. not_compared: why
-    models are not compared; "" if they are. analyses: analysis of the scan of each body. input_warnings: warnings of unlikely
-    inputs. recommended: the prediction, also if the case names a model; None for swept numbers and [indices]. curve: the
-    prediction over load, also around a single load; None if the case names a model.
+    text: the case file as written; "" without a file. data: the prediction, or the results of the named model at all points of
+    the case. load: working load in N, or dimensionless for [indices]; None if no load is above 0 or numbers are swept.
+    working_results: results of the named model at the working load; None for a prediction. comparison: results of all models at
+    the working load, or None. not_compared: reason why models are not compared; "" if they are. analyses: analysis of the scan
+    of each body, by body. input_warnings: warnings of unlikely inputs. recommended: the prediction, also if the case names a
+    model; None if no prediction is possible. curve: the prediction over a range of loads, also if the case states a single
+    load; None if the case names a model.
     """
 
     case: Case
@@ -50,21 +51,21 @@ class ReportData:
 
     @property
     def prediction(self) -> "xarray.Dataset | None":
-        """Return the prediction; None if the case names a model or has swept numbers."""
+        """Return `data` if it is a prediction of a single contact; None if the case names a model or has swept numbers."""
         return self.data if "shares" in self.data.attrs else None
 
     @property
     def result(self) -> Any:
-        """Return the results at the working load; without a working load, all results."""
+        """Return the results of the named model at the working load; `data` for a prediction or without a working load."""
         return self.data if self.working_results is None else self.working_results
 
 
 def collect_report_data(case: Case, text: str = "", *, load: Any = None, progress: Progress = silent) -> ReportData:
     """Compute the results that a report of a case shows.
 
-    text: the case file as written. load: working load [N], by default the middle load of the case. A case with swept
-    numbers has no working load, and its models are not compared. progress: callable(label) that returns an iterator
-    wrapper. Raises InputError.
+    text: the case file as written. load: working load [N], by default the middle load of the case. A case with swept numbers
+    has no working load, and its models are not compared. progress: function that takes a label and returns an iterator wrapper,
+    such as a progress bar. Raises InputError.
     """
     if case.is_swept and load is not None:
         raise InputError("--load", load, "not supported with array parameters; the case is solved at its own loads")
@@ -98,7 +99,10 @@ def _analyses(case: Case, progress: Progress) -> "dict[str, Analysis]":
 
 
 def places_in(text: str) -> frozenset[Address]:
-    """Return the addresses of all values in the text of a case file; an empty set if the text is not TOML."""
+    """Return the addresses of all keys in the text of a case file, including tables, e.g. ("contact", "first", "hardness").
+
+    The set is empty if the text is not TOML.
+    """
     addresses: set[Address] = set()
 
     def walk(table: Mapping, path: Address) -> None:
@@ -115,5 +119,5 @@ def places_in(text: str) -> frozenset[Address]:
 
 
 def text_of_file(path: Path) -> str:
-    """Return the text of a case file that was read successfully before."""
+    """Return the text of a case file that has been read successfully before, so that no error is expected."""
     return path.read_text(encoding="utf-8-sig")

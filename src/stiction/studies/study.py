@@ -1,4 +1,4 @@
-"""The declaration of a study of one case, and the list of all studies.
+"""Declare what a study of one case consists of, and list all studies.
 
 A study is a folder next to this file with a module `study.py` that defines STUDY.
 """
@@ -15,15 +15,16 @@ from typing import Any
 class Study:
     """Describe a study of one case, which becomes the command `stiction NAME CASE.toml`.
 
+    - name: name of the command
     - help: help text of the command
     - case: what the case file must contain, for the help
-    - plan(case, **options): reads the case file at this path and returns a plan, quickly. Its parameters are the options of
-      the command. Shared ones need no description: load, ranges, model, ..., `out` (folder for results, or None) and
-      `options` (those of models and laws).
-    - run(plan, progress): computes the results and returns the arguments of the view. The view is the function FOLDER_view in
-      report/views/FOLDER.py, where FOLDER is the name of the study's folder. Without this file, run returns a single dataset,
-      which is shown. If it has a parameter `callback` instead of `progress`, it receives a function that shows a text as
-      progress.
+    - plan(case, **options): reads and checks the case file at the path `case`, and returns a plan without long computations.
+      Its parameters are the options of the command. Shared ones need no description: load, ranges, model, ..., `out` (folder
+      for results, or None) and `options` (those of models and laws).
+    - run(plan, progress): computes the results and returns the arguments of the view, the function FOLDER_view in
+      report/views/FOLDER.py, where FOLDER is the name of the study's folder. Without this file, run returns a tuple with one
+      dataset, which is shown as tables. A run with a parameter `callback` instead of `progress` receives a function that shows
+      a text as progress.
     """
 
     name: str
@@ -34,7 +35,7 @@ class Study:
 
 
 def studies() -> Iterator[tuple[str, Study]]:
-    """Yield the folder name and the declaration of every study."""
+    """Yield the folder name and the Study of every study."""
     folder = importlib.import_module(__package__)
     for module in pkgutil.iter_modules(folder.__path__, f"{folder.__name__}."):
         if module.ispkg and importlib.util.find_spec(f"{module.name}.study"):

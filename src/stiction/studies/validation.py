@@ -1,7 +1,7 @@
-"""Comparison of models and predictions with measured series from the literature.
+"""Compare models and predictions with measured series from the literature.
 
-An entry is a TOML file with the tables [contact] of a case file and [measured], which names the source. The measured values
-are in a CSV file next to it, or in tables [[measured.band]] if only ranges of friction are published.
+An entry is a TOML file with the tables [contact] of a case file and [measured], which names the source. The measured values are
+in a CSV file next to it, or in tables [[measured.band]] if only ranges of friction are published.
 """
 
 from collections.abc import Mapping
@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 
     from stiction.quantities.arguments import FilePath
 
-# What is compared by ratios: of a separation there is none.
+# Predicted and measured values are compared by their ratio, which a separation, with its arbitrary zero, does not have.
 _NOT_COMPARED = ("mean_separation",)
 _TABLES = ("title", "materials", "contact", "indices", "measured")
 # Levels of the quantiles of the prediction: the ends of its 50 % and 90 % intervals, and the median.
@@ -41,7 +41,7 @@ LEVELS = (0.05, 0.25, 0.5, 0.75, 0.95)
 
 
 class Band(Input):
-    """Define a published range of the friction coefficient at one load."""
+    """Define a published range of the friction coefficient, from `low` to `high`, at one normal load."""
 
     load: str = Field(description='normal load with its unit, "0.98 mN"')
     low: float = Field(description="lower end of the measured friction coefficient, above 0")
@@ -57,11 +57,12 @@ class Band(Input):
 
 
 class Origin(Input):
-    """Define the source of a measured series.
+    """Define the table [measured]: the source of a measured series, and its values.
 
-    file: CSV file, relative to the folder of the entry. band: ranges instead of a file. kind: "synthetic" marks values made
-    up to show the format. source: authors, title, publication, year. place: page, and table, figure or section. read: how
-    the values were obtained; the standard errors of digitised values include the error of digitising. Raises InputError.
+    file: CSV file with the values; a relative path starts at the folder of the entry. band: published ranges of friction
+    instead of a file. kind: "measured", or "synthetic" for values made up to show the format. source: authors, title,
+    publication, year. place: page, and table, figure or section. read: how the values were obtained; the standard errors of
+    digitised values include the error of digitising. Raises InputError.
     """
 
     file: str = Field("", description="the CSV file with the values, from the folder of the entry")
@@ -92,8 +93,8 @@ class Origin(Input):
 class Entry:
     """Store a measured series with its contact.
 
-    content: tables of the case, with scans and user-defined materials read in. uncertain: uncertain numbers of the contact,
-    which the prediction samples.
+    origin: source of the series. content: tables of the case, with scans and user-defined materials read in. values: the
+    measured values. uncertain: uncertain numbers of the contact, which the prediction samples.
     """
 
     title: str
@@ -104,14 +105,14 @@ class Entry:
 
     @property
     def ends(self) -> np.ndarray:
-        """Return the lower and upper end of every measured value (2, n); both equal the value unless it is a range."""
+        """Return the lower and upper end of every measured value (2, n); both equal the value unless ranges are published."""
         bands = self.origin.band
         return np.array([[band.low for band in bands], [band.high for band in bands]] if bands else [self.values.value] * 2)
 
     def cases(self) -> list[tuple[Case, np.ndarray]]:
-        """Return the cases of the series, each with the indices of its rows.
+        """Return one case for each contact of the series, with the indices of its measured values.
 
-        There is one case, unless the file has numbers of the contact that change from row to row.
+        There is one contact, unless the file has columns with numbers of the contact.
         """
         known = [tuple(sorted(numbers.items())) for numbers in self.values.known]
         cases = []
@@ -122,7 +123,7 @@ class Entry:
 
 
 def read_entry(path: Any) -> Entry:
-    """Return the measured series that a TOML file and its CSV file describe. Raises InputError."""
+    """Return the measured series that a TOML file, at this path, and its CSV file describe. Raises InputError."""
     content = read_content(path)
     table = content.get("measured")
     if not isinstance(table, Mapping):
@@ -139,12 +140,12 @@ def read_entry(path: Any) -> Entry:
     values = _of_bands(origin.band) if origin.band else read_measurements(folder / origin.file, tables_read)
     _check(values, origin.file)
     entry = Entry(str(content.get("title", "")), origin, tables_read, values, tuple(named([*uncertain.values()])))
-    entry.cases()  # so that a contact that is none is refused here
+    entry.cases()  # raises InputError here if a row gives an invalid contact
     return entry
 
 
 def _of_bands(bands: list[Band]) -> Measurements:
-    """Return published ranges of friction as measured values, which are the geometric means of the ranges."""
+    """Return published ranges of friction as measurements, with the geometric mean of each range as the measured value."""
     count = len(bands)
     load = np.array([float(to_si(band.load, "load")) for band in bands])
     value = np.array([np.sqrt(band.low * band.high) for band in bands])
@@ -161,7 +162,10 @@ def _check(values: Measurements, file: str) -> None:
 
 
 def entries_in(folder: Any) -> list[Path]:
-    """Return the TOML files with a table [measured] in a folder, sorted by name. Raises InputError if there are none."""
+    """Return the paths of the TOML files with a table [measured] in a folder, sorted by name.
+
+    Raises InputError if there are none.
+    """
     paths = [path for path in sorted(Path(folder).glob("*.toml")) if "measured" in read_content(path)]
     if not paths:
         raise InputError("entry", str(folder), "a TOML file with a table [measured], or a folder with such files")
@@ -181,13 +185,14 @@ def validate(entry: "Entry | FilePath", *, progress: Steps = iter) -> "xarray.Da
     Returns
     -------
     xarray.Dataset
-        Over `row`: measured, error, quantity, sample, load; for ranges also measured_low and measured_high. Over (model,
-        row): `predicted`, NaN where a model refuses. Over `model`: `bias`, the geometric mean of predicted over measured;
-        `factor`, exp of the root mean square of ln(predicted over measured); `in_errors`, the root mean square difference
-        over the standard error; `answered`, the number of rows with a result; grade, `outside_validity` and `outside`. For
-        friction also `prediction` (quantile, row), and `within_50` and `within_90`: whether the measured value is "inside",
-        "partly" or "outside" of that interval. Attributes: title, kind, source, place, doi, read, note, `not_applicable`
-        (model: reason) and `sources`.
+        Over `row`, one for each measured value: measured and error in SI units, quantity, sample, load [N], line, and the ends
+        measured_low and measured_high of a published range. Over (model, row): `predicted`, NaN where a model refuses. Over
+        `model`: `bias`, the geometric mean of predicted over measured; `factor`, exp of the root mean square of ln(predicted
+        over measured); `in_errors`, the root mean square of the differences over the standard errors; `answered`, the number
+        of rows with a result; grade; `outside_validity`, the validity warnings, and `outside`, the symbols of their
+        quantities. For friction also `prediction` (quantile, row), and `within_50` and `within_90`: whether the measured value
+        or range is "inside", "partly" inside or "outside" the 50 % and 90 % interval of the prediction. Attributes: title,
+        kind, source, place, doi, read, note, `not_applicable` (model: reason) and `sources`.
 
     Raises
     ------
@@ -239,9 +244,10 @@ _OF_MODELS = ("bias", "factor", "in_errors", "answered", "grade", "outside_valid
 
 
 def _answer(name: str, values: Measurements, subjects: list[tuple[Subject, np.ndarray]]) -> dict[str, Any]:
-    """Return the results of one model at the measured values, as a dict.
+    """Return the results of one model at the n measured values, as a dict.
 
-    It has the names in _OF_MODELS, `predicted` (n,), `sources`, and `why_not`, the reason if there are no results.
+    name: name of the model. subjects: each contact with the indices of its measured values. The keys are the names in
+    _OF_MODELS, "model", "predicted" (n,), NaN without a result, "sources", and "why_not", the reason if there are no results.
     """
     predicted = np.full(len(values), np.nan)
     grades: set[str] = set()
@@ -280,7 +286,12 @@ def _answer(name: str, values: Measurements, subjects: list[tuple[Subject, np.nd
 
 
 def _predicted(entry: Entry, cases: list[tuple[Case, np.ndarray]]) -> dict[str, Any]:
-    """Return quantiles of the prediction for each measured friction coefficient, and how they compare with it."""
+    """Return variables that compare the prediction with the n measured values of a series.
+
+    cases: each case with the indices of its measured values. The variables are quantiles of the predicted friction coefficient
+    at LEVELS, the ends of the measured ranges, and whether these lie inside the 50 % and 90 % intervals. Values of other
+    quantities have NaN.
+    """
     values, (low, high) = entry.values, entry.ends
     table = np.full((len(LEVELS), len(values)), np.nan)
     for case, rows in cases:
@@ -289,7 +300,7 @@ def _predicted(entry: Entry, cases: list[tuple[Case, np.ndarray]]) -> dict[str, 
             continue
         try:
             mu = predict(case, load=values.load[of_friction])["friction_coefficient_samples"].values
-        except InputError:  # as what is stated is known to no prediction; models then answer alone
+        except InputError:  # the case has an input that predictions cannot use; only the models are then compared
             continue
         table[:, of_friction] = np.nanquantile(mu, LEVELS, axis=0)
     within = {
@@ -301,9 +312,9 @@ def _predicted(entry: Entry, cases: list[tuple[Case, np.ndarray]]) -> dict[str, 
 
 
 def _within(low: float, high: float, least: float, most: float) -> str:
-    """Return whether a measured range is "inside", "partly" or "outside" of an interval; "" without a prediction.
+    """Return whether a measured range is "inside", "partly" or "outside" of a predicted interval; "" without a prediction.
 
-    low, high: measured range. least, most: ends of the interval.
+    low, high: ends of the measured range. least, most: ends of the interval.
     """
     if not np.isfinite(least):
         return ""

@@ -1,4 +1,4 @@
-"""Comparison of all applicable models on one contact: their friction, and whether the contact is in their validity range."""
+"""Compare all applicable models on one contact: their friction, and whether the contact is in their validity range."""
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
@@ -36,10 +36,10 @@ if TYPE_CHECKING:
     from stiction.case.read import Case
     from stiction.quantities.arguments import QuantityLike
 
-# Mean separations over sigma at which the curves are computed: out of touch to pressed together.
+# Mean separations over sigma at which the curves are computed, from hardly touching to strongly compressed surfaces.
 SEPARATIONS = np.linspace(5.0, -2.0, 80)
 _ONE = "a single number, because models are compared for one contact"
-# Contact area over the nominal one beyond which a model has failed, and has no numbers.
+# Contact area over nominal area above which a model has failed; its results are not shown.
 _MOST_AREA = 100.0
 RESULTS = ("mean_separation", "load", "contact_area", "friction_force", "friction_coefficient")
 
@@ -67,15 +67,16 @@ def compare(
     Returns
     -------
     xarray.Dataset
-        Curves over (model, point), in units as in `solve`: mean_separation [m], load [N], contact_area [m^2],
-        friction_force [N], friction_coefficient, and `range_status`: inside the validity ranges of the model, outside, or
-        impossible (0, 1, 2). Over `model`: the same five results at the working load, with names that end in `_at_load`;
-        `status`, whether the contact fits the model and why not; grade, `outside_validity`, `validity_warnings` (JSON),
-        `family_of_curve`, `plastic_junctions_resist`; `measured_area_error`, `measured_area_error_rms` and
-        `measured_friction_error`, relative errors on benchmark surfaces near this contact (truth.md), NaN if none is
-        near; `measured_error` (JSON) and `measured_error_in_words`. Attributes: `working_load`, `criteria`,
-        `not_applicable` (model: reason). For a measured surface also friction_coefficient_at_load_by_method
-        (asperity_method, model), with `_low` and `_high`.
+        Curves over (model, point), dimensionless for Indices: mean_separation [m], load [N], contact_area [m^2],
+        friction_force [N], friction_coefficient; and `range_status`: 0 inside the validity ranges of the model, 1 outside, 2
+        where a result is impossible. Over `model`: the same five results at the working load, with names that end in
+        `_at_load`; `status`, a text that states whether the contact fits the model; `why_not`, the reason for missing results;
+        grade; `outside_validity` and `validity_warnings` (JSON); `family_of_curve`, whether the strength of the interface or
+        of the bodies determines friction; `plastic_junctions_resist`, how plastic contact spots resist shear;
+        `measured_area_error`, `measured_area_error_rms` and `measured_friction_error`, relative errors on benchmark surfaces
+        near this contact (truth.md), NaN if none is near; `measured_error` (JSON) and `measured_error_in_words`. Attributes:
+        `working_load`, `criteria`, `not_applicable` (model: reason). For a measured surface also
+        friction_coefficient_at_load_by_method (asperity_method, model), with `_low` and `_high`.
 
     Raises
     ------
@@ -104,7 +105,10 @@ def compare(
 
 
 def _compared(contact: Subject, load: Any, separations: Any, progress: Steps) -> "xarray.Dataset":
-    """Return the comparison without the range over asperity methods."""
+    """Return the comparison of all models for one contact, without the range over asperity methods.
+
+    The arguments are those of `compare`.
+    """
     h = SEPARATIONS if separations is None else _separations(separations)
     target = None if load is None else _compressive_load(contact, load, "load")
     groups, _ = Groups.of(contact.indices())
@@ -115,9 +119,10 @@ def _compared(contact: Subject, load: Any, separations: Any, progress: Steps) ->
 
 
 def _with_methods(data: "xarray.Dataset", contacts: Mapping[str, Subject], load: Any, progress: Steps) -> "xarray.Dataset":
-    """Return the comparison with friction at the working load added for each asperity method.
+    """Return the comparison `data` with friction at the working load added for each asperity method.
 
-    contacts: by method, the contact with the roughness that this method finds.
+    contacts: by asperity method, the contact with the roughness that the method finds. load: working load, as in `compare`. The
+    dataset is returned unchanged without a working load or with a single method.
     """
     name = "friction_coefficient_at_load"
     if name not in data or len(contacts) < 2:
@@ -131,7 +136,7 @@ def _with_methods(data: "xarray.Dataset", contacts: Mapping[str, Subject], load:
 
 
 def _separations(given: Iterable[float]) -> np.ndarray:
-    """Return the separations `given`, over sigma, as a checked array (n,). Raises InputError."""
+    """Return mean separations over sigma as a checked array (n,); raise InputError for invalid ones."""
     allowed = f"a sequence of numbers, over sigma, from {-FARTHEST:g} to {FARTHEST:g}"
     try:
         row = list(given)
@@ -143,14 +148,14 @@ def _separations(given: Iterable[float]) -> np.ndarray:
     return h
 
 
-# What the friction of a model rests on, by whether it is the strength of the interface.
+# What determines the friction of a model, by whether its tangential law uses the shear strength of the interface.
 FAMILIES = {
     True: "strength of the interface",
     False: "strength of the bodies",
 }
 
 
-# Texts of each model -> what stands for one that it does not say; and numbers.
+# Attributes of each model that are texts, with the text for a model that has none; then those that are numbers.
 _TEXTS = {
     "grade": "",
     "family_of_curve": "",
@@ -164,12 +169,12 @@ _NUMBERS = ("measured_area_error", "measured_area_error_rms", "measured_friction
 
 @dataclass
 class _Answer:
-    """Store the results of one model in a comparison, in the units of the contact.
+    """Store the results of one model in a comparison, in SI units for a Contact and dimensionless for Indices.
 
-    curve: results (points,) by name. range_status: WITHIN, OUTSIDE or IMPOSSIBLE at each point. at_load: results at the working
-    load; None if the model cannot carry it. outside: validity warnings at the working load, or along the curve if there is
-    none. attributes: values for the names in _TEXTS and _NUMBERS. dry: whether the model ignores the liquid of the contact.
-    why_not: reason for missing results, or for missing friction.
+    curve: results (points,) by name. range_status: at each point, WITHIN or OUTSIDE the validity ranges, or IMPOSSIBLE.
+    at_load: results at the working load, if the model reaches it. outside: validity warnings at the working load; without one,
+    along the curve. attributes: values for the names in _TEXTS and _NUMBERS. dry: whether the model ignores the liquid of the
+    contact. sources: keys of publications. why_not: reason for missing results or missing friction; "" if none is missing.
     """
 
     candidate: Candidate
@@ -184,7 +189,7 @@ class _Answer:
 
     @property
     def status(self) -> str:
-        """Return whether the contact fits the model, with the reason if it does not."""
+        """Return a text that states whether the contact fits the model, with the reason if it does not."""
         if self.why_not:
             return f"no answer: {self.why_not}"
         dry = ", without the liquid" if self.dry else ""
@@ -200,8 +205,8 @@ class _Answer:
 def _solve_candidate(contact: Subject, candidate: Candidate, h: np.ndarray, loads: np.ndarray, target: float | None) -> _Answer:
     """Return the results of one model, or the reason why it has none.
 
-    h: separations over the height deviation sigma that each model uses, (points,). loads: for theories without separations, (1,
-    points), in the unit of the contact. target: working load, or None.
+    h: mean separations over the height deviation sigma that the model uses, (points,). loads: loads for theories without
+    separations, (1, points), in N for a Contact. target: working load in the same unit, or None.
     """
     answer = _Answer(candidate)
     try:
@@ -219,7 +224,7 @@ def _solve_candidate(contact: Subject, candidate: Candidate, h: np.ndarray, load
     rows = {name: table[None, :] for name, table in curve.items()}
     at_load = None if target is None else _at_working_load(problem, target, answer)
     answer.attributes = _of_laws(problem)
-    if at_load or target is None:  # of a load that is not carried there is no validity warning
+    if at_load or target is None:  # a model that cannot carry the working load has no results to check
         answer.outside = answer.outside + warnings_of_results(problem, at_load or rows)
         answer.attributes |= film_errors.as_attributes(problem, at_load or rows)
     answer.dry = leaves_out_liquid(problem)
@@ -232,7 +237,7 @@ def _solve_candidate(contact: Subject, candidate: Candidate, h: np.ndarray, load
 
 
 def _of_laws(problem: Problem) -> dict[str, str]:
-    """Return attributes of a model: its grade, the basis of its friction, and how its plastic junctions resist shear."""
+    """Return attributes of a model by name: grade, what determines its friction, how its plastic junctions resist shear."""
     grade = max(record.grade for record in problem.records())
     tangential = problem.chosen.tangential
     if tangential is None:
@@ -242,26 +247,30 @@ def _of_laws(problem: Problem) -> dict[str, str]:
 
 
 def _measured(errors: measured_error.MeasuredErrors) -> dict[str, Any]:
-    """Return the benchmark errors of a model at the working load: as text, as JSON, and as three relative numbers.
+    """Return the benchmark errors of a model at the working load by name: as text, as JSON, and as three relative numbers.
 
-    The numbers are the geometric mean error of area and of mu, and the rms error of the area. They are NaN if no benchmark
-    surface is near. The error of mu is also NaN if the interface strength does not decide mu.
+    The numbers are the geometric mean error of the area, its root mean square error, and the geometric mean error of mu (0.1 is
+    10 % too large). They are NaN if no benchmark surface is near. The error of mu is also NaN if mu does not depend on the
+    interface strength.
     """
     numbers = np.expm1(errors.area[0]), errors.relative[0], np.expm1(errors.friction[0])
     return measured_error.as_attributes(errors) | dict(zip(_NUMBERS, numbers, strict=True))
 
 
 def _in_units(problem: Problem, results: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
-    """Return normalised results in the units of the contact.
+    """Return dimensionless results of a model in the units of the contact: SI for a Contact, dimensionless for Indices.
 
-    Each model normalises with the sigma, R and N that it uses.
+    Each result is multiplied by the scale formed from the sigma, R and N that the model uses.
     """
     factors = problem.subject.scales().factors()
     return {name: table * factors.get(QUANTITIES[name].scale, 1.0) for name, table in results.items()}
 
 
 def _curve(problem: Problem, h: np.ndarray, loads: np.ndarray) -> dict[str, np.ndarray]:
-    """Return normalised results (points,) along the separations, or along the loads for theories without separations."""
+    """Return dimensionless results (points,) of a model by name, along separations or along loads.
+
+    h: mean separations over sigma. loads: loads (1, points) in the unit of the contact; theories without separations use these.
+    """
     if problem.needs_load:
         few = problem.few_of(loads / problem.subject.scales().factors()["N"])
         return {name: table[0] for name, table in problem.at_load(few).items()}
@@ -269,7 +278,10 @@ def _curve(problem: Problem, h: np.ndarray, loads: np.ndarray) -> dict[str, np.n
 
 
 def _at_working_load(problem: Problem, target: float, answer: _Answer) -> dict[str, np.ndarray] | None:
-    """Return normalised results (1, 1) at the working load, or None after adding the reason to the answer."""
+    """Return dimensionless results (1, 1) of a model at the working load `target`; None if the model cannot carry it.
+
+    For None, the reason is stored in `answer`.
+    """
     points = points_of(problem, target)
     try:
         solved = solve_points(points)
@@ -287,9 +299,9 @@ def _at_working_load(problem: Problem, target: float, answer: _Answer) -> dict[s
 
 
 def _sensible(problem: Problem, results: dict[str, np.ndarray], answer: _Answer) -> dict[str, np.ndarray] | None:
-    """Return the results of a model; None if its contact area exceeds 100 times the nominal area.
+    """Return the results of a model unchanged, or None if its contact area exceeds 100 times the nominal area.
 
-    In that case the reason is added to the answer.
+    For None, the reason is stored in `answer`. results: dimensionless results (1, 1) by name.
     """
     fraction = state_of(problem, results).get("area_fraction")
     if fraction is None or not fraction.item() > _MOST_AREA:
@@ -299,9 +311,9 @@ def _sensible(problem: Problem, results: dict[str, np.ndarray], answer: _Answer)
 
 
 def _dataset(contact, answers: list[_Answer], target: float | None) -> "xarray.Dataset":
-    """Return the answers as a dataset over model and point.
+    """Return the results of all models as a dataset over the dimensions `model` and `point`.
 
-    A model without any result is only listed in the attribute `not_applicable`, with the reason.
+    target: working load, or None. A model without any result is listed only in the attribute `not_applicable`, with the reason.
     """
     shown = [answer for answer in answers if answer.curve]
     dims = {"model": len(shown), "point": max((answer.curve["load"].size for answer in shown), default=0)}
@@ -341,9 +353,9 @@ def _attributes(contact, answers: list[_Answer], target: float | None) -> dict[s
 
 
 def criteria_of(contact: Subject) -> list[str]:
-    """Return one line for each criterion that applies to the surface of a contact, e.g. whether it is plastic.
+    """Return one line of text for each criterion that applies to a contact, e.g. whether its asperities deform plastically.
 
-    Criteria that need an unknown group are left out.
+    A criterion is left out if the contact does not state a dimensionless group that it needs.
     """
     whole = contact.with_surface_moments()
     groups = Groups.of(whole.indices())[0].substrate()
@@ -357,10 +369,9 @@ def criteria_of(contact: Subject) -> list[str]:
 
 
 def working_load(case: "Case", given: str | None) -> float | None:
-    """Return the load at which the models of a case are compared; None if no load is above 0.
+    """Return the load at which the models of a case are compared, in N or dimensionless; None if no load is above 0.
 
-    given: load in words, which is used if it is stated. Otherwise it is the middle load of the case, or the load above 0 that
-    is next to the middle. If the case has separations, its own model gives the loads. Raises InputError.
+    given: load as text; if None, the working load of `pressing_loads` is used. Raises InputError.
     """
     case.subject.require_single(_ONE)
     if given is not None:
@@ -372,7 +383,7 @@ def working_load(case: "Case", given: str | None) -> float | None:
 def _compressive_load(subject: Subject, given: Any, field: str) -> float:
     """Return a given load as a number, in N for a Contact, dimensionless for Indices.
 
-    Raises InputError unless it is a single load above 0. field: name of the option that the error names.
+    field: name of the option in the error message. Raises InputError unless the load is single, finite and above 0.
     """
     allowed = f"one load > 0 {subject.attributes('load')['units']}".removesuffix(" 1")
     if not isinstance(given, str) and np.ndim(given) > 0:

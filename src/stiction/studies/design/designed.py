@@ -21,8 +21,8 @@ if TYPE_CHECKING:
 
     from stiction.studies.design.run import DesignSearch
 
-_NEAR = 0.01  # of a target: nearer than this counts as met
-_SHOWN = 200  # designs of a front at most
+_NEAR = 0.01  # relative distance from a target up to which the target counts as met
+_SHOWN = 200  # largest number of designs on the Pareto front in a result
 
 
 def dataset_of(search: "DesignSearch") -> "xarray.Dataset":
@@ -52,9 +52,9 @@ def dataset_of(search: "DesignSearch") -> "xarray.Dataset":
 
 
 def _columns(search: "DesignSearch", rows: np.ndarray, along: str) -> dict[str, tuple]:
-    """Return dataset variables of some evaluated designs: choices, results and constraint violations.
+    """Return dataset variables of some evaluated designs by name: choices, results and constraint violations.
 
-    rows: indices of the designs among all evaluated ones. along: name of the dimension.
+    rows: indices of these designs among all that the search evaluated. along: name of the dimension of the variables.
     """
     shares, worst, known = search.shares[rows], search.answers.worst[rows], search.answers.known
     columns: dict[str, tuple] = {}
@@ -80,9 +80,9 @@ def _columns(search: "DesignSearch", rows: np.ndarray, along: str) -> dict[str, 
 
 
 def _violated(search: "DesignSearch", rows: np.ndarray) -> np.ndarray:
-    """Return the constraints that each design violates, as one text with one constraint a line; "" if it meets all.
+    """Return one text for each design with the constraints that it violates, one a line; "" if it meets all.
 
-    rows: indices of the designs among all evaluated ones.
+    rows: indices of the designs among all that the search evaluated.
     """
     worst = search.answers.worst
     return np.array(["\n".join(search.space.violations(search.shares[at])) if worst[at] > TOLERANCE else "" for at in rows])
@@ -128,11 +128,11 @@ def designed_case(search: "DesignSearch", out: Path) -> str:
 
 
 def _with_numbers(content: Any, numbers: Mapping[tuple[str, ...], Any]) -> Any:
-    """Return the tables of a case file with the choices of a design written in.
+    """Return the tables of a case file with the choices of a design written into them.
 
-    numbers: number or list entry by address in the case.
+    content: the tables. numbers: chosen number in SI units, or chosen list entry, by address in the case.
     """
-    for path, entry in sorted(numbers.items(), key=lambda one: one[0][-1] in QUANTITIES):  # a material before numbers of it
+    for path, entry in sorted(numbers.items(), key=lambda one: one[0][-1] in QUANTITIES):  # materials before their numbers
         if path == LOAD:
             text = show_exactly(entry, "load") if "contact" in content else float(entry)
             solve = {key: value for key, value in content["solve"].items() if key != "separation"}
@@ -149,9 +149,10 @@ def _placed(content: Any, path: tuple[str, ...], entry: Any) -> Any:
 
 
 def off_targets(plan: DesignPlan, known: Mapping[str, np.ndarray]) -> Iterator[tuple[str, np.ndarray]]:
-    """Yield each objective with a target: the name of its result, and the relative distances (n,) of n designs from the target.
+    """Yield, for each objective with a target, the name of its result and the relative distances of n designs from the target.
 
-    A distance is (result - target)/|target|. known: results (n,) by name.
+    known: results (n,) of the designs by name. A distance is (result - target)/|target|, or the result itself if the target is
+    0.
     """
     for objective, target in zip(plan.objectives, plan.targets, strict=True):
         if objective.target:
@@ -161,7 +162,7 @@ def off_targets(plan: DesignPlan, known: Mapping[str, np.ndarray]) -> Iterator[t
 def missed_objectives(plan: DesignPlan, known: Mapping[str, np.ndarray], row: int) -> list[str]:
     """Return one sentence for each target that a design misses by more than 1 %, with the difference in percent.
 
-    known: results (n,) by name. row: index of the design.
+    known: results (n,) of n designs by name. row: index of the design among them.
     """
     targets = {objective.quantity: target for objective, target in zip(plan.objectives, plan.targets, strict=True)}
     found = []

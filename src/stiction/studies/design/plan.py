@@ -1,4 +1,4 @@
-"""Read the table [design] of a case into a checked design plan."""
+"""Read and check the table [design] of a case: choices, objectives and constraints of a design search."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -21,16 +21,16 @@ from stiction.quantities.units import show
 from stiction.studies.design.table import Design, Objective
 
 LOAD = ("solve", "load")
-_NAMED = ("material", "bodies", "first", "second")  # what may be chosen that is no number
+_NAMED = ("material", "bodies", "first", "second")  # entries of a contact that may be chosen and are not numbers
 _MOST_FREE, _MOST_OPTIONS, _MOST_WAYS = 8, 100, 2000
 
 
 @dataclass(frozen=True)
 class Options:
-    """Describe a list from which the search chooses one entry.
+    """Describe a list in [design.choose] from which the search chooses one entry.
 
-    path: address of the entry in the case. entries: numbers in SI units, or names and tables of a case file. words: the
-    entries as text. is_number: whether the entries are numbers.
+    path: address in the case of the number or material that is chosen. entries: numbers in SI units, or names and tables as in
+    a case file. words: the entries as text. is_number: whether the entries are numbers.
     """
 
     path: Address
@@ -48,7 +48,10 @@ class Options:
 
 @dataclass(frozen=True)
 class Limit:
-    """Describe a constraint of a design: a result must lie between low and high; an infinite end does not bind."""
+    """Describe a constraint of a design: the result `quantity` must lie between `low` and `high`, in SI units.
+
+    An infinite end is no constraint.
+    """
 
     quantity: str
     low: float
@@ -66,10 +69,11 @@ class Limit:
 class DesignPlan:
     """Hold the checked input of a design search.
 
-    content: tables of the case without its study tables. given: tables as the user wrote them. folder: file names in the tables
-    are relative to it. free: numbers chosen between two ends. options: lists to choose from. targets: target value of each
-    objective in SI units, NaN if it has none. effort: number of generations of the search. uncertain: uncertain numbers of the
-    case.
+    content: tables of the case without those of studies, with all files read. given: tables as the user wrote them. folder:
+    folder at which relative paths in the tables start. free: numbers chosen between two ends. options: lists to choose from.
+    objectives: one or two. targets: target value of each objective in SI units, NaN if it has none. limits: constraints on
+    results. validity: which validity warnings are constraints too, as in [design]. effort: number of generations of the search.
+    uncertain: uncertain numbers of the case.
     """
 
     content: Mapping[str, Any]
@@ -88,7 +92,7 @@ class DesignPlan:
 
     @property
     def quantities(self) -> list[str]:
-        """Return the names of the results that are objectives or have limits."""
+        """Return the names of the results that are objectives or have constraints."""
         return [*(one.quantity for one in self.objectives), *(one.quantity for one in self.limits)]
 
     @property
@@ -97,14 +101,14 @@ class DesignPlan:
 
 
 def quantity_of(name: str) -> str:
-    """Return the quantity of a result; the end of an interval, e.g. friction_coefficient_low, has that of its median."""
+    """Return the quantity of a result, e.g. friction_coefficient for the interval end friction_coefficient_low."""
     return name if name in QUANTITIES else name.removesuffix("_low").removesuffix("_high")
 
 
 def make_design_plan(content: Mapping[str, Any], folder: Path = Path()) -> DesignPlan:
     """Return the checked design plan that the tables of a case file describe.
 
-    folder: file names in the tables are relative to it. Raises InputError.
+    folder: folder at which relative paths in the tables start. Raises InputError.
     """
     require_names(content)
     wanted = 'a table [design] with objective = { minimise = "friction_coefficient" } and [design.choose]'

@@ -1,6 +1,7 @@
 """Search the coating, roughness, materials and load that best meet an objective within constraints.
 
-Each chosen number is searched as a share: its position between its low end (0) and its high end (1).
+A search describes a design by one position for each choice: 0 to 1 from the low to the high end of a number, or along a list.
+These positions are called shares.
 """
 
 import time
@@ -38,20 +39,22 @@ if TYPE_CHECKING:
 
 # Called with the number of evaluated designs, and a text on how many there will be at most and how long they take.
 Callback = Callable[[int, str], None]
-_FIRST_STEP, _SHRUNK = 0.3, 0.6  # standard deviation of the steps from a front, over the ends; of each round over the last
-_ALIKE = 1e-10  # range of a population at which a search ends
-_QUIET, _QUIET_OF_DRAWS = 8, 4  # generations without gain at which a search ends, of a model and of a prediction
-_GAIN, _GAIN_OF_DRAWS = 1e-9, 1e-2  # over the cost, of a model and of a prediction
-_MET = 1e-3  # over a target: so near it a prediction, which is known to two digits, is not searched on
-_BEYOND_ALL = 1e100  # more than any objective: the cost of a design that breaks its limits
+# Standard deviation of the steps from a Pareto front in the first round (positions, 0 to 1); factor from round to round.
+_FIRST_STEP, _SHRUNK = 0.3, 0.6
+_ALIKE = 1e-10  # relative scatter of the costs of a population at which a search ends
+_QUIET, _QUIET_OF_DRAWS = 8, 4  # generations without gain after which a search ends, for a model and for a prediction
+_GAIN, _GAIN_OF_DRAWS = 1e-9, 1e-2  # smallest gain relative to the cost, for a model and for a prediction
+_MET = 1e-3  # relative distance from a target at which a search ends; a prediction is known to two digits only
+_BEYOND_ALL = 1e100  # cost of a design that violates a constraint: more than any objective
 
 
 @dataclass
 class DesignSearch:
     """Hold the state of a design search: its plan, the evaluator of designs, and all designs evaluated so far.
 
-    shares (n, d): of n designs, the position of each of d choices between its ends or along its list, 0 to 1. answers: results
-    of these designs. started: clock time at the start of the search [s]. stopped: whether the search was interrupted.
+    shares (n, d): for n designs with d choices, the position of each choice, 0 to 1, between its ends or along its list.
+    answers: results of these designs. started: time.monotonic() at the start of the search [s]. stopped: whether the user
+    interrupted it.
     """
 
     plan: DesignPlan
@@ -62,9 +65,10 @@ class DesignSearch:
     stopped: bool = False
 
     def evaluate(self, shares: np.ndarray, callback: Callback) -> Evaluated:
-        """Evaluate further designs, shares (m, d), and append them to the evaluated ones.
+        """Evaluate m more designs, append them to the evaluated ones, and return their results.
 
-        callback: receives the number of designs evaluated so far and a text.
+        shares (m, d): position of each of d choices, 0 to 1. callback: called with the number of designs evaluated so far and
+        the text `work_left`.
         """
         answers = self.space.answers(shares)
         self.shares = np.concatenate([self.shares, shares])
@@ -74,12 +78,12 @@ class DesignSearch:
 
     @cached_property
     def most(self) -> int:
-        """Return the largest number of designs that the search evaluates."""
+        """Return the largest number of designs that the search may evaluate."""
         return most_designs(self.space)
 
     @property
     def work_left(self) -> str:
-        """Return the largest number of designs to evaluate as text, with the time left if it exceeds 90 s."""
+        """Return a text with the largest number of designs, and with the time left if that exceeds 90 s."""
         count = len(self.shares)
         seconds = (time.monotonic() - self.started) / count * max(self.most - count, 0)
         minutes = f", at most {seconds / 60.0:.0f} min left" if seconds > 90.0 else ""
@@ -88,41 +92,45 @@ class DesignSearch:
     def best(self, number: int = 0) -> np.ndarray:
         """Return the index of the best design for each combination of list entries, the best of all first.
 
-        The index counts all evaluated designs. number: index of the objective. If no design meets the constraints, designs with
-        the least violation come first.
+        An index counts all designs evaluated so far. number: index of the objective that decides. Designs that violate a
+        constraint rank after all others, by the size of their violation.
         """
         order = np.lexsort((self.answers.objectives[:, number], np.maximum(self.answers.worst - TOLERANCE, 0.0)))
         _, first = np.unique(self.space.combination(self.shares[order]), axis=0, return_index=True)
         return order[np.sort(first)]
 
     def front(self) -> np.ndarray:
-        """Return the indices, among all evaluated designs, of the Pareto front of the designs that meet the constraints."""
+        """Return the indices of the designs on the Pareto front, among all designs evaluated so far.
+
+        Designs that violate a constraint are excluded.
+        """
         return _front(self.answers.objectives, self.answers.worst)
 
     def data(self) -> "xarray.Dataset":
         return dataset_of(self)
 
     def case_text(self, out: Path) -> str:
-        """Return the text of a case file with the best design; `out` is its folder."""
+        """Return the text of a case file with the best design; `out` is the folder to which the file will be written."""
         return designed_case(self, out)
 
 
 def design(case: "CaseFile", *, callback: Callback = lambda count, text: None) -> "xarray.Dataset":
-    """Search the design that best meets an objective and satisfies all constraints.
+    """Search the coating, roughness, materials and load that best meet an objective within constraints.
 
     Parameters
     ----------
     case : path, or dict like a case file
-        Case with a table [design].
+        Case with a table [design], which states the objective, the choices and the constraints.
     callback : callable
         Called with the number of evaluated designs, and a text: their largest number, and the time left if it exceeds 90 s.
 
     Returns
     -------
     xarray.Dataset
-        Over `design` the best design of each combination of listed choices, the best of all first: chosen numbers, objective,
-        limited quantities, `feasible` (all constraints met), `violated` (the violated constraints as text, one a line) and
-        `constraint_violation` (relative). With two objectives also the Pareto front, over `pareto`.
+        Over `design` the best design of each combination of listed choices, the best of all first: chosen numbers in SI units,
+        results with an objective or a limit, `feasible` (all constraints met), `violated` (the violated constraints as text,
+        one a line) and `constraint_violation` (relative). With two objectives also the Pareto front: names with `pareto_`,
+        over `pareto`. All evaluated designs: names with `evaluated_`, over `evaluated`.
 
     Raises
     ------
@@ -147,14 +155,15 @@ def design(case: "CaseFile", *, callback: Callback = lambda count, text: None) -
 
 
 def plan_of_design(case: Any) -> DesignPlan:
-    """Return the checked plan of a design search from a case file or its tables. Raises InputError."""
+    """Return the checked plan of a design search from the path of a case file or a dict of its tables. Raises InputError."""
     return make_design_plan(*tables_of(case))
 
 
 def run_design(plan: DesignPlan, callback: Callback, keep_on_interrupt: bool = True) -> DesignSearch:
     """Run the design search of a plan and return its final state.
 
-    An interruption (Ctrl-C) after the first designs returns the state reached, unless keep_on_interrupt is False.
+    callback: called with the number of designs evaluated so far and a text. keep_on_interrupt: whether an interruption (Ctrl-C)
+    after the first designs returns the state reached; otherwise KeyboardInterrupt is raised.
     """
     started, space = time.monotonic(), DesignSpace(plan)
     drawn = first_designs(space)
@@ -177,14 +186,14 @@ def run_design(plan: DesignPlan, callback: Callback, keep_on_interrupt: bool = T
 
 
 def _searched(search: DesignSearch, number: int, ceiling: float | None, callback: Callback) -> None:
-    """Search designs for one objective by differential evolution (Storn & Price 1997), and add them to the search.
+    """Search designs for one objective by differential evolution (Storn & Price 1997), and add them to `search`.
 
-    number: index of the objective. ceiling: upper bound of the other objective. Designs that meet all constraints rank before
-    all others (Deb 2000). The search starts from the best known designs, once for each of the best combinations of list
-    entries.
+    number: index of the objective. ceiling: upper bound of the other objective, or None. Designs that meet all constraints rank
+    before all others (Deb 2000). The search runs once for each of the best combinations of list entries, and starts from the
+    best designs evaluated so far.
     """
     if not search.plan.free:
-        return  # every design was asked
+        return  # the first designs are all combinations of list entries
     from scipy.optimize import differential_evolution
 
     rng = np.random.default_rng([search.plan.seed, len(search.shares)])
@@ -209,7 +218,7 @@ def _searched(search: DesignSearch, number: int, ceiling: float | None, callback
 
 
 def _ends(search: DesignSearch, number: int) -> "_StopWithoutGain":
-    """Return the stopping rule for the search of one objective."""
+    """Return the rule that stops the search for the objective with index `number`."""
     if not search.space.is_predicted:
         return _StopWithoutGain(_GAIN, _QUIET)
     met = _MET * abs(search.plan.targets[number]) if search.plan.objectives[number].target else -np.inf
@@ -218,10 +227,11 @@ def _ends(search: DesignSearch, number: int) -> "_StopWithoutGain":
 
 @dataclass
 class _StopWithoutGain:
-    """Stop differential evolution when it no longer improves; called after each generation.
+    """Stop differential evolution, which calls the rule after each generation, when its designs no longer improve.
 
-    It stops if no member of the population improved for more than `most` generations, or if the lowest cost is at most `met`.
-    least: smallest improvement that counts, relative to the cost.
+    It stops after more than `most` generations in which no member of the population improved, or when the lowest cost is at
+    most `met`. least: smallest improvement that counts, relative to the cost. costs: sorted costs of the last generation.
+    generations: number of generations since the last improvement.
     """
 
     least: float
@@ -238,10 +248,10 @@ class _StopWithoutGain:
 
 
 def _cost(search: DesignSearch, number: int, ceiling: float | None, shares: np.ndarray, callback: Callback) -> np.ndarray:
-    """Return the cost (n,) of designs for one objective; a design that violates a constraint costs more than all others.
+    """Return the cost (n,) of n designs for one objective; a design that violates a constraint costs more than all others.
 
-    number: index of the objective. ceiling: upper bound of the other objective. shares (n, d): position of each choice, 0 to
-    1.
+    number: index of the objective. ceiling: upper bound of the other objective, or None. shares (n, d): position of each of d
+    choices, 0 to 1. The designs are evaluated and added to `search`.
     """
     answers = search.evaluate(shares, callback)
     broken = _beyond(answers.objectives, answers.worst, number, ceiling)
@@ -249,10 +259,11 @@ def _cost(search: DesignSearch, number: int, ceiling: float | None, shares: np.n
 
 
 def _beyond(objectives: np.ndarray, worst: np.ndarray, number: int, ceiling: float | None) -> np.ndarray:
-    """Return the relative constraint violation (n,) of designs; 0 if it is within half the tolerance.
+    """Return the relative constraint violation (n,) of n designs; 0 up to half the tolerance.
 
-    worst (n,): violation of the plan's constraints. ceiling: upper bound of the other objective, which counts as a constraint
-    too.
+    objectives (n, 1 or 2): costs of the designs. worst (n,): violation of the constraints of the plan. number: index of the
+    objective that is searched. ceiling: upper bound of the other objective, which is then a constraint too; None without a
+    bound.
     """
     over = (
         np.zeros(len(worst))
@@ -264,9 +275,10 @@ def _beyond(objectives: np.ndarray, worst: np.ndarray, number: int, ceiling: flo
 
 
 def _seeds(search: DesignSearch, number: int, ceiling: float | None, rng: np.random.Generator) -> list[np.ndarray]:
-    """Return a starting population (size, d) for each of the best combinations of list entries.
+    """Return a starting population (size, d) of designs for each of the best combinations of list entries.
 
-    It holds the best known designs of this combination and random ones.
+    number: index of the objective. ceiling: upper bound of the other objective, or None. At most half of a population are the
+    best designs of this combination evaluated so far; the others are random.
     """
     shares, objectives = search.shares, search.answers.objectives
     order = np.lexsort((objectives[:, number], _beyond(objectives, search.answers.worst, number, ceiling)))
@@ -284,10 +296,10 @@ def _seeds(search: DesignSearch, number: int, ceiling: float | None, rng: np.ran
 def _refined(search: DesignSearch, number: int, callback: Callback) -> None:
     """Refine the free numbers of the best designs by COBYQA (Ragonneau 2022), a local optimiser.
 
-    Its quadratic model reaches the optimum to many digits, also where a constraint or an end limits it. Designs that the
-    prediction evaluates are not refined. number: index of the objective.
+    number: index of the objective. COBYQA fits quadratic models, and so finds the optimum to many digits, also at an end of a
+    number or where a constraint is active. Designs evaluated by the prediction, which is known to two digits, are not refined.
     """
-    if not search.plan.free or search.space.is_predicted:  # predictions are known to two digits
+    if not search.plan.free or search.space.is_predicted:
         return
     for at in search.best(number)[:REFINED]:
         _refine(search, number, search.shares[at], callback)
@@ -300,7 +312,7 @@ def _refine(search: DesignSearch, number: int, start: np.ndarray, callback: Call
 
     def at(x: np.ndarray) -> Evaluated:
         whole = np.concatenate([start[:first], np.clip(x, 0.0, 1.0)])
-        if whole.tobytes() not in known:  # the objective and the limits are asked for one after the other
+        if whole.tobytes() not in known:  # COBYQA calls objective and constraints separately for one design
             known[whole.tobytes()] = search.evaluate(whole[None, :], callback)
         return known[whole.tobytes()]
 
@@ -316,9 +328,9 @@ def _refine(search: DesignSearch, number: int, start: np.ndarray, callback: Call
 
 
 def _search_front(search: DesignSearch, callback: Callback) -> None:
-    """Search Pareto-optimal designs between the two designs that are best for one objective each.
+    """Search Pareto-optimal designs between the designs that are best for one of two objectives, and add them to `search`.
 
-    The first objective is minimised with the other below a ceiling, for several ceilings (Haimes, Lasdon & Wismer 1971).
+    The first objective is minimised with the second below a ceiling, for 12 ceilings (Haimes, Lasdon & Wismer 1971).
     """
     front = search.front()
     if not front.size or not search.plan.free:
@@ -334,13 +346,13 @@ def _search_front(search: DesignSearch, callback: Callback) -> None:
 def _spread(search: DesignSearch, callback: Callback) -> None:
     """Search the Pareto front of two objectives of a prediction by an evolution strategy (Rechenberg 1973).
 
-    Each round takes normally distributed steps from designs on the front, shorter than in the last round. As long as no design
-    meets the constraints, it starts from those with the least violation.
+    Each round takes normally distributed steps from designs on the front, with smaller steps than the round before. As long as
+    no design meets the constraints, the steps start from the designs with the least violation.
     """
     rng = np.random.default_rng(search.plan.seed)
     step, named = _FIRST_STEP, search.space.named
     if not search.plan.free:
-        return  # every design was asked
+        return  # the first designs are all combinations of list entries
     for _ in range(front_rounds(search.space)):
         front = search.front()
         parents = search.shares[front if front.size else np.argsort(search.answers.worst)[:FEW]]
@@ -352,10 +364,10 @@ def _spread(search: DesignSearch, callback: Callback) -> None:
 
 
 def _front(objectives: np.ndarray, worst: np.ndarray) -> np.ndarray:
-    """Return the indices of the Pareto-optimal designs, ordered by the first objective.
+    """Return the indices of the Pareto-optimal designs among n designs, ordered by the first objective.
 
-    objectives (n, 1 or 2), lower is better; worst (n,): constraint violations. Designs that violate a constraint by more than
-    TOLERANCE are left out.
+    objectives (n, 1 or 2): costs, lower is better. worst (n,): relative constraint violations. Designs that violate a
+    constraint by more than TOLERANCE are left out.
     """
     kept = np.flatnonzero((worst <= TOLERANCE) & np.isfinite(objectives).all(axis=1))
     order = kept[np.lexsort((objectives[kept, -1], objectives[kept, 0]))]

@@ -1,6 +1,6 @@
 """Evaluate many designs at once: their objectives and their constraint violations.
 
-A share is the position of a choice between its ends or along its list, 0 to 1; d choices make a design.
+A design has d choices. A share is the position of one choice, 0 to 1, between its low and high end or along its list.
 """
 
 from collections.abc import Iterator, Mapping
@@ -27,10 +27,10 @@ from stiction.studies.evaluate_many import evaluate_many, evaluate_together
 from stiction.studies.prediction.many import PREDICTED, predict_many
 from stiction.studies.prediction.predict import is_predicted
 
-TOLERANCE = 1e-6  # of a limit: by so much, times its size, it may be broken
-_REFUSED = 1e6  # how far beyond all limits a design is that is refused
+TOLERANCE = 1e-6  # relative constraint violation that still counts as met
+_REFUSED = 1e6  # constraint violation and cost of a design that the model refuses
 _DESIGN, _SAMPLE = "design", "sample"
-_SURE = 0.95  # with which probability limits hold, and objectives are met, where numbers are uncertain
+_SURE = 0.95  # probability with which constraints hold and objectives are reached, if numbers are uncertain
 _SAMPLES = 32
 
 
@@ -39,7 +39,7 @@ class Evaluated:
     """Hold objectives, constraint violations and results of n designs.
 
     objectives (n, 1 or 2): costs to be minimised. excess (n, limits + 1): relative excess over each limit, 0 or below if the
-    limit is met; the last column is the number of validity ranges that are violated. known: displayed results (n,) by name.
+    limit is met; the last column is the number of validity ranges that are violated. known: results (n,) to show, by name.
     """
 
     objectives: np.ndarray
@@ -52,7 +52,7 @@ class Evaluated:
         return np.maximum(self.excess, 0.0).max(axis=1, initial=0.0)
 
     def followed_by(self, more: "Evaluated") -> "Evaluated":
-        """Return the answers of these designs, followed by those of other designs."""
+        """Return the results of these designs and of the designs in `more`, one after the other."""
         known = {name: np.concatenate([values, more.known[name]]) for name, values in self.known.items()}
         objectives, excess = np.concatenate([self.objectives, more.objectives]), np.concatenate([self.excess, more.excess])
         return Evaluated(objectives, excess, known)
@@ -60,9 +60,9 @@ class Evaluated:
 
 @dataclass
 class DesignSpace:
-    """Evaluate the designs of a plan, given as shares (n, d) of n designs with d choices.
+    """Evaluate the designs of a plan, given as shares (n, d) of n designs with d choices; choices from lists come first.
 
-    A share is the position of a choice, 0 to 1: along its list, or between its low and high end. Lists come first.
+    choice: model and laws. is_predicted: whether the prediction evaluates the designs instead. names: results to compute.
     """
 
     plan: DesignPlan
@@ -87,7 +87,7 @@ class DesignSpace:
         return len(self.plan.unknowns)
 
     def _choice(self) -> Choice:
-        """Return the model and laws that evaluate the designs, resolved for the middle of all choices.
+        """Return the model and laws that evaluate the designs, resolved for the design with every share 0.5.
 
         Raises InputError if the model, or the prediction, does not compute an objective or a limited result.
         """
@@ -111,17 +111,17 @@ class DesignSpace:
         return choice
 
     def _evaluated(self, numbers: Mapping, points: Mapping) -> Iterator[tuple[Region, Any, Any]]:
-        """Solve designs in batches, and yield (region, case, results) of each batch.
+        """Solve designs in batches, by the named model or the prediction, and yield (region, case, results) of each batch.
 
-        region: slice of the designs. numbers: values by address. points: the loads. The results come from the named model, or
-        from a prediction.
+        region: {"design": slice}. numbers: values of the choices by address. points: {"load": loads}. For a refused design,
+        case and results are None.
         """
         if not self.is_predicted:
             return evaluate_many(self.case, numbers, points, self.choice, self._kept, along=(_DESIGN,))
         return predict_many(self.case, numbers, points["load"], self._uncertain(list(numbers)), along=(_DESIGN,))
 
     def _alone(self, numbers: Mapping, points: Mapping) -> tuple[Any, Any]:
-        """Return case and results of one design as `_evaluated` does; raises the InputError or ArithmeticError of a refusal."""
+        """Return case and results of one design, as `_evaluated` does; raise InputError or ArithmeticError if it is refused."""
         if not self.is_predicted:
             return evaluate_together(self.case, numbers, points, self.choice, self._kept)
         ((_, case, solved),) = self._evaluated(numbers, points)
@@ -130,14 +130,17 @@ class DesignSpace:
     def _uncertain(self, chosen: list[tuple[str, ...]]) -> list[Uncertain]:
         """Return the uncertain numbers of the case that the design does not set.
 
-        Numbers in `chosen` and numbers of a material that is chosen from a list are excluded.
+        Numbers with an address in `chosen`, and numbers of a material that is chosen from a list, are excluded.
         """
         replaced = [one.path for one in self.plan.options if not one.is_number]
         kept = [one for one in self.plan.uncertain if not any(one.path[: len(path)] == path for path in replaced)]
         return [one for one in kept if one.path not in chosen]
 
     def numbers(self, shares: np.ndarray) -> dict[Address, Any]:
-        """Return the choices of one design, shares (d,): address in the case -> number in SI units, or list entry."""
+        """Return the choices of one design by address in the case: numbers in SI units, or list entries.
+
+        shares (d,): position of each choice, 0 to 1.
+        """
         found: dict[Address, Any] = {}
         for one, share in zip(self.plan.options, shares, strict=False):
             found[one.path] = one.entries[int(one.index(share))]
@@ -147,20 +150,20 @@ class DesignSpace:
 
     @property
     def named(self) -> list[int]:
-        """Return the indices of the choices from lists of entries that are not numbers, such as materials."""
+        """Return the indices of the choices from lists whose entries are not numbers, such as materials."""
         return [at for at, one in enumerate(self.plan.options) if not one.is_number]
 
     def combination(self, shares: np.ndarray) -> np.ndarray:
-        """Return the combination of list entries of each design, as indices (n, lists).
+        """Return the combination of list entries of each of n designs, as indices (n, lists).
 
-        Lists of numbers are used only if there are no other lists.
+        shares (n, d): position of each choice, 0 to 1. Lists of numbers are used only if there are no other lists.
         """
         some = self.named or range(len(self.plan.options))
         columns = [self.plan.options[at].index(shares[:, at]) for at in some]
         return np.column_stack(columns) if columns else np.zeros((len(shares), 1), dtype=int)
 
     def answers(self, shares: np.ndarray) -> Evaluated:
-        """Return objectives, constraint violations and results of n designs; refused designs get a large violation.
+        """Return objectives, constraint violations and results of n designs; refused designs get a violation of a million.
 
         shares (n, d): position of each choice between its ends or along its list, 0 to 1.
         """
@@ -172,7 +175,7 @@ class DesignSpace:
             try:
                 numbers, points = self._contacts(shares, some)
             except InputError:
-                continue  # what is taken together makes no contact
+                continue  # these choices together are no valid contact
             for region, case, solved in self._taken(numbers, points):
                 if solved is None or case is None:
                     continue
@@ -192,13 +195,13 @@ class DesignSpace:
 
     @property
     def _kept(self) -> list[str]:
-        """Return the names of the results that are needed to evaluate designs."""
+        """Return the names of the results that the model must compute."""
         return sorted({*self.names, "mean_separation"} - set(YIELDED))
 
     def violations(self, shares: np.ndarray) -> list[str]:
-        """Return the violated limits and validity ranges of one design as texts; for a refused design, the reason.
+        """Return the violated constraints and validity ranges of one design as texts; for a refused design, the reason.
 
-        shares (d,): its choices.
+        shares (d,): position of each choice, 0 to 1.
         """
         try:
             numbers, points = self._contacts(shares[None, :], np.arange(1))
@@ -221,10 +224,10 @@ class DesignSpace:
         return found + [words for bit, words in _validity_bits(solved, self.plan.validity).items() if bits & bit]
 
     def _alike(self, shares: np.ndarray) -> list[np.ndarray]:
-        """Return groups of designs that differ in numbers only, as arrays of indices.
+        """Return groups of designs that differ in numbers only, not in materials, as arrays of indices.
 
-        The designs are ordered by N R sigma, with density N, radius R and height deviation sigma of asperities. This product
-        decides which laws apply, so designs with similar products are predicted together.
+        Designs are sorted by N R sigma (density N, radius R and height deviation sigma of asperities), which decides the laws
+        that apply. So neighbours can be predicted together.
         """
         order = np.argsort(self._summits(shares), kind="stable")
         if not self.named:
@@ -233,7 +236,7 @@ class DesignSpace:
         return [order[group.ravel() == at] for at in range(group.max() + 1)]
 
     def _summits(self, shares: np.ndarray) -> np.ndarray:
-        """Return the product of the chosen roughness numbers of each design (n,), as a substitute for N R sigma."""
+        """Return the product of the roughness numbers that each design chooses between ends (n,), to sort the designs."""
         product = np.ones(len(shares))
         for at, free in enumerate(self.plan.free, start=len(self.plan.options)):
             if free.path[1:-1] == ("roughness",):
@@ -241,9 +244,9 @@ class DesignSpace:
         return product
 
     def _contacts(self, shares: np.ndarray, some: np.ndarray) -> tuple[dict[Address, Any], dict[str, Any]]:
-        """Return the numbers of the case by address, and the loads, for the designs in rows `some`.
+        """Return the numbers of designs by address, with samples of uncertain numbers, and their loads as {"load": array}.
 
-        These designs must share every choice that is not a number, such as materials.
+        shares (n, d). some: indices of the designs, which must have the same choices of everything that is not a number.
         """
         from xarray import DataArray
 
@@ -263,11 +266,11 @@ class DesignSpace:
         return named | numbers, {"load": DataArray(self.case.load, dims=("load",)) if load is None else load}
 
     def _sampled(self, named: Mapping[Address, Any], chosen: list[Address]) -> dict[Address, np.ndarray]:
-        """Return samples (samples,) of each uncertain number that the design does not choose; {} for a prediction.
+        """Return samples (samples,) of each uncertain number that the design does not choose, by address; {} for a prediction.
 
-        Designs of the same materials share the samples.
+        named: choices that are not numbers, by address. chosen: addresses of chosen numbers.
         """
-        if self.is_predicted:  # which draws for itself
+        if self.is_predicted:
             return {}
         kept = self._uncertain(chosen)
         if wants_ranges(self.plan.given):
@@ -294,14 +297,15 @@ class DesignSpace:
         )
 
     def _tables(self, subject: Any, solved: BatchResult, shape: tuple[int, int, int]) -> dict[str, np.ndarray]:
-        """Return the results that the plan needs, by name, each an array (designs, samples, loads)."""
+        """Return the results that the plan needs by name, each an array (designs, samples, loads) of the given shape."""
         groups = subject.all_groups()
         return {name: self._table(name, solved, groups, shape, subject) for name in self.names}
 
     def _shown(self, tables: Mapping, objectives: list[np.ndarray], excess: list[np.ndarray]) -> dict[str, np.ndarray]:
-        """Return the displayed value of each result (designs,), by name.
+        """Return the value to show of each result (designs,), by name.
 
         A result that an objective or limit concerns is shown at the worst sample and load, other results by their median.
+        excess, objectives: arrays (designs, samples, loads), in the order of the plan.
         """
         found = {name: np.median(table.reshape(len(table), -1), axis=1) for name, table in tables.items()}
         names = [*(one.quantity for one in self.plan.limits), *(one.quantity for one in self.plan.objectives)]
@@ -311,7 +315,7 @@ class DesignSpace:
         return found
 
     def _table(self, name: str, solved: BatchResult, groups: Mapping, shape: tuple[int, int, int], subject: Any) -> np.ndarray:
-        """Return one result, or dimensionless group of the contact, as an array (designs, samples, loads)."""
+        """Return one result, or dimensionless group of the contact, as an array (designs, samples, loads); NaN if unknown."""
         if name in solved.variables:
             dims, values, _ = solved.variables[name]
             return _as_table(dims, values, shape)
@@ -336,7 +340,7 @@ class DesignSpace:
 
 
 def _shape(subject: Any, designs: int, loads: int) -> tuple[int, int, int]:
-    """Return (designs, samples, loads), with the number of samples read from the contact's arrays."""
+    """Return (designs, samples, loads); the number of samples is read from the arrays of the contact, 1 without samples."""
     samples = next((array.sizes[_SAMPLE] for _, array in subject.arrays() if _SAMPLE in array.dims), 1)
     return designs, samples, loads
 
@@ -346,25 +350,23 @@ def _as_table(dims: Any, values: np.ndarray, shape: tuple[int, int, int]) -> np.
 
 
 def _beyond(low: float, high: float, table: np.ndarray) -> np.ndarray:
-    """Return how far results lie beyond a limit, relative to the limit; 0 or below inside."""
+    """Return how far results lie beyond the limits `low` and `high`, relative to the limit; 0 or below between the limits."""
     over = (table - high) / (abs(high) or 1.0) if np.isfinite(high) else np.full(table.shape, -np.inf)
     under = (low - table) / (abs(low) or 1.0) if np.isfinite(low) else np.full(table.shape, -np.inf)
     return np.maximum(over, under)
 
 
 def _outside(solved: BatchResult, validity: str) -> np.ndarray:
-    """Return the number of violated validity ranges at each point.
-
-    validity: which ranges count, as in [design].
-    """
+    """Return the number of violated validity ranges of each contact and load; validity: which ranges count, as in [design]."""
     bits = solved.validity_warnings[1]
     return np.sum([(bits & bit) > 0 for bit in _validity_bits(solved, validity)], axis=0).astype(float)
 
 
 def _validity_bits(solved: BatchResult, validity: str) -> dict[np.uint32, str]:
-    """Return the warning bits that count as violations, each with its text.
+    """Return the bits of `validity_warnings` that count as violations, each with its text.
 
-    validity: "claimed", "possible" or "any", as in [design]. Bits of refused contacts always count.
+    validity: "claimed" counts all ranges except those about statistics, "possible" those that make a result impossible, "any"
+    none. The bits of refused contacts always count.
     """
     found = {np.uint32(1 << at): why for at, why in enumerate(WHY_NOT)}
     for at, rule in enumerate(solved.rules, start=len(WHY_NOT)):
@@ -374,7 +376,7 @@ def _validity_bits(solved: BatchResult, validity: str) -> dict[np.uint32, str]:
 
 
 def _worst(table: np.ndarray) -> np.ndarray:
-    """Return the worst value of each design (designs,) over the loads and over the best 95 % of the samples.
+    """Return the worst value of each design (designs,): the largest over its loads, at the 95 % quantile of its samples.
 
     table (designs, samples, loads): costs or violations, higher is worse.
     """
@@ -382,7 +384,7 @@ def _worst(table: np.ndarray) -> np.ndarray:
 
 
 def _place_of_worst(table: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return the indices (designs, samples, loads) of the worst value of each design, as defined in `_worst`."""
+    """Return the indices (designs, samples, loads) of the worst value of each design, as `_worst` defines it."""
     numbers = _refused_as_far(table)
     rows, loads = np.arange(len(table)), numbers.argmax(axis=2)
     order = np.argsort(numbers.max(axis=2), axis=1, kind="stable")

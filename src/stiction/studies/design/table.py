@@ -1,4 +1,4 @@
-"""The table [design] of a case file: its keys and their checks."""
+"""Define the table [design] of a case file: its keys and their checks."""
 
 from typing import Any, Literal
 
@@ -39,11 +39,12 @@ class Objective(Input):
 
 
 class Design(Input):
-    """Define the table [design] of a case file: what may be chosen, objectives and constraints.
+    """Define the table [design] of a case file: choices, objectives and constraints of a design search.
 
-    objective: one objective, or a list of two. choose: numbers of the contact and load with their ends, or lists from which
-    one entry is taken. limits: results with their low or high ends. validity: "claimed" allows validity warnings about
-    statistics only, "possible" all except those that make a result impossible, "any" allows all.
+    objective: one objective, or a list of two. choose: by name, numbers of the contact or the load with their low and high
+    ends, or lists from which one entry is chosen. limits: by name, results with their low or high ends. validity: "claimed"
+    allows validity warnings about statistics only, "possible" all except those that make a result impossible, "any" allows all.
+    effort: number of generations of the search.
     """
 
     objective: Any = Field(description='an objective, { minimise = "friction_coefficient" }, or a list of two')

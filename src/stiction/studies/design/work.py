@@ -1,20 +1,20 @@
-"""How many designs each part of a search evaluates, and which it begins with."""
+"""Determine how many designs each part of a search evaluates, and with which designs it begins."""
 
 import numpy as np
 
 from stiction.quantities.sampling import sobol_points
 from stiction.studies.design.space import DesignSpace
 
-FRONT = 12  # designs between the two ends of a front that are searched, of a model
-_DRAWN, _FEW_DRAWN = 256, 32  # designs that a search begins with, of a model and of a prediction with one objective
-TOGETHER, _PER_ROUND = 64, 12  # designs of a round of a front of predictions; effort of a round
-_POPULATION, FEW = 24, 8
-WAYS = 12  # ways to choose from lists that are searched
-REFINED = 3  # ways to choose from lists whose numbers are refined
+FRONT = 12  # ceilings of the second objective at which the Pareto front of a model is searched
+_DRAWN, _FEW_DRAWN = 256, 32  # first designs of a search, for a model and for a prediction with one objective
+TOGETHER, _PER_ROUND = 64, 12  # designs per round on the Pareto front of a prediction; generations that count as one round
+_POPULATION, FEW = 24, 8  # smallest population of differential evolution, for a model and for a prediction
+WAYS = 12  # combinations of list entries that are searched, the best first
+REFINED = 3  # combinations of list entries whose numbers are refined
 
 
 def most_designs(space: DesignSpace) -> int:
-    """Return the largest number of designs that a search evaluates; most searches stop earlier."""
+    """Return the largest number of designs that a search may evaluate; most searches stop earlier."""
     drawn, plan = first_designs(space), space.plan
     if not plan.free:
         return len(drawn)
@@ -46,10 +46,10 @@ def refinements(space: DesignSpace) -> int:
 
 
 def first_designs(space: DesignSpace) -> np.ndarray:
-    """Return the first designs to evaluate (n, d): Sobol points for every combination of list entries.
+    """Return the n designs that a search evaluates first, (n, d): Sobol points for every combination of list entries.
 
-    Each of the d choices is a position between its ends or along its list, 0 to 1. Without free numbers,
-    each combination occurs once.
+    Each of the d choices is a position, 0 to 1, between its ends or along its list. With 1024 combinations or more, only each
+    second, third, ... one is used. Without free numbers, every combination occurs once.
     """
     plan, most = space.plan, _FEW_DRAWN * len(space.plan.objectives) ** 2 if space.is_predicted else _DRAWN
     counts = [len(one.entries) for one in plan.options]

@@ -1,6 +1,7 @@
 """Fit one model to measured values, with intervals and sentences on what the data do not determine.
 
-Every free number is fitted as a share: its position between its low end (0) and its high end (1), linear or logarithmic.
+A free number is a number of the case that the fit varies between a low and a high end. The fit works with its share: the
+position between the low end (0) and the high end (1), linear or logarithmic.
 """
 
 from collections.abc import Sequence
@@ -16,23 +17,24 @@ from stiction.quantities.units import show
 from stiction.studies.fit.model import ForwardModel
 from stiction.studies.fit.search import CONFIDENCE, FAR, Best, Profile, Residuals, profiles, search
 
-_BELIEVED = 0.99  # quantile of chi square up to which stated errors are believed
+_BELIEVED = 0.99  # quantile of chi square above which stated errors are enlarged
 _HIDES = 5.0  # two numbers are indistinguishable if one moves this many times farther when the other moves too
-_LIKE = 0.25  # of the rate at which one goes, at which the other does, in their logarithms
-_WIDE = 3.0  # interval of a number that is badly determined: high over low
-_AT_END = 1e-3  # of the way between the ends
-_SMALL = 1e-3  # of the largest value: errors that are smaller are made larger for the search
-_FAR_OFF = 0.5  # of the size of the values: without stated errors, a larger scatter means that the model does not fit
+_LIKE = 0.25  # smallest ratio of the changes of two logarithms that counts as a similar rate
+_WIDE = 3.0  # high over low end of an interval above which a number counts as badly determined
+_AT_END = 1e-3  # largest distance from an end, as a share, that counts as at the end
+_SMALL = 1e-3  # smallest error in the search, relative to the largest measured value of its quantity
+_FAR_OFF = 0.5  # scatter over the size of the values above which the model does not fit, if no errors are stated
 
 
 @dataclass(frozen=True)
 class Fitted:
     """Hold one model with its best-fit free numbers and their intervals.
 
-    errors: standard errors (n,) of the measured values, multiplied by `scale`. found: whether this scale was estimated from the
-    scatter of the values. stated: whether the data file states the errors. threshold: rise of chi square that marks the ends of
-    an interval. freedom: number of values minus number of free numbers that the model uses. profiles: one likelihood profile
-    for each free number, or none.
+    name: name of the model, "" for that of the case. forward: the model with its data. best: the best fit. errors: standard
+    errors (n,) of the n measured values, multiplied by `scale`. stated: whether the data file states the errors. found: whether
+    `scale` was estimated from the scatter of the values; otherwise it is 1. threshold: rise of chi square that marks the ends
+    of an interval. freedom: number of values minus number of free numbers that affect the model. profiles: one likelihood
+    profile for each free number, or none.
     """
 
     name: str
@@ -52,7 +54,7 @@ class Fitted:
 
     @property
     def values(self) -> np.ndarray:
-        """Return the best-fit values (k,) of the free numbers, in SI units."""
+        """Return the best-fit values (k,) of the k free numbers, in SI units."""
         return self.at(self.best.shares)
 
     @property
@@ -64,16 +66,19 @@ class Fitted:
         return np.array([one.at(share) for one, share in zip(self.parameters, shares, strict=True)])
 
     def log_likelihood(self, rise: np.ndarray) -> np.ndarray:
-        """Return the log-likelihood relative to the best fit, for a rise of chi square.
+        """Return the log-likelihood relative to that of the best fit, for a rise of chi square of any shape.
 
-        An error size that was estimated from the same values is integrated out (Gelman et al. 2013, section 14.2: Student's t
-        for a linear model).
+        If the size of the errors was estimated from the same values, it is integrated out (Gelman et al. 2013, section 14.2:
+        Student's t for a linear model).
         """
         rise = np.maximum(rise, 0.0)
         return -0.5 * len(self.errors) * np.log1p(rise / self.freedom) if self.found else -0.5 * rise
 
     def residuals(self) -> Residuals:
-        """Return the function that computes the residuals of the fit, divided by the scaled standard errors."""
+        """Return a function that computes residuals, (model - measured)/standard error, from shares of the free numbers.
+
+        It maps shares (sets, k) of k free numbers to residuals (sets, n) of n measured values.
+        """
         return _residuals(self.forward, self.errors)
 
 
@@ -84,7 +89,8 @@ def _residuals(forward: ForwardModel, errors: np.ndarray) -> Residuals:
 def fitted(name: str, forward: ForwardModel, with_profiles: bool = True) -> Fitted:
     """Fit a model to its measured values by least squares, with or without likelihood profiles.
 
-    Raises InputError if the model cannot compute a measured point with the best numbers.
+    name: name of the model for the result. forward: the model with its data. Raises InputError if the model with the best
+    numbers cannot compute a measured value.
     """
     errors, stated = _errors(forward.data)
     best = _searched(forward, errors, _start(forward))
@@ -97,10 +103,11 @@ def fitted(name: str, forward: ForwardModel, with_profiles: bool = True) -> Fitt
 
 
 def _searched(forward: ForwardModel, errors: np.ndarray, start: np.ndarray) -> Best:
-    """Return the best fit of a model, searched from the positions `start` (k,) of the free numbers, 0 to 1.
+    """Return the best fit of a model.
 
-    Errors far smaller than the measured values are enlarged for the search, all by one factor, which leaves the minimum in
-    place. With small errors, all residuals away from the minimum would be clipped alike, and the search would find no slope.
+    errors: standard errors (n,). start: shares (k,), 0 to 1, from which the search starts. Errors far smaller than the measured
+    values are enlarged for the search, all by one factor, which does not move the minimum. Otherwise residuals would be clipped
+    everywhere except near the minimum, and the search would find no slope.
     """
     sizes = {
         name: np.abs(forward.data.value[np.array(forward.data.quantity) == name]).max() for name in forward.data.quantities
@@ -116,20 +123,21 @@ def _searched(forward: ForwardModel, errors: np.ndarray, start: np.ndarray) -> B
 
 
 def _over(best: Best, factor: float) -> Best:
-    """Return the fit as if all standard errors were multiplied by a factor."""
+    """Return the fit as if all standard errors had been multiplied by a factor."""
     return replace(best, residuals=best.residuals / factor, jacobian=best.jacobian / factor)
 
 
 def _scaled(name: str, forward: ForwardModel, best: Best, given: tuple[np.ndarray, bool], with_profiles: bool) -> Fitted:
-    """Return the fit with standard errors estimated from the scatter, if none were stated or the scatter exceeds them.
+    """Return a fit with its intervals, after estimating the size of the standard errors from the scatter if that is needed.
 
-    given: standard errors (n,), and whether they were stated. Stated errors are enlarged only if chi square exceeds its
-    99 % quantile.
+    best: best fit with the errors in `given`, which are the standard errors (n,) and whether they are stated in the data file.
+    Unstated errors are scaled to the scatter. Stated errors are enlarged only if chi square exceeds its 99 % quantile.
+    with_profiles: whether likelihood profiles are computed.
     """
     from scipy.stats import chi2, f
 
     errors, stated = given
-    freedom = len(errors) - int(best.jacobian.any(axis=0).sum())  # what the model does not ask for is no number of its
+    freedom = len(errors) - int(best.jacobian.any(axis=0).sum())  # a number without effect on the model does not count
     scale = 1.0
     found = freedom > 0 and (not stated or best.chi_square > chi2.ppf(_BELIEVED, freedom))
     if found:
@@ -141,16 +149,17 @@ def _scaled(name: str, forward: ForwardModel, best: Best, given: tuple[np.ndarra
 
 
 def refitted(fit: Fitted, forward: ForwardModel) -> Fitted:
-    """Fit the model of an earlier fit to other values, starting from the earlier best numbers."""
+    """Fit the model of an earlier fit to the values in `forward`, starting from the best numbers of the earlier fit."""
     errors, stated = _errors(forward.data)
     best = _searched(forward, errors, fit.best.shares)
     return _scaled(fit.name, forward, best, (errors, stated), False)
 
 
 def _errors(data: Measurements) -> tuple[np.ndarray, bool]:
-    """Return the standard error of each measured value (n,), and whether the data state the errors.
+    """Return the standard error of each of n measured values (n,), and whether the data state the errors.
 
-    Unstated errors are equal for all values; their size is estimated later from the scatter.
+    Unstated errors are equal for all values; their size is estimated later from the scatter. Raises InputError if the errors of
+    one of two or more measured quantities are not stated.
     """
     there = np.isfinite(data.error)
     if there.all():
@@ -165,9 +174,9 @@ def _errors(data: Measurements) -> tuple[np.ndarray, bool]:
 
 
 def _start(forward: ForwardModel) -> np.ndarray:
-    """Return the starting point of the search: each free number's position between its ends, 0 to 1.
+    """Return the shares (k,), 0 to 1, of the k free numbers at which the search starts.
 
-    A number starts at its value in the case, or halfway if the case has no value between the ends.
+    A number starts at its value in the case, or at 0.5 if the case has no value between its ends.
     """
     shares = []
     for one in forward.parameters:
@@ -191,7 +200,7 @@ def _given(content, path):
 
 
 def diagnostics(fit: Fitted) -> list[str]:
-    """Return sentences on the free numbers that these data determine badly or not at all."""
+    """Return one sentence for each problem of a fit, above all for free numbers that the data determine badly or not at all."""
     found = []
     groups = _indistinguishable(fit)
     for group in groups:
@@ -235,9 +244,9 @@ def _is_wide(fit: Fitted, at: int) -> bool:
 
 
 def _indistinguishable(fit: Fitted) -> list[list[int]]:
-    """Return groups of free numbers that are badly determined because they can change together.
+    """Return groups of free numbers that are badly determined because they can change together, as lists of indices.
 
-    Two numbers are grouped if, along the profile of either, the other moves several times as far as it could alone.
+    Two numbers are grouped if, within the interval of either, the other moves more than five times as far as it could alone.
     """
     from scipy.sparse.csgraph import connected_components
 
@@ -248,9 +257,9 @@ def _indistinguishable(fit: Fitted) -> list[list[int]]:
 
 
 def _carries(fit: Fitted, at: int, other: int) -> bool:
-    """Return whether free number `other` moves far along the profile of free number `at`.
+    """Return whether free number `other` moves far within the interval of free number `at`, while chi square stays low.
 
-    Far means several times as far as `other` could move alone without a much worse fit.
+    at, other: indices of the numbers. Far means five times as far as `other` could move alone, or 80 % of its range.
     """
     if at == other or not _is_traded(fit, at, other):
         return False
@@ -259,7 +268,7 @@ def _carries(fit: Fitted, at: int, other: int) -> bool:
 
 
 def _is_traded(fit: Fitted, at: int, other: int) -> bool:
-    """Return whether two free numbers may compensate each other.
+    """Return whether two free numbers, given by their indices, may compensate each other.
 
     They may if the data determine both badly, or if the interval of one reaches an end and both change at similar rates.
     """
@@ -272,7 +281,7 @@ def _is_traded(fit: Fitted, at: int, other: int) -> bool:
 
 
 def _span(fit: Fitted, at: int, other: int) -> float:
-    """Return how far number `other` moves, as a fraction of its range, within the interval of number `at`."""
+    """Return how far free number `other` moves, as a fraction of its range, within the interval of free number `at`."""
     path = fit.profiles[at].others[fit.profiles[at].rise <= fit.threshold, other]
     return float(np.ptp(path)) if path.size else 0.0
 
@@ -283,9 +292,9 @@ def _size(fit: Fitted, at: int) -> float:
 
 
 def _ways(fit: Fitted, group: Sequence[int]) -> str:
-    """Return two very different sets of these free numbers that fit about equally well, as text.
+    """Return two very different sets of some free numbers that fit about equally well, as text.
 
-    They are those at the two ends of the interval of the group's first number.
+    group: indices of the numbers. The sets are those at the two ends of the interval of the first number.
     """
     profile = fit.profiles[group[0]]
     inside = np.flatnonzero(profile.rise <= fit.threshold)

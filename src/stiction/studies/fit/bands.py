@@ -1,4 +1,8 @@
-"""Predict with a fitted model, with 95 % bands from the uncertainty of its free numbers."""
+"""Predict with a fitted model, with 95 % bands from the uncertainty of its free numbers.
+
+A free number is a number of the case that the fit varies. Its share is its position between its low end (0) and its high end
+(1).
+"""
 
 import math
 from collections.abc import Mapping
@@ -19,10 +23,10 @@ from stiction.studies.fit.model import derived, result_of
 from stiction.studies.fit.plan import RESISTANCE, FitPlan
 from stiction.studies.fit.search import CONFIDENCE, finite
 
-_DRAWS, _TRIED = 1024, 4096
-_AT_ONCE = 256  # sets of trials at a time
-_MOST = 50_000  # predicted points at a time
-_MOST_PREDICTED = 20_000  # each for all draws
+_DRAWS, _TRIED = 1024, 4096  # posterior samples, and proposals from which they are chosen
+_AT_ONCE = 256  # proposals evaluated in one batch
+_MOST = 50_000  # predicted points in one batch
+_MOST_PREDICTED = 20_000  # largest number of points, each predicted for all samples
 _SET = "set"
 
 
@@ -30,9 +34,9 @@ _SET = "set"
 class Bands:
     """Hold the predictions of a fitted model for each measured quantity.
 
-    tables: by name of the quantity, (dimensions, best values, low and high ends of the 95 % band). coords: coordinates of the
-    dimensions. sample: name of the measured sample that is predicted, if samples have free numbers of their own. effective:
-    effective number of posterior samples behind the bands.
+    tables: by name of the quantity, (dimensions, best values, low and high ends of the 95 % band) in SI units. coords:
+    coordinates of the dimensions. sample: name of the measured sample that is predicted, if samples have free numbers of their
+    own. effective: effective number of posterior samples behind the bands.
     """
 
     tables: dict[str, tuple[tuple[str, ...], np.ndarray, np.ndarray, np.ndarray]]
@@ -42,10 +46,10 @@ class Bands:
 
 
 def draws_of(fit: Fitted, seed: int = 1) -> tuple[np.ndarray, float]:
-    """Return posterior samples (m, k) of the k free numbers, and the effective sample size.
+    """Return posterior samples (m, k) of the shares of the k free numbers, and the effective number of samples.
 
-    A sample holds the position of each number between its ends, 0 to 1. Method: importance sampling with Sobol points. The
-    proposal mixes a wide Student's t about the best fit with a uniform distribution.
+    Method: importance sampling with Sobol points. The proposal mixes a wide Student's t distribution about the best fit with a
+    uniform distribution.
     """
     k = len(fit.parameters)
     points = sobol_points(k + 1, _TRIED, seed)
@@ -62,12 +66,12 @@ def draws_of(fit: Fitted, seed: int = 1) -> tuple[np.ndarray, float]:
     weights /= weights.sum()
     effective = float(1.0 / (weights**2).sum())
     at = (np.arange(_DRAWS) + 0.5) / _DRAWS
-    mixed = np.random.default_rng(seed).permutation(len(sets))  # every eighth Sobol point is from the same corner
+    mixed = np.random.default_rng(seed).permutation(len(sets))  # every eighth Sobol point lies in the same octant
     chosen = np.searchsorted(np.cumsum(weights[mixed]), at, side="right")
     return sets[mixed[np.minimum(chosen, len(sets) - 1)]], effective
 
 
-_DEGREES = 4.0  # of freedom of Student's distribution: its tails are wider than those of any likelihood
+_DEGREES = 4.0  # degrees of freedom of Student's t, so that its tails are wider than those of the likelihood
 
 
 def _student(uniform: np.ndarray) -> np.ndarray:
@@ -85,8 +89,8 @@ def _density(standard: np.ndarray, root: np.ndarray) -> np.ndarray:
 def predicted(plan: FitPlan, fit: Fitted) -> Bands:
     """Predict the measured quantities at the loads or separations of [solve], with 95 % bands.
 
-    Numbers of the table [fit.predict] replace those of the case. If samples have free numbers of their own, the first sample
-    is predicted. Raises InputError if the contact cannot be solved.
+    Numbers of the table [fit.predict] replace those of the case. If samples have free numbers of their own, the first sample is
+    predicted. Raises InputError if the contact cannot be solved.
     """
     sample = plan.data.samples[0] if any(x.sample is not None for x in fit.parameters) else None
     columns = [at for at, x in enumerate(fit.parameters) if x.sample in (None, sample)]
@@ -116,7 +120,7 @@ def predicted(plan: FitPlan, fit: Fitted) -> Bands:
 
 
 def check_predicted(plan: FitPlan) -> None:
-    """Raise InputError if [fit.predict] names no number of the contact, or asks for too many points."""
+    """Raise InputError if [fit.predict] names something that is no number of the contact, or contains too many points."""
     arrays = _predicted_numbers(plan)
     solve = plan.content.get("solve", {})
     given = (solve.get("load") or solve.get("separation")) if isinstance(solve, Mapping) else None
@@ -128,7 +132,7 @@ def check_predicted(plan: FitPlan) -> None:
 
 
 def _predicted_numbers(plan: FitPlan) -> dict[Address, Any]:
-    """Return the numbers of the table [fit.predict] by address; lists and ranges become labelled arrays."""
+    """Return the numbers of the table [fit.predict] by address, in SI units; lists and ranges become labelled arrays."""
     from stiction.case.addresses import address_of, leaves_of
     from stiction.case.swept import number_of, swept_numbers
 
@@ -152,9 +156,9 @@ def _predicted_numbers(plan: FitPlan) -> dict[Address, Any]:
 
 
 def _numbers(named: list[Free], sets: np.ndarray, taken: set[Address]) -> dict[Address, Any]:
-    """Return the values (sets,) of the free numbers by address, without those in `taken`.
+    """Return the values (sets,) of free numbers by address, in SI units, without those at the addresses `taken`.
 
-    sets (sets, k): position of each number between its ends; taken: addresses that [fit.predict] sets.
+    named: the free numbers. sets (sets, k): their shares, 0 to 1. taken: addresses that [fit.predict] sets.
     """
     return {x.path: x.at(sets[:, at]) for at, x in enumerate(named) if x.path not in taken}
 
@@ -176,9 +180,10 @@ def _solved(plan, one, arrays, numbers, names) -> tuple[BatchResult, dict[str, A
 
 
 def _of(solved: BatchResult, name: str, resistance: Any, sets: int) -> tuple[tuple[str, ...], np.ndarray]:
-    """Return a measured quantity from solved results: its dimensions, and its values (sets, *dimensions).
+    """Return a measured quantity from solved results: its dimensions, and its values (sets, *dimensions) in SI units.
 
-    name: the quantity. resistance: specific contact resistance [ohm m^2]. sets: number of sets of free numbers.
+    name: name of the quantity. resistance: specific contact resistance [ohm m^2], one number or (sets,). sets: number of sets
+    of free numbers.
     """
     result = result_of(name)
     dims, values, _ = solved.variables[result]

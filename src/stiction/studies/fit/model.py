@@ -1,4 +1,7 @@
-"""Evaluate a model at the measured points, for many sets of its free numbers at once."""
+"""Evaluate a model at the measured points, for many sets of its free numbers at once.
+
+A free number is a number of the case that the fit varies between a low and a high end.
+"""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -26,10 +29,10 @@ _SET, _ROW = "set", "row"
 
 @dataclass(frozen=True)
 class _Group:
-    """Hold measured values that are evaluated together.
+    """Hold which measured values are evaluated together.
 
-    rows: their indices in the data. known: numbers of the contact that the data state for each value, (rows,) by address.
-    columns: indices of the free numbers on which they depend.
+    rows: their indices in the data. known: numbers of the contact that the data state for each of these values, (rows,) by
+    address. columns: indices of the free numbers on which these values depend.
     """
 
     rows: np.ndarray
@@ -39,7 +42,11 @@ class _Group:
 
 @dataclass(frozen=True)
 class ForwardModel:
-    """Hold a model with its free numbers and the measured values that it is to reproduce."""
+    """Hold a model with its free numbers and the measured values that the model should reproduce.
+
+    choice: the model with its laws. parameters: the free numbers. data: the measured values. groups: which values are evaluated
+    together.
+    """
 
     plan: FitPlan
     choice: Choice
@@ -48,9 +55,9 @@ class ForwardModel:
     groups: tuple[_Group, ...]
 
     def values(self, shares: np.ndarray) -> np.ndarray:
-        """Return the model's values (sets, n) for the n measured points; NaN where the model refuses.
+        """Return what the model computes for the n measured values, (sets, n) in SI units; NaN where it refuses.
 
-        shares (sets, k): position of each of k free numbers between its ends, 0 to 1.
+        shares (sets, k): for each set, the position of each of the k free numbers between its ends, 0 to 1.
         """
         shares = np.atleast_2d(shares)
         numbers = [one.at(shares[:, at]) for at, one in enumerate(self.parameters)]
@@ -71,15 +78,19 @@ class ForwardModel:
 
 
 def result_of(name: str) -> str:
-    """Return the name of the model result from which a measured quantity is computed."""
+    """Return the name of the model result from which a measured quantity is computed: contact_area for contact_resistance.
+
+    Every other quantity is a result of the same name.
+    """
     return "contact_area" if name == "contact_resistance" else name
 
 
 def derived(tables: Mapping[str, np.ndarray], name: str, resistance: Any) -> np.ndarray:
-    """Return a measured quantity (sets, ...) computed from the model's results.
+    """Return a measured quantity (sets, ...) computed from results of the model.
 
-    Contact resistance is the specific resistance of the interface (sets,) over the contact area (Holm 1967: resistance of a
-    film, sigma/A). Every other quantity is a result itself.
+    tables: results (sets, ...) by name. name: name of the quantity. resistance: specific resistance of the interface [ohm m^2],
+    one number or (sets,). Contact resistance is this number over the contact area (Holm 1967: resistance of a film, sigma/A).
+    Every other quantity is a result itself.
     """
     table = tables[result_of(name)]
     if name != "contact_resistance":
@@ -96,7 +107,7 @@ def solved_sets(
     load: np.ndarray,
     keep: Sequence[str],
 ) -> dict[str, np.ndarray]:
-    """Solve contacts for several sets of numbers and return results (sets, rows) by name.
+    """Solve rows of contacts for many sets of numbers, and return results (sets, rows) by name.
 
     numbers: values (sets,) that differ between sets, by address. known: values (rows,) that differ between rows, by address.
     load: load of each row [N] (rows,), NaN if the results need no load. keep: names of the results. A set that the model
@@ -120,8 +131,8 @@ def solved_sets(
 def forward_model(plan: FitPlan, model: str | None = None, data: Measurements | None = None) -> ForwardModel:
     """Return the model of a fit plan with its free numbers and measured values.
 
-    model: name of another model to use instead. data: a subset of the measured values. Raises InputError if the model does not
-    compute a measured quantity.
+    model: name of a model to use instead of that of the case. data: some of the measured values, to use instead of all. Raises
+    InputError if the model does not compute a measured quantity.
     """
     data = plan.data if data is None else data
     parameters = _parameters(plan)
@@ -133,14 +144,18 @@ def forward_model(plan: FitPlan, model: str | None = None, data: Measurements | 
 
 
 def case_between_the_ends(plan: FitPlan, data: Measurements) -> "Case":
-    """Return the case at the measured loads, with each free number halfway between its ends."""
+    """Return the case of a plan at the measured loads, with each free number halfway between its ends.
+
+    data: measured values; the first row also supplies the numbers of the contact that the data state. Without loads, the case
+    keeps its points.
+    """
     case = plan.case.at({**data.known[0], **middle_of(plan.free)})
     load = np.sort(data.load[np.isfinite(data.load)])
     return replace(case, load=load, separation=None) if load.size else case
 
 
 def check_models(plan: FitPlan) -> None:
-    """Raise InputError if `models` of the table [fit] names an unknown model."""
+    """Raise InputError if the key `models` of the table [fit] has the name of an unknown model."""
     if not plan.models:
         return
     subject = case_between_the_ends(plan, plan.data).subject
@@ -152,7 +167,7 @@ def check_models(plan: FitPlan) -> None:
 
 
 def _parameters(plan: FitPlan) -> tuple[Free, ...]:
-    """Return the free numbers of a fit: each once for all samples, or once for every sample."""
+    """Return the free numbers of a fit: each once, or once for every measured sample if samples have values of their own."""
     return tuple(
         replace(one, sample=sample) for one in plan.free for sample in (plan.data.samples if one.each_sample else [None])
     )
@@ -180,7 +195,10 @@ def _groups(data: Measurements, parameters: Sequence[Free]) -> tuple[_Group, ...
 
 
 def _check_answers(forward: ForwardModel, subject: Any) -> None:
-    """Raise InputError if the model does not compute one of the measured quantities."""
+    """Raise InputError if the model does not compute one of the measured quantities.
+
+    subject: the contact with each free number halfway between its ends, with which this is tried.
+    """
     load = forward.data.load[np.isfinite(forward.data.load)]
     point: dict[str, Any] = {"load": float(load[0])} if load.size else {"separation": 0.0}
     known = set(solve_batch(subject, forward.choice, **point).variables)

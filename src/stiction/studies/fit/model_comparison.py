@@ -15,10 +15,11 @@ _FOLDS = 5
 
 @dataclass(frozen=True)
 class ComparedModel:
-    """Hold an alternative model with its fit, or the reason why it could not be fitted.
+    """Hold an alternative model with its fit, or with the reason `why_not` if it could not be fitted.
 
-    aicc: Akaike's criterion, lower is better. left_out: cross-validation error, the root mean square error of left-out values,
-    divided by their stated standard errors, or by the largest measured value if no errors are stated.
+    aicc: Akaike's criterion, lower is better. left_out: cross-validation error. It is the root mean square of (prediction -
+    measured value), for values that were left out of the fit, over their stated standard errors, or over the largest measured
+    value if no errors are stated.
     """
 
     name: str
@@ -29,9 +30,9 @@ class ComparedModel:
 
 
 def compared_model(plan: FitPlan, name: str, fit: Fitted | None = None) -> ComparedModel:
-    """Fit and cross-validate the model `name`.
+    """Fit and cross-validate the model with the name `name`; a model that raises InputError is returned with the reason.
 
-    fit: an existing fit of this model, which is then used.
+    fit: an existing fit of this model, which is then used instead of a new one.
     """
     try:
         one = fit or fitted(name, forward_model(plan, name), with_profiles=False)
@@ -43,11 +44,12 @@ def compared_model(plan: FitPlan, name: str, fit: Fitted | None = None) -> Compa
 def aicc_of(fit: Fitted) -> float:
     """Return Akaike's criterion of a fit, corrected for few values (Hurvich & Tsai 1989).
 
-    For n values with Gaussian errors and k fitted numbers it is chi square + 2k + 2k(k+1)/(n-k-1) with stated errors.
-    With an estimated error size, which counts as one of the k, n ln(sum of squares/n) replaces chi square.
+    For n values with Gaussian errors and k fitted numbers it is chi square + 2k + 2k(k+1)/(n-k-1) with stated errors. If the
+    size of the errors is estimated, it counts as one of the k numbers, and n ln(sum of squares/n) replaces chi square. The
+    criterion is infinite for n <= k + 1.
     """
-    n, k = len(fit.errors), int(fit.best.jacobian.any(axis=0).sum())  # what the model does not ask for is no number of its
-    chi_square = fit.best.chi_square * fit.scale**2  # of errors as they were given, not as they were enlarged
+    n, k = len(fit.errors), int(fit.best.jacobian.any(axis=0).sum())  # a number without effect on the model does not count
+    chi_square = fit.best.chi_square * fit.scale**2  # with the original errors instead of the enlarged ones
     if fit.stated:
         value = chi_square + 2 * k
     else:
@@ -57,9 +59,10 @@ def aicc_of(fit: Fitted) -> float:
 
 
 def _cross_validation_error(plan: FitPlan, fit: Fitted) -> float:
-    """Return the cross-validation error, for which each fold of the data is predicted from a fit to all other folds.
+    """Return the cross-validation error of a fit: each part of the data is predicted from a fit to all other parts.
 
-    The result is NaN if there are too few values for two folds, and infinite if a fit fails.
+    It is the root mean square of (prediction - measured value) over the standard errors, as in `ComparedModel`. NaN if there
+    are too few values for two parts, infinite if a fit fails.
     """
     data = plan.data
     folds = _folds(plan)
@@ -80,11 +83,11 @@ def _cross_validation_error(plan: FitPlan, fit: Fitted) -> float:
 
 
 def _folds(plan: FitPlan) -> list[np.ndarray]:
-    """Return the folds of the cross-validation, each an array of indices of measured values.
+    """Return the folds (parts of the data) of the cross-validation, each an array of indices of measured values.
 
-    With three or more samples, and no free number fitted per sample, each sample is a fold. Else the values are sorted by
-    sample and load, and every fifth goes into one fold, so that each fold covers the whole range. Empty if a fold's removal
-    leaves too few values.
+    With three or more samples, and no free number fitted per sample, each sample is a fold. Otherwise the values are sorted by
+    sample and load, and every fifth goes into one fold, so that each fold covers the whole range. The list is empty if any fold
+    leaves too few values for a fit.
     """
     data, each = plan.data, any(one.each_sample for one in plan.free)
     if len(data.samples) >= 3 and not each:
@@ -96,7 +99,7 @@ def _folds(plan: FitPlan) -> list[np.ndarray]:
 
 
 def _is_enough(plan: FitPlan, rest: np.ndarray) -> bool:
-    """Return whether the values at indices `rest` suffice for a fit.
+    """Return whether the measured values with the indices `rest` suffice for a fit.
 
     They must outnumber the free numbers. If any number is fitted per sample, every sample must occur among them.
     """
@@ -107,9 +110,9 @@ def _is_enough(plan: FitPlan, rest: np.ndarray) -> bool:
 
 
 def rank(compared_models: list[ComparedModel]) -> list[tuple[ComparedModel, float]]:
-    """Return the models with their Akaike weights, best first; models without a fit come last.
+    """Return (model, Akaike weight) for all models, best first; models without a fit come last.
 
-    Source: Burnham & Anderson 2002, eq. 2.9.
+    The weights sum to 1, or are NaN if no criterion is finite. Source: Burnham & Anderson 2002, eq. 2.9.
     """
     ordered = sorted(compared_models, key=lambda one: (one.fit is None, one.aicc))
     values = np.array([one.aicc for one in ordered])

@@ -1,4 +1,7 @@
-"""Read the table [fit] of a case into a fit plan, and check it against the measured values."""
+"""Read the table [fit] of a case into a fit plan, and check it against the measured values.
+
+A free number is a number of the case that the fit varies between a low and a high end.
+"""
 
 from collections.abc import Iterable, Mapping
 from contextlib import suppress
@@ -27,10 +30,11 @@ _MOST_FREE = 8
 class FitPlan:
     """Hold the checked input of a fit.
 
-    content: tables of the case without [fit], with scans and own materials read. case: the case of these tables. given: the
-    tables as the user wrote them. folder: file names in the tables are relative to it. models: names of alternative models.
-    predict: numbers of the contact to predict for. resistance: specific contact resistance [ohm m^2]. uncertain: addresses of
-    numbers that the case states as uncertain but that are not fitted.
+    content: tables of the case without [fit], with scans and user-defined materials read. case: the case of these tables.
+    given: the tables as the user wrote them. folder: folder at which relative paths in the tables start. free: the free
+    numbers. models: names of alternative models. predict: table of numbers of the contact for which the fitted model predicts.
+    resistance: specific contact resistance [ohm m^2], or None. data: the measured values. uncertain: addresses of numbers that
+    the case states as uncertain but that are not fitted, as text.
     """
 
     content: Mapping[str, Any]
@@ -47,9 +51,9 @@ class FitPlan:
 
 
 def make_fit_plan(content: Mapping[str, Any], data: Any, folder: Path = Path()) -> FitPlan:
-    """Return the checked fit plan of case tables and a file of measured values.
+    """Return the checked fit plan for the tables of a case and a file of measured values.
 
-    folder: file names in the tables are relative to it. Raises InputError.
+    data: path of the CSV file. folder: folder at which relative paths in the tables start. Raises InputError.
     """
     require_names(content)
     given = dict(content)
@@ -80,14 +84,15 @@ def make_fit_plan(content: Mapping[str, Any], data: Any, folder: Path = Path()) 
 
 
 def middle_of(free: Iterable[Free]) -> dict[Address, float]:
-    """Return the value halfway between the ends of each free number of the contact, by address."""
+    """Return the value halfway between the ends of each free number of the contact, by address, in SI units."""
     return {one.path: float(one.at(0.5)) for one in free if one.path != RESISTANCE}
 
 
 def _complete(content: Mapping[str, Any], free: tuple[Free, ...], data: Measurements) -> Case:
-    """Return the case of these tables, with numbers filled in that the tables omit.
+    """Return the case of these tables; missing numbers that the fit or the data supply are filled in.
 
-    Free numbers are set halfway between their ends. Numbers that every measured row states are taken from the first row.
+    Free numbers are set halfway between their ends. Numbers that every measured row states are taken from the first row. Raises
+    InputError if the case is still incomplete.
     """
     known = data.known[0] if all(row.keys() == data.known[0].keys() for row in data.known) else {}
     for numbers in ({}, middle_of(free)):
@@ -97,13 +102,16 @@ def _complete(content: Mapping[str, Any], free: tuple[Free, ...], data: Measurem
 
 
 def read_fit(content: Mapping[str, Any]) -> Fit:
-    """Return the checked table [fit] of a case. Raises InputError."""
+    """Return the table [fit] of a case after checking it. Raises InputError."""
     fit: Fit = study_table(content, "fit", WANTED)
     return fit
 
 
 def free_numbers(fit: Fit, content: Mapping) -> tuple[Free, ...]:
-    """Return the free numbers of [fit.free] with their addresses in the tables of a case. Raises InputError."""
+    """Return the free numbers of the table [fit.free], each with its address in the case.
+
+    content: tables of the case. Raises InputError.
+    """
     found: dict[Address, Free] = {}
     for name, entry in leaves_of(fit.free, "fit.free", lambda table: "low" in table or "high" in table):
         where = f"fit.free.{name}"
@@ -119,7 +127,7 @@ def free_numbers(fit: Fit, content: Mapping) -> tuple[Free, ...]:
 
 
 def _check(plan: FitPlan) -> None:
-    """Raise InputError if the free numbers contradict the data, or the data are too few to fit them."""
+    """Raise InputError if the free numbers contradict the data, or if the data are too few to fit them."""
     known = {path for row in plan.data.known for path in row}
     for one in plan.free:
         if one.path in known:

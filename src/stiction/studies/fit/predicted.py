@@ -1,4 +1,7 @@
-"""Fit a case that names no model: sample its free numbers between their ends and predict with the measured values."""
+"""Fit a case that names no model: sample its free numbers between their ends and predict with the measured values.
+
+A free number is a number of the case with a low and a high end in [fit.free].
+"""
 
 from collections.abc import Mapping
 from pathlib import Path
@@ -17,10 +20,11 @@ if TYPE_CHECKING:
 
 
 def fit_prediction(given: Any, data: Any, folder: Path | None = None) -> "tuple[Case, xarray.Dataset] | None":
-    """Return the case and its prediction with measured values; None if the case names a model.
+    """Return a case and its prediction updated by measured values; None if the case names a model.
 
-    Each free number of [fit.free] becomes uncertain, uniformly distributed between its ends. given: path or tables of a case.
-    data: path of the measured values. folder: file names in the tables are relative to it. Raises InputError.
+    Each free number of [fit.free] becomes uncertain, uniformly distributed between its ends. given: path of a case file, or its
+    tables. data: path of the CSV file of measured values. folder: folder at which relative paths in the tables start; None for
+    that of the case file. Raises InputError.
     """
     content, own_folder = tables_of(given)
     folder = folder or own_folder
@@ -36,9 +40,10 @@ def fit_prediction(given: Any, data: Any, folder: Path | None = None) -> "tuple[
 
 
 def _ends(content: Mapping[str, Any], plain: Mapping) -> dict[tuple[str, ...], Any]:
-    """Return each free number as an uncertain number of a case file, by address.
+    """Return each free number as an uncertain number of a case file, {low, high, spacing}, by address.
 
-    Raises InputError for keys of [fit] that need a named model.
+    content: tables of the case with [fit]. plain: tables after reading all files, which give the addresses. Raises InputError
+    for keys of [fit] that need a named model.
     """
     fit = read_fit(content)
     free = free_numbers(fit, plain)
@@ -54,10 +59,10 @@ def _between(path: tuple[str, ...], low: float, high: float, spacing: str) -> di
 
 
 def fitted_case(given: Any, case: Case, found: "xarray.Dataset", out: Path) -> str:
-    """Return the text of a case file whose free numbers have their fitted intervals.
+    """Return the text of a case file in which the uncertain numbers have their fitted intervals.
 
-    given: path or tables of the original case. out: folder of the new file. found: prediction with measured values, as from
-    `fit_prediction`.
+    given: path or tables of the original case. case, found: the case and the prediction that `fit_prediction` returned. out:
+    folder to which the text will be written.
     """
     numbers = {}
     for one in case.uncertain:

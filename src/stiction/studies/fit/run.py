@@ -28,16 +28,15 @@ if TYPE_CHECKING:
     from stiction.case.arguments import CaseFile
     from stiction.quantities.arguments import FilePath
 
-_FEW = 100  # independent sets, below which a 95 % band is rough
-# From a text, what wraps a list of steps.
+_FEW = 100  # effective number of posterior samples below which a 95 % band is rough
 
 
 @dataclass
 class FitResult:
     """Hold the results of a fit, complete or interrupted.
 
-    best: fit of the model that the case names. bands: its predictions. compared_models: fits of alternative models. stopped:
-    whether the fit was interrupted.
+    best: fit of the model that the case names. bands: its predictions, None before they are computed. compared_models: fits of
+    alternative models. stopped: whether the user interrupted the fit.
     """
 
     plan: FitPlan
@@ -47,7 +46,7 @@ class FitResult:
     stopped: bool = False
 
     def data(self) -> "xarray.Dataset":
-        """Return the results as a labelled dataset."""
+        """Return the results as the labelled dataset that `fit` describes."""
         import xarray
 
         one = self.best
@@ -61,7 +60,7 @@ class FitResult:
         return data.assign_attrs(_attributes(self))
 
     def case_text(self, out: Path) -> str:
-        """Return the text of a case file with the fitted numbers; `out` is its folder."""
+        """Return the text of a case file with the fitted numbers; `out` is the folder to which the text will be written."""
         return _fitted_case(self, out)
 
 
@@ -71,21 +70,22 @@ def fit(case: "CaseFile", data: "FilePath", *, progress: Progress = silent) -> "
     Parameters
     ----------
     case : path, or dict like a case file
-        Case with a table [fit].
+        Case with a table [fit], whose table [fit.free] names the numbers to fit, each with its low and high end.
     data : path
-        CSV file of measured values, with heads like `load [N],friction_coefficient`.
+        CSV file of measured values, with column names such as `load [N],friction_coefficient`.
     progress : callable
         Receives a label and returns a function that wraps the list of steps.
 
     Returns
     -------
     xarray.Dataset
-        Over `parameter` the best `value`, the 95 % interval `low` and `high` by the profile likelihood, whether it is open at
-        an end, `standard_error` and `correlation`; `profile_value` and `profile_rise` of chi-square. Over `row` measured
-        values, computed values and residuals. Over `model` Akaike's criterion, weights and errors of left-out values.
-        Predictions: `predicted_...` with `..._low` and `..._high`. Attribute `verdict`: what the data determine poorly. Where
-        the case names no model, it is the result of `predict` with these measured values, with `value`, `low` and `high` of the
-        free numbers.
+        Over `parameter`, the numbers of [fit.free], in SI units: the best `value`; `low` and `high`, the 95 % interval by the
+        profile likelihood; `open_low` and `open_high`, whether the data set no limit there; `standard_error`, `correlation`,
+        and the profile, `profile_value` and `profile_rise` (rise of chi square). Over `row`: measured values, fitted values
+        and residuals. Over `model`, if [fit] names alternative models: Akaike's criterion, Akaike weights and cross-validation
+        errors. Predictions at the points of [solve]: `predicted_...` with `..._low` and `..._high`. Attribute `verdict`: what
+        the data determine poorly. If the case names no model, the result is that of `predict` with these measured values,
+        with `value`, `low` and `high` of the fitted numbers.
 
     Raises
     ------
@@ -114,7 +114,10 @@ def fit(case: "CaseFile", data: "FilePath", *, progress: Progress = silent) -> "
 
 
 def plan_of_fit(case: Any, data: Any) -> FitPlan:
-    """Return the checked plan of a fit from a case and a file of measured values. Raises InputError."""
+    """Return the checked plan of a fit from a case and a file of measured values.
+
+    case: path of a case file, or a dict of its tables. data: path of the CSV file. Raises InputError.
+    """
     content, folder = tables_of(case)
     plan = make_fit_plan(content, data, folder)
     check_models(plan)
@@ -123,10 +126,10 @@ def plan_of_fit(case: Any, data: Any) -> FitPlan:
 
 
 def run_fit(plan: FitPlan, progress: Progress, keep_on_interrupt: bool = True) -> FitResult:
-    """Fit, predict and compare models as a plan states.
+    """Fit the model of the case, predict with it, and fit the alternative models, as a plan states.
 
-    An interruption (Ctrl-C) after the case's own model is fitted returns the results so far, unless keep_on_interrupt is
-    False.
+    keep_on_interrupt: whether an interruption (Ctrl-C) after the first fit returns the results so far; otherwise
+    KeyboardInterrupt is raised.
     """
     name = forward_model(plan).choice.model_key
     for _ in progress("Fitting")([name]):
@@ -170,7 +173,7 @@ def _parameters(fit: Fitted) -> dict[str, tuple]:
 
 
 def _standard_errors(fit: Fitted) -> np.ndarray:
-    """Return the standard errors (k,) of the fitted values in SI units, from the curvature of chi square."""
+    """Return the standard errors (k,) of the k fitted numbers in SI units, from the curvature of chi square."""
     slope = [
         float(value) * np.log(x.high / x.low) if x.log else x.high - x.low
         for x, value in zip(fit.parameters, fit.values, strict=True)
@@ -227,7 +230,11 @@ def _evidence(compared_models: list[ComparedModel]) -> "xarray.Dataset":
 
 
 def _left_over(fits: Sequence[Fitted | None], stated: bool) -> dict[str, tuple]:
-    """Return the chi square of each model; if no errors were stated, the standard deviation of the values about its fit."""
+    """Return the dataset variable that measures how far the measured values are from the fit of each model.
+
+    stated: whether the data file states errors. With errors it is chi square, without errors the standard deviation of the
+    values about the fit. A model without a fit has NaN.
+    """
     if stated:
         chi = [np.nan if one is None else one.best.chi_square * one.scale**2 for one in fits]
         return {"chi_square": ("model", chi, {"long_name": "sum of squared residuals"})}
@@ -256,7 +263,7 @@ def _attributes(fitting: FitResult) -> dict[str, Any]:
 
 
 def _unsure(fitting: FitResult) -> list[str]:
-    """Return texts that warn of an unconverged search, or of bands from too few independent samples."""
+    """Return sentences on a search that did not converge, and on bands from too few independent samples."""
     why = fitting.best.best.unfinished
     said = [f"the search did not end at a minimum: {why}"] if why else []
     if fitting.bands is not None and fitting.bands.effective < _FEW:

@@ -1,4 +1,8 @@
-"""Least squares and likelihood profiles of numbers that are bounded between 0 and 1."""
+"""Fit numbers that are bounded between 0 and 1 by least squares, and compute their likelihood profiles.
+
+These numbers are called shares: positions of the free numbers of a fit between their low end (0) and their high end (1).
+Residuals are (model - measured)/standard error.
+"""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -9,25 +13,26 @@ import numpy as np
 from stiction.quantities.sampling import sobol_points
 
 CONFIDENCE = 0.95
-# Standardised residual where a model refuses a set of numbers, or has no value.
+# Largest standardised residual, used where a model refuses a set of numbers or gives NaN.
 FAR = 1e4
-_STEP = 1e-4  # of the ends: half the width of differences
+_STEP = 1e-4  # step of central differences to each side, in shares
+# Points of a profile; rounds in which its grid is adapted; Levenberg-Marquardt steps.
 _GRID, _ROUNDS, _STEPS = 33, 4, 40
-_STARTS = 3
-_AGREED = 1e-12  # at which a search ends
-# How often the stretch in which an interval ends is parted, and in how many.
+_STARTS = 3  # starting points of a search
+_AGREED = 1e-12  # relative tolerance at which a search ends
+# How often the grid cell with an end of an interval is divided, and into how many parts.
 _NARROWINGS, _CELL = 2, 8
 
-# Standardised residuals (sets, n) of sets of shares (sets, k).
+# Function from sets of shares (sets, k) to standardised residuals (sets, n).
 Residuals = Callable[[np.ndarray], np.ndarray]
 
 
 @dataclass(frozen=True)
 class Best:
-    """Hold the best fit of k free numbers to n values.
+    """Hold the best fit of k free numbers to n measured values.
 
-    shares (k,): position of each number between its ends, 0 to 1. residuals (n,) and jacobian (n, k): at this point.
-    unfinished: why the search did not converge, "" if it did.
+    shares (k,): position of each number between its ends, 0 to 1. residuals (n,), jacobian (n, k): standardised residuals at
+    these shares, and their derivatives by the shares. unfinished: why the search did not converge, "" if it did.
     """
 
     shares: np.ndarray
@@ -41,9 +46,9 @@ class Best:
 
     @cached_property
     def covariance(self) -> np.ndarray:
-        """Return the covariance (k, k) of the free numbers' positions between their ends, from the Jacobian alone.
+        """Return the covariance (k, k) of the shares of the free numbers, from the Jacobian alone.
 
-        It is NaN if the data leave a combination of the numbers undetermined.
+        All entries are NaN if the data leave a combination of the numbers undetermined.
         """
         try:
             found = np.linalg.inv(self.jacobian.T @ self.jacobian)
@@ -53,21 +58,21 @@ class Best:
 
     @cached_property
     def bounded(self) -> np.ndarray:
-        """Return the covariance (k, k) of the free numbers' positions, given also that each lies between its ends.
+        """Return the covariance (k, k) of the shares of the free numbers, given also that each lies between 0 and 1.
 
-        A uniform distribution between the ends, 0 and 1, has the variance 1/12.
+        The ends count as a prior with the variance 1/12 of a uniform distribution from 0 to 1.
         """
         return np.linalg.inv(self.jacobian.T @ self.jacobian + 12.0 * np.eye(self.jacobian.shape[1]))
 
 
 @dataclass(frozen=True)
 class Profile:
-    """Hold the likelihood profile of one free number.
+    """Hold the likelihood profile of one free number, on a grid of m shares.
 
-    shares (m,): positions of the number between its ends, 0 to 1. rise (m,): chi square minimised over all other numbers, minus
-    that of the best fit. others (m, k): positions of all numbers at these minima. low, high: ends of the interval, where the
-    rise reaches the threshold. open_low, open_high: whether the rise stays below the threshold up to the end; low is then 0,
-    high 1.
+    shares (m,): positions of the number between its ends, 0 to 1. rise (m,): chi square minimised over the other k - 1 free
+    numbers, minus that of the best fit. others (m, k): shares of all k numbers at these minima. low, high: ends of the
+    interval, where the rise reaches a threshold, as shares. open_low, open_high: whether the rise stays below the threshold up
+    to the end; low is then 0, high 1.
     """
 
     shares: np.ndarray
@@ -85,10 +90,10 @@ def finite(values: np.ndarray) -> np.ndarray:
 
 
 def jacobian(residuals: Residuals, shares: np.ndarray, columns: Sequence[int] | None = None) -> tuple[np.ndarray, np.ndarray]:
-    """Return residuals (sets, n) and their derivatives (sets, n, columns) by central differences.
+    """Return residuals (sets, n) and their derivatives by the shares, (sets, n, columns), by central differences.
 
-    shares (sets, k): positions between 0 and 1; differences do not step beyond these ends. columns: indices of the numbers to
-    differentiate by, by default all.
+    residuals: function from shares (sets, k) to residuals (sets, n). shares: points at which to differentiate; differences do
+    not step beyond 0 and 1. columns: indices of the numbers to differentiate by, by default all.
     """
     sets, k = shares.shape
     columns = range(k) if columns is None else columns
@@ -110,7 +115,8 @@ def jacobian(residuals: Residuals, shares: np.ndarray, columns: Sequence[int] | 
 def search(residuals: Residuals, start: np.ndarray, seed: int = 0) -> Best:
     """Return the best fit by bounded least squares (Branch, Coleman & Li 1999).
 
-    The search starts from the best of `start` (k,) and Sobol points between the ends, after a few polishing steps.
+    residuals: function from shares (sets, k) to residuals (sets, n). start: shares (k,). The search starts from the best of
+    three points after a few polishing steps; the points are chosen from `start` and Sobol points.
     """
     from scipy.optimize import least_squares
 
@@ -137,10 +143,11 @@ def _drawn(k: int, seed: int) -> np.ndarray:
 
 
 def polished(residuals: Residuals, shares: np.ndarray, columns: Sequence[int]) -> tuple[np.ndarray, np.ndarray]:
-    """Minimise the sum of squares over some of the numbers, for many sets at once.
+    """Minimise the sum of squared residuals over some of the free numbers, for many starting points at once.
 
-    shares (sets, k): starting positions, 0 to 1; columns: indices of the numbers that may change. Returns the improved sets
-    and their sums of squares (sets,). Method: Levenberg-Marquardt steps (Marquardt 1963), clipped between 0 and 1.
+    residuals: function from shares (sets, k) to residuals (sets, n). shares (sets, k): starting points, 0 to 1. columns:
+    indices of the numbers that may change. Returns the improved shares (sets, k) and their sums of squares (sets,). Method:
+    Levenberg-Marquardt steps (Marquardt 1963), clipped between 0 and 1.
     """
     shares, columns = shares.copy(), list(columns)
     sums = (finite(residuals(shares)) ** 2).sum(axis=1)
@@ -168,7 +175,8 @@ def polished(residuals: Residuals, shares: np.ndarray, columns: Sequence[int]) -
 def _damped(values: np.ndarray, slopes: np.ndarray, damping: np.ndarray, at: np.ndarray) -> np.ndarray:
     """Return Levenberg-Marquardt steps (sets, columns); 0 for a number at an end that would step beyond it.
 
-    values (sets, n): residuals; slopes (sets, n, columns): their derivatives; at (sets, columns): positions, 0 to 1.
+    values (sets, n): residuals. slopes (sets, n, columns): their derivatives. damping (sets,): Levenberg-Marquardt parameter.
+    at (sets, columns): shares, 0 to 1. The steps are to be subtracted from the shares.
     """
     gradient = np.einsum("snk,sn->sk", slopes, values)
     held = ((at <= 0.0) & (gradient > 0.0)) | ((at >= 1.0) & (gradient < 0.0))
@@ -182,17 +190,19 @@ def _damped(values: np.ndarray, slopes: np.ndarray, damping: np.ndarray, at: np.
 
 
 def profiles(residuals: Residuals, best: Best, threshold: float) -> list[Profile]:
-    """Return the likelihood profile of each free number.
+    """Return the likelihood profile of each free number about the best fit.
 
-    threshold: rise of chi square that marks the ends of an interval.
+    residuals: function from shares (sets, k) to residuals (sets, n). threshold: rise of chi square that marks the ends of an
+    interval.
     """
     return [_profile(residuals, best, at, threshold) for at in range(len(best.shares))]
 
 
 def _profile(residuals: Residuals, best: Best, at: int, threshold: float) -> Profile:
-    """Return the likelihood profile of number `at`, on a grid about the best fit.
+    """Return the likelihood profile of the free number with index `at`, on a grid about the best fit.
 
-    The grid is narrowed or widened until it resolves the interval.
+    threshold: rise of chi square that marks the ends of the interval. The grid is narrowed or widened until it resolves the
+    interval.
     """
     centre = best.shares[at]
     reach = 2.0 * np.sqrt(threshold * best.bounded[at, at])
@@ -217,9 +227,10 @@ def _profile(residuals: Residuals, best: Best, at: int, threshold: float) -> Pro
 
 
 def _narrowed(residuals: Residuals, best: Best, at: int, grid: np.ndarray, rise: np.ndarray, threshold: float) -> float:
-    """Return the position at which the rise of chi square reaches the threshold, by subdividing the grid.
+    """Return the share at which the rise of chi square reaches the threshold, after dividing the grid cell in which it does.
 
-    The square root of the rise has a kink where another number reaches its end, so one interpolation is not enough.
+    at: index of the free number. grid, rise: shares (m,) outwards from the best fit, and the rise there. The square root of the
+    rise has a kink where another number reaches its end, so that interpolation in the original cell is not enough.
     """
     for _ in range(_NARROWINGS):
         over = int(np.argmax(rise >= threshold))
@@ -234,11 +245,11 @@ def _narrowed(residuals: Residuals, best: Best, at: int, grid: np.ndarray, rise:
 
 
 def _wanted(found: float, reach: float, is_open: bool, more: bool) -> float:
-    """Return how far the grid of a profile should reach on one side of the best fit.
+    """Return how far the grid of a profile should reach on one side of the best fit, as a difference of shares.
 
     found: half-width of the interval on this side. reach: present half-width of the grid. is_open: whether the interval ends
     beyond the grid. more: whether the grid can still be widened. The grid is narrowed if the interval is less than a quarter of
-    it.
+    the grid.
     """
     if is_open:
         return 4.0 * reach if more else reach
@@ -246,13 +257,16 @@ def _wanted(found: float, reach: float, is_open: bool, more: bool) -> float:
 
 
 def _along(residuals: Residuals, best: Best, at: int, grid: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the best sets (m, k) with number `at` fixed at each grid value (m,), and the rise of chi square (m,) of each."""
+    """Return the best shares (m, k) with the free number `at` fixed at each grid value (m,), and the rise of chi square (m,).
+
+    at: index of the number.
+    """
     slope = best.bounded[:, at] / best.bounded[at, at]
     sets = np.clip(best.shares + slope * (grid - best.shares[at])[:, None], 0.0, 1.0)
     sets[:, at] = grid
     columns = [one for one in range(len(best.shares)) if one != at]
     sets, sums = polished(residuals, sets, columns)
-    for _ in range(2 if columns else 0):  # from what its neighbours found, where that is better
+    for _ in range(2 if columns else 0):  # start again from the neighbours on the grid where that is better
         for shift in (1, -1):
             neighbours = np.roll(sets, shift, axis=0)
             neighbours[0 if shift == 1 else -1] = best.shares
@@ -266,9 +280,10 @@ def _along(residuals: Residuals, best: Best, at: int, grid: np.ndarray) -> tuple
 
 
 def _crossing(grid: np.ndarray, rise: np.ndarray, threshold: float) -> tuple[float, bool]:
-    """Return the grid position at which the rise of chi square first reaches the threshold, and whether it never does.
+    """Return the share at which the rise of chi square first reaches the threshold, and whether it never does.
 
-    The grid runs outwards from the best fit. The square root of the rise, which is almost straight, is interpolated linearly.
+    grid, rise: shares (m,) outwards from the best fit, and the rise there. The square root of the rise, which is almost linear,
+    is interpolated. If the threshold is never reached, the last share of the grid is returned.
     """
     over = np.flatnonzero(rise >= threshold)
     if not over.size:

@@ -1,4 +1,4 @@
-"""The table [fit] of a case file."""
+"""Define the table [fit] of a case file."""
 
 from typing import Any
 
@@ -10,10 +10,10 @@ from stiction.quantities.inputs import Input
 class Fit(Input):
     """Define the table [fit] of a case file.
 
-    free: numbers of the case by name, each with its low and high end. models: names of alternative models to fit as well.
-    predict: numbers of the contact, single or arrays, for which the fitted model predicts at the loads or separations of
-    [solve]. specific_contact_resistance: contact resistance times contact area, needed if resistance was measured and this is
-    not free.
+    free: numbers of the case that are fitted, by name, each with its low and high end. models: names of alternative models to
+    fit as well. predict: numbers of the contact, single or arrays, for which the fitted model predicts at the loads or
+    separations of [solve]. specific_contact_resistance: contact resistance times contact area [ohm m^2], needed if resistance
+    was measured and this number is not free.
     """
 
     free: dict[str, Any] = Field(description="a table of numbers of the case, each with its low and high end")

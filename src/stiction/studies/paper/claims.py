@@ -1,15 +1,16 @@
 """Find where in the (theta, lambda) plane of the adhesion indices each claim of the 2015 paper holds.
 
 docs/explanation/claims.md has the results. Each claim is stated as a number for each film that it is about and a
-bound on it. Coated and uncoated surfaces are compared at the same load, over the paper's films and separations h = 4 to -4:
+bound on it. Coated and uncoated surfaces are compared at the same load, over the paper's films and separations h = 4 to -4
+(h is the mean separation over sigma):
 
-- The reference load is what the uncoated surface carries at h = -4. *Light load* is 1/1000 of it (h about 2, where under
-  3 % of the asperities touch), *moderate load* 1/100 (h about 1).
-- A curve is followed on approach, from its largest tension; a load is taken where it is met first.
+- The reference load is the load that the uncoated surface carries at h = -4. *Light load* is 1/1000 of it (h about 2, where
+  under 3 % of the asperities touch), *moderate load* 1/100 (h about 1).
+- A curve is followed on approach, from its largest tension; a load is taken at the first separation that carries it.
 - A film is not comparable if a surface does not carry that load within the range of h, or if the uncoated surface has no
   friction.
 
-Claim (d) fails nearly everywhere: what looks level on linear axes is friction that has become small and goes on falling.
+Claim (d) fails nearly everywhere: friction that looks level on linear axes has become small and goes on falling.
 The paper prints no contact area; for claim (e) it is computed by an analogue of its eq. (1).
 """
 
@@ -22,13 +23,13 @@ import numpy as np
 from stiction.quantities.quotient import quotient
 from stiction.studies.paper.figures import FILM_VALUES, H_RANGE
 
-# The paper's two readings, and its asperities on a film that is solved.
+# The two variants of the paper's model, and the paper's asperities on an exactly solved film.
 VARIANTS = ("corrected", "published", "layered")
 THETA = np.geomspace(1.0, 1e4, 25)
 LAM = np.geomspace(1e-3, 1e4, 25)
 LIGHT, MODERATE = 1e-3, 1e-2  # over the reference load
-_FEW = 0.03  # a share of the plane that is not worth words
-_TELLS = 1.0 / 3.0  # of the points that a rule without bounds gets wrong, the share that bounds have to get right
+_FEW = 0.03  # fraction of the plane that `where` neglects
+_TELLS = 1.0 / 3.0  # fraction that bounds must classify correctly of the points that a rule without bounds gets wrong
 _H = np.linspace(*H_RANGE, 161)
 _N_E, _N_H, _TAU = (np.array(values) for values in FILM_VALUES.values())
 _STIFF = _N_E > 1.0
@@ -36,7 +37,10 @@ _STIFF = _N_E > 1.0
 
 @dataclass(frozen=True)
 class Curves:
-    """Store normalised load, contact area and friction force (..., separations), in order of approach."""
+    """Store dimensionless load, contact area and friction force, arrays (..., separations) in order of approach.
+
+    The last dimension runs over the separations _H. The dimensions before it are indices and films.
+    """
 
     load: np.ndarray
     contact_area: np.ndarray
@@ -45,8 +49,8 @@ class Curves:
     def at(self, load: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Return contact area and friction force at a load, where it is first carried on approach; NaN if it never is.
 
-        load: broadcasts to the leading dimensions of the curves. Linear interpolation between separations 0.05 apart is
-        accurate to about 1e-3.
+        load: broadcasts to the leading dimensions of the curves. Curves are followed from their largest tension. Linear
+        interpolation between separations 0.05 sigma apart is accurate to about 1e-3.
         """
         after_tension = np.arange(_H.size) > np.argmin(self.load, axis=-1, keepdims=True)
         reached = after_tension & (self.load >= load[..., None])
@@ -67,17 +71,18 @@ class Curves:
 class Surfaces:
     """Hold the curves of the uncoated surface and of all films, at n pairs (theta, lambda) and H separations.
 
-    bare: arrays (n, 1, 1, 1, H); films: arrays (n, n_E, n_H, tau, H).
+    bare: arrays (n, 1, 1, 1, H). films: arrays (n, n_E, n_H, tau, H) over the film's modulus and hardness relative to the body
+    and its thickness over sigma.
     """
 
     bare: Curves
     films: Curves
 
     def ratio(self, over_reference: float, quantity: int) -> np.ndarray:
-        """Return a result of the coated surface over that of the uncoated one, at a fraction of the reference load.
+        """Return a result of the coated surface over that of the uncoated one, both at the same load, (n, n_E, n_H, tau).
 
-        quantity: 0 for contact area, 1 for friction force. At equal load, the ratio of friction forces is the ratio of friction
-        coefficients.
+        over_reference: the load over the reference load, which the uncoated surface carries at h = -4. quantity: 0 for contact
+        area, 1 for friction force, whose ratio is also the ratio of friction coefficients.
         """
         load = over_reference * self.bare.load[..., -1]
         bare, coated = self.bare.at(load)[quantity], self.films.at(np.broadcast_to(load, self.films.load.shape[:-1]))[quantity]
@@ -119,8 +124,8 @@ def _thin_film_area(surfaces: Surfaces) -> np.ndarray:
 class Claim:
     """Define one claim of the paper as a test: it holds for a case if a number lies on the right side of a bound.
 
-    says: the claim. number, cases: what is computed, and for which films, in words. measure: function that returns the
-    numbers. below: whether the claim holds below the bound.
+    key: letter. says: the claim. number, cases: texts on what is computed, and for which films. measure: function that computes
+    the numbers from the curves. below: whether the claim holds below the bound, or above it.
     """
 
     key: str
@@ -133,13 +138,14 @@ class Claim:
 
     @property
     def definition(self) -> str:
-        """Return the test of the claim as one line of text, e.g. "number < bound, for cases"."""
+        """Return the test of the claim as one line of text: number < bound (or >), for cases."""
         return f"{self.number} {'<' if self.below else '>'} {self.bound:g}, for {self.cases}"
 
     def judge(self, surfaces: Surfaces) -> tuple[np.ndarray, np.ndarray]:
         """Return the fraction of comparable cases for which the claim holds, and the worst number, each (n,).
 
-        surfaces: at n pairs (theta, lambda). The results are NaN if no case is comparable.
+        surfaces: curves at n pairs (theta, lambda). The worst number is the largest if the claim holds below its bound, else
+        the smallest. The results are NaN if no case is comparable.
         """
         numbers = self.measure(surfaces).reshape(len(surfaces.bare.load), -1)
         known = np.isfinite(numbers)
@@ -203,8 +209,8 @@ CLAIMS = (
 class ClaimMap:
     """Hold the results of all claims over the plane of the indices theta and lambda (`lam`).
 
-    share, worst (claims, variants, theta, lam): fraction of cases for which a claim holds, and the worst number (see
-    Claim.judge).
+    share, worst (claims, variants, theta, lam): fraction of cases for which a claim holds, and the number farthest on the wrong
+    side of the bound (see Claim.judge).
     """
 
     theta: np.ndarray
@@ -214,7 +220,7 @@ class ClaimMap:
 
 
 def surfaces_at(theta: float, lam: np.ndarray, variant: str) -> Surfaces:
-    """Return the curves of every surface of the paper, at one theta and each lambda of `lam` (n,)."""
+    """Return the curves of every surface of the paper, at one theta and each lambda of `lam` (n,), for one of VARIANTS."""
     from stiction.solving.evaluate import evaluate
     from stiction.studies.paper.layered import LAYERED
 
@@ -239,7 +245,7 @@ def _layered_surfaces(theta: float, lam: np.ndarray) -> Surfaces:
 def claim_map(theta: np.ndarray = THETA, lam: np.ndarray = LAM, progress: Callable[[list], Iterable] = iter) -> ClaimMap:
     """Test every claim at every pair of theta and lam, for every variant of the paper's model.
 
-    progress: receives the list of steps and returns an iterator over it.
+    theta, lam: adhesion indices, one-dimensional arrays. progress: receives the list of steps and returns an iterator over it.
     """
     results = np.empty((2, len(CLAIMS), len(VARIANTS), len(theta), len(lam)))
     steps = [(row, column) for row in range(len(VARIANTS)) for column in range(len(theta))]
@@ -251,10 +257,11 @@ def claim_map(theta: np.ndarray = THETA, lam: np.ndarray = LAM, progress: Callab
 
 
 def where(claims: ClaimMap, chosen: np.ndarray) -> str:
-    """Describe in words which part of the (theta, lambda) plane the chosen points fill.
+    """Return a text on which part of the (theta, lambda) plane the chosen points fill.
 
     chosen: mask (theta, lam). The text names one or two bounds on theta, lambda or the hardness group eta that best separate
-    the chosen points from the others, and the fraction of points that these bounds classify correctly.
+    the chosen points from the others, and the fraction of points that these bounds classify correctly. It is "everywhere",
+    "nowhere" or "scattered" if no bounds do.
     """
     share = float(np.mean(chosen))
     if share in (0.0, 1.0):
@@ -263,7 +270,7 @@ def where(claims: ClaimMap, chosen: np.ndarray) -> str:
         return "almost everywhere" if share > 0.5 else "almost nowhere"
     names, sides = _bounds(claims)
     wanted = np.where(chosen.ravel(), 1, -1)
-    # Right are the chosen points inside both bounds, and the others outside; bound 0 leaves nothing out.
+    # Number of points that each pair of bounds classifies correctly: chosen inside both, others outside. Bound 0 includes all.
     right = np.sum(wanted < 0) + (sides * wanted) @ sides.T
     one, two = np.argmax(right[0]), np.unravel_index(np.argmax(right), right.shape)
     blind = max(right[0, 0], wanted.size - right[0, 0])  # without any bound: all the points, or none
@@ -275,7 +282,7 @@ def where(claims: ClaimMap, chosen: np.ndarray) -> str:
 
 
 def _bounds(claims: ClaimMap) -> tuple[list[str], np.ndarray]:
-    """Return candidate bounds on theta, lambda and eta: names, and 0 or 1 for points outside or inside, (bounds, points).
+    """Return candidate bounds on theta, lambda and eta: their names, and an array (bounds, points) of 1 inside and 0 outside.
 
     The bounds lie halfway between neighbouring points. The first bound has no name and includes all points.
     """
@@ -292,10 +299,10 @@ def _bounds(claims: ClaimMap) -> tuple[list[str], np.ndarray]:
 
 
 def summary(claims: ClaimMap, theta: float, lam: float) -> list[dict]:
-    """Return one dict for each claim and variant.
+    """Return one dict of results for each claim and each variant of the paper's model.
 
-    It has the fractions of the plane where the claim holds for all, some or none of its cases or is not comparable; where it
-    holds for all and for none, in words; and its result at the given theta and lam.
+    It has the fractions of the plane where the claim holds for all, some or none of its cases or is not comparable; texts on
+    where it holds for all and for none; and its result at the given theta and lam.
     """
     rows = []
     here = [surfaces_at(theta, np.array([lam]), variant) for variant in VARIANTS]
@@ -323,7 +330,7 @@ def summary(claims: ClaimMap, theta: float, lam: float) -> list[dict]:
 
 
 def claim_rows(claims: ClaimMap) -> tuple[list[str], list[list]]:
-    """Return column heads and rows of the map as a table; NaN where no case is comparable."""
+    """Return column names and rows of the claim map as a table; NaN where no case is comparable."""
     heads = ["claim", "variant", "theta", "lambda", "share_holding", "worst"]
     rows = []
     for (at, row, i, j), share in np.ndenumerate(claims.share):

@@ -1,7 +1,7 @@
-"""The curves behind figures 1 to 3 of the 2015 paper: friction coefficient against load, coated beside uncoated.
+"""Compute the curves behind figures 1 to 3 of the 2015 paper: friction coefficient against load, coated and uncoated.
 
-Source: soft_coating_2015, section 4. The paper prints the film's n_E, n_H and tau and the range of h, but neither the theta
-and lambda of its figures nor the film values that a panel holds fixed: those here are chosen.
+Source: soft_coating_2015, section 4. The paper prints the film's n_E, n_H and tau and the range of h. It prints neither the
+theta and lambda of its figures nor the film values that a panel holds fixed: those here are chosen.
 """
 
 from collections.abc import Iterable, Iterator, Mapping
@@ -23,8 +23,8 @@ _POINTS = 161
 class Panel:
     """Describe one panel of the paper's figures 1 to 3.
 
-    name: file name. figure: number in the paper. along: film group that varies. values: its values. fixed: the other film
-    groups.
+    name: name of the file. figure: number in the paper. along: dimensionless group of the film that varies: n_E, n_H or tau.
+    values: its values. fixed: values of the other two groups, by name.
     """
 
     name: str
@@ -45,9 +45,10 @@ PANELS = (
 
 @dataclass(frozen=True)
 class PanelCurves:
-    """Store the normalised curves of one panel.
+    """Store the curves of one panel, with dimensionless results.
 
-    coated: dataset over the panel's varied film group and mean_separation. bare: the uncoated surface, over mean_separation.
+    coated: dataset over the film group that the panel varies and mean_separation. bare: dataset of the uncoated surface over
+    mean_separation.
     """
 
     panel: Panel
@@ -64,14 +65,14 @@ class PanelCurves:
 
 
 def in_words(variant: str) -> str:
-    """Return the name of a variant of the paper's model, as used in pictures."""
+    """Return the name of a variant of the paper's model for captions: "its film solved", or e.g. "corrected variant"."""
     from stiction.studies.paper.layered import LAYERED
 
     return "its film solved" if variant == LAYERED else f"{variant} variant"
 
 
 def panel_curves(panel: Panel, theta: float, lam: float, variant: str) -> PanelCurves:
-    """Compute the curves of one panel at adhesion indices theta and lam, both > 0.
+    """Compute the curves of one panel at adhesion indices theta and lam, both above 0.
 
     variant: "corrected", "published", or "layered" for a solved film. Raises InputError.
     """
@@ -92,7 +93,7 @@ def panel_curves(panel: Panel, theta: float, lam: float, variant: str) -> PanelC
 
 
 def curve_rows(panels: Iterable[PanelCurves]) -> tuple[list[str], Iterator[list]]:
-    """Return column heads and rows of a table of all curves, normalised.
+    """Return column names and rows of a table of the curves of all panels, with dimensionless results.
 
     The film groups n_E, n_H and tau are empty for the uncoated surface.
     """

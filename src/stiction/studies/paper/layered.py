@@ -1,7 +1,7 @@
 """Repeat the 2015 paper with an exactly solved film: elastic spheres on a film replace the paper's film law.
 
-The film law `layered` treats film and body as one solid, and goes with laws made for it: the coated asperity sticks until its
-edge peels, by the energy of a contact on a film (`layered_peeling`), the uncoated one by that of a half-space (Savkoor &
+The film law `layered` treats film and body as one solid, and goes with laws made for it. A coated asperity sticks until its
+edge peels, by the energy of a contact on a film (`layered_peeling`), an uncoated one by that of a half-space (Savkoor &
 Briggs 1977). The paper's other limit, yield at the trailing edge, is left out of both: it is not known for an adhesive
 asperity on a film.
 
@@ -26,19 +26,20 @@ _NU = 0.3
 
 
 def choice(coated: bool) -> Choice:
-    """Return the choice of laws for the coated or the uncoated surface."""
+    """Return the model and laws for the coated or the uncoated surface."""
     return Choice(_SUM, _ASPERITY, "layered_peeling", LAYERED) if coated else Choice(_SUM, _ASPERITY, "savkoor_briggs_1977")
 
 
 def film_groups(tau: Any) -> dict[str, Any]:
-    """Return the groups that depend on the film thickness t: tau = t/sigma, and film_aspect = t/sqrt(R sigma)."""
+    """Return the groups that depend on the film thickness t, by name: tau = t/sigma, and film_aspect = t/sqrt(R sigma)."""
     return {"tau": tau, "film_aspect": tau * SHARPNESS}
 
 
 def totals(theta: float, lam: np.ndarray, h: np.ndarray, film: tuple[np.ndarray, ...] | None = None) -> tuple[np.ndarray, ...]:
-    """Return normalised load, contact area and friction force of n contacts at H separations, (n, H) each.
+    """Return dimensionless load, contact area and friction force of n contacts at H separations, (n, H) each.
 
-    theta, lam (n,): adhesion indices. h (H,): separations over sigma. film: n_E, n_H and tau, each (n,); None without a film.
+    theta, lam (n,): adhesion indices. h (H,): separations over sigma. film: the film groups n_E, n_H and tau, each (n,); None
+    without a film.
     """
     n = len(lam)
     ones, K_beta = np.ones(n), stiffness_group(_NU)

@@ -1,9 +1,9 @@
-"""Place a contact in the plane of the adhesion indices theta and lambda, with the limits drawn in it.
+"""Place a contact in the plane of the adhesion indices theta and lambda, and compute the limits drawn in this plane.
 
-Adhesion matters below theta = 10 and lambda = 0.125 (theory.md, theory 1, and the 2015 paper). The plasticity index psi
-has the limits 0.6 and 1 of Greenwood & Williamson (1966): contacts below are elastic, contacts above plastic, at all loads of
-practice. As eta = pi H (R/sigma)^(1/2)/K = (3 pi/4)/psi follows from theta and lambda (theory.md, theory 1), each psi is
-a line in the plane: lambda = [3 pi/(4 psi)/eta(theta, 1)]^4.
+Adhesion matters below theta = 10 and lambda = 0.125 (theory.md, theory 1, and the 2015 paper). The plasticity index psi has the
+limits 0.6 and 1 of Greenwood & Williamson (1966): contacts below are elastic, contacts above plastic, at all loads of practice.
+As eta = pi H (R/sigma)^(1/2)/K = (3 pi/4)/psi follows from theta and lambda (theory.md, theory 1), each psi is a line in the
+plane: lambda = [3 pi/(4 psi)/eta(theta, 1)]^4.
 """
 
 import math
@@ -23,10 +23,10 @@ PLASTICITY = (0.6, 1.0)
 
 @dataclass(frozen=True)
 class Place:
-    """Store the position of a contact in the plane of the adhesion indices.
+    """Store the position of a contact in the plane of the adhesion indices, and its plasticity index.
 
-    bodies: (theta, lambda) of the bodies. film: (theta, lambda) of a half-space of film material; None without a film.
-    plasticity_index: psi of the bodies.
+    bodies: (theta, lambda) of the two bodies. film: (theta, lambda) as if the bodies were of film material; None without a
+    film. plasticity_index: psi of the bodies.
     """
 
     bodies: tuple[float, float]
@@ -35,7 +35,7 @@ class Place:
 
 
 def place_of(subject: Subject) -> Place:
-    """Return the adhesion indices and the plasticity index of a contact.
+    """Return the adhesion indices theta and lambda and the plasticity index of a contact.
 
     Raises InputError if the contact has no adhesion or has array parameters.
     """

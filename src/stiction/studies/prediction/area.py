@@ -1,9 +1,9 @@
-"""The real contact area under a load: several area models, each corrected by its error on benchmark surfaces.
+"""Compute the real contact area under a load by area models, each corrected by its error on benchmark surfaces.
 
-An area model computes the area of every sample. The area is divided by the model's error, which is sampled from its errors
-on solved benchmark surfaces near the nominal contact (truth.md). This removes the bias of the model, but keeps how its
-area depends on load, hardness and roughness. Models are combined with stacking weights: those that predict benchmark
-surfaces left out of the fit best (`make truth`).
+An area model computes the area of every sample. The area is divided by the model's error, which is sampled from its errors on
+solved benchmark surfaces near the nominal contact (truth.md). This removes the bias of the model, but keeps how its area
+depends on load, hardness and roughness. Models are combined with stacking weights: those that predict benchmark surfaces left
+out of the fit best (`make truth`).
 """
 
 import math
@@ -35,26 +35,27 @@ _OTHER_FILMS = (
     (Choice(_SUM, asperity="zhao_maietta_chang_2000", film="layered", tangential="none"), 0.5),
     (Choice(_SUM, asperity="zhao_maietta_chang_2000", film="sequential", tangential="none"), 0.5),
 )
-# Heights that are not Gaussian are known to sums alone.
+# Only asperity sums accept heights that are not Gaussian.
 _OTHER_HEIGHTS = ((Choice(_SUM, asperity="zhao_maietta_chang_2000", tangential="none"), 1.0),)
 # Standard deviation of ln of the area where no solved surface is near, a judgement (grade C): a factor of 2 at 90 %.
-_FAR, _FAR_ON_MAP = 0.42, 0.03  # the latter of the solution of a map, which only the light load sets apart
-# Share of the nominal area from which on a law that says nothing of a draw means that it is pressed flat; below, that spots
-# would bear more than they can: then the area is the least that carries the load.
+_FAR, _FAR_ON_MAP = 0.42, 0.03  # the latter for the map itself, which differs from the benchmarks only by a lighter load
+# Real over nominal area of the nominal contact from which on a sample without a result counts as pressed flat. Below, its spots
+# would exceed the hardness, and its area is the smallest that carries the load.
 _HALF, _MOST = 0.5, 1.0 - 1e-9
 _LARGEST_BELOW_1, _LOG_CLOSED = 1.0 - 2.0**-53, math.log(1e-300)
-_POWER = 3.5  # of the mean of elastic and plastic area
-_SOLVED = 0.005  # standard deviation of ln of what the solved areas are known to of surfaces that are known by numbers
-# Quantiles of few surfaces are too narrow: by this, over their number, they are widened. Leaving designs of the benchmark set
-# out one by one, the 90 % interval by numbers and kind then holds 89 % in place of 86 %. The second number counts where Ssk,
-# Sku or Str is stated without the kind: leaving out all surfaces that were made in one way, it then holds 91 % (with 2: 88 %).
+_POWER = 3.5  # exponent of the power mean of elastic and plastic area
+_SOLVED = 0.005  # standard deviation of ln of the solved areas themselves, for surfaces described by roughness parameters
+# Quantiles of few surfaces are too narrow: they are widened by 1 + this over the number of surfaces. If designs of the
+# benchmark set are left out one by one, the 90 % interval by numbers and kind then contains 89 % instead of 86 %. The second
+# value is used if Ssk, Sku or Str is stated without the kind: if all surfaces generated in one way are left out, the interval
+# then contains 91 % (with 2: 88 %).
 _OF_FEW, _OF_FEW_SHAPED = 2.0, 6.0
 
 
 def grown_to(area: np.ndarray, factor: np.ndarray, nominal: np.ndarray) -> np.ndarray:
-    """Return an area [m2] multiplied by a factor; as it grows, it approaches the nominal area and never exceeds it."""
+    """Return an area [m2] multiplied by a factor; as it grows, it approaches the nominal area [m2] and never exceeds it."""
     share = area / nominal
-    # log1p, because 1 - share has no digits of a share of 1e-16; a closed contact stays closed, and an unknown one unknown.
+    # log1p, because 1 - share loses a share of 1e-16 in round-off. A closed contact stays closed, and NaN stays NaN.
     log_open = np.where(share >= 1.0, _LOG_CLOSED, np.log1p(-np.minimum(share, _LARGEST_BELOW_1)))
     return nominal * -np.expm1(log_open * factor)
 
@@ -63,13 +64,13 @@ def grown_to(area: np.ndarray, factor: np.ndarray, nominal: np.ndarray) -> np.nd
 class AreaLaw:
     """Store the real contact area by one area model, with its errors on benchmark surfaces, for n samples and m loads.
 
-    name: name of the model. weight: stacking weight (m,), 0 where the model has no result. log_area: ln of the area [m2], (n,
-    m). share: real over nominal area of the nominal contact (m,), at which errors are looked up. levels: quantiles (m, 5) of
+    name: name of the model. weight: stacking weight (m,), 0 where the model is not used. log_area: ln of the area [m2], (n, m).
+    share: real over nominal area of the nominal contact (m,), at which errors are looked up. levels: quantiles (m, 5) of
     ln(area/benchmark area), at errors_near.LEVELS. far: distance (m,) to the nearest benchmark surface, 0 to 1. sample:
-    standard error (m,) of ln(area) of one measured window. touching: number of asperities in contact (m,), infinite if unknown.
-    yields_at: mean pressure (n or 1, m) of plastic contact spots [Pa]. far_error: standard deviation of ln(area) if no
-    benchmark surface is near. elastic: on a film, real over nominal area (m,) of the nominal contact without plastic flow; 0 if
-    unknown.
+    standard error (m,) of ln(area) because a scan is one finite window of the surface. touching: number of asperities in
+    contact (m,), infinite if unknown. yields_at: mean pressure (n or 1, m) of plastic contact spots [Pa]. far_error: standard
+    deviation of ln(area) if no benchmark surface is near. elastic: on a film, real over nominal area (m,) of the nominal
+    contact without plastic flow; 0 if unknown.
     """
 
     name: str
@@ -85,7 +86,7 @@ class AreaLaw:
     elastic: np.ndarray
 
     def at_load(self, index: int) -> "AreaLaw":
-        """Return the results of the model at one load, given by its index; for a single contact."""
+        """Return the results of the model at one load of a single contact; index: position of this load among the m loads."""
         each = {field.name: getattr(self, field.name) for field in fields(self) if field.name != "levels"}
         arrays: dict[str, Any] = {
             name: field[..., [index]] for name, field in each.items() if isinstance(field, np.ndarray) and field.shape[-1] > 1
@@ -95,10 +96,10 @@ class AreaLaw:
     def corrected(self, rows: np.ndarray, loads: np.ndarray, level: np.ndarray, nominal: np.ndarray) -> np.ndarray:
         """Return the area [m2] (n, m) after correction for sampled errors of the model.
 
-        rows: rows of the samples. level: quantile levels (n,) of the error. nominal: nominal area [m2] (n, 1). The area is at
-        least the load over the pressure of plastic spots. Far from all benchmark surfaces, the errors on the nearest ones are
-        used, and the elastic part of the area becomes more uncertain. Elastic and plastic area are combined by a power mean, as
-        in the model persson_widened.
+        rows: rows of `log_area` (n,), one for each sample. loads: loads (m,) [N]. level: quantile levels (n,) of the error.
+        nominal: nominal area [m2] (n, 1). The area is at least the load over the pressure of plastic spots. Far from all
+        benchmark surfaces, the errors on the nearest ones are used, and the elastic part of the area becomes more uncertain.
+        Elastic and plastic area are combined by a power mean, as in the model persson_widened.
         """
         from scipy.special import ndtri
 
@@ -109,23 +110,24 @@ class AreaLaw:
         area = np.maximum(grown_to(np.minimum(area, nominal), self._factor(near), nominal), plastic)
         elastic = np.maximum(area**_POWER - plastic**_POWER, 0.0) ** (1.0 / _POWER)
         apart, of_far = np.abs(near - self.levels[:, 2]), self.far_error * score[:, None] * self.far
-        more = np.sign(of_far) * (np.hypot(apart, of_far) - apart)  # both errors together are as wide as their root sum square
+        more = np.sign(of_far) * (np.hypot(apart, of_far) - apart)  # the two independent errors add up in squares
         wide = ((elastic * np.exp(-more)) ** _POWER + plastic**_POWER) ** (1.0 / _POWER)
         return grown_to(np.minimum(area, nominal), wide / area, nominal)
 
     def _factor(self, error: np.ndarray) -> np.ndarray:
-        """Return the factor for `grown_to` (n, m) that divides a small area by exp(error).
+        """Return the factor (n, m) with which `grown_to` divides a small area by exp(error).
 
-        error: of ln(area), (n, m).
+        error: error of ln(area), (n, m).
         """
         share = np.clip(self.share, 1e-12, _MOST)
         return np.log1p(-np.minimum(share * np.exp(-error), _MOST)) / np.log1p(-share)
 
 
 def _between(score: np.ndarray, levels: np.ndarray) -> np.ndarray:
-    """Return the quantiles at standard normal scores (n,), interpolated linearly between quantiles at five levels.
+    """Return quantiles (n,) at standard normal scores (n,), interpolated linearly between the quantiles `levels` (5,).
 
-    Beyond the last level, the distribution is continued as a normal one of the same width.
+    The five quantiles belong to the scores NORMAL_SCORES. Beyond the outer scores, a normal distribution of the same width
+    continues the quantiles.
     """
     ends = NORMAL_SCORES[0], NORMAL_SCORES[-1]
     slope = (levels[-1] - levels[0]) / (ends[1] - ends[0])
@@ -135,8 +137,8 @@ def _between(score: np.ndarray, levels: np.ndarray) -> np.ndarray:
 def area_laws(sampled: SampledCase) -> list[AreaLaw]:
     """Return the area models that apply to a contact, with weights that sum to 1 at each point.
 
-    Sets of models are tried in turn. A later set is used at the points where no model of an earlier set applies. Raises
-    InputError if no model applies.
+    A point is a contact at a load. Sets of models are tried in turn: a later set is used at the points where no model of an
+    earlier set applies. Raises InputError if no model applies.
     """
     answers, refusal, left = [], None, np.ones(len(sampled.loads), dtype=bool)
     for choices in _in_turn(sampled):
@@ -146,7 +148,7 @@ def area_laws(sampled: SampledCase) -> list[AreaLaw]:
                 laws.append(_law(sampled, choice, weight))
             except (InputError, ArithmeticError) as error:
                 if sampled.contacts > 1 and any(_answers(end, choice) for end in sampled.ends()):
-                    raise  # who asks for many divides them: the law answers for some
+                    raise  # the model applies to some of these contacts; the caller then divides them into smaller batches
                 refusal = error
         total = np.sum([law.weight for law in laws], axis=0)
         fresh = left & (total > 0.0)
@@ -159,7 +161,7 @@ def area_laws(sampled: SampledCase) -> list[AreaLaw]:
 
 
 def _in_turn(sampled: SampledCase) -> tuple[tuple[tuple[Choice, float], ...], ...]:
-    """Return sets of (model, weight) in the order in which they are tried, the preferred set first."""
+    """Return sets of (model, weight) in the order in which they are tried for a contact, the preferred set first."""
     contact = sampled.contact
     if contact.has_film:
         return _ON_FILM, _OTHER_FILMS
@@ -180,10 +182,11 @@ def _answers(sampled: SampledCase, choice: Choice) -> bool:
 
 
 def _law(sampled: SampledCase, choice: Choice, weight: float) -> AreaLaw:
-    """Return the area of all samples by one model, with its errors.
+    """Return the area of all samples by one model, with its errors on benchmark surfaces.
 
-    weight: weight of the model. It becomes 0 for contacts whose product of asperity density, radius and height deviation is too
-    small for any Gaussian surface, if the model refuses these but not all. Raises InputError or ArithmeticError.
+    weight: weight of the model. A model may refuse those of many contacts whose product of asperity density, radius and height
+    deviation is too small for a Gaussian surface; at these its weight is 0. Raises InputError or ArithmeticError if the model
+    refuses all contacts.
     """
     try:
         points, tables = _solved(sampled, choice)
@@ -198,7 +201,7 @@ def _law(sampled: SampledCase, choice: Choice, weight: float) -> AreaLaw:
     places = sampled.places(points.dims)
     unit = np.broadcast_to(aligned(points.factors[QUANTITIES["contact_area"].scale], points.dims), points.wanted.shape)
     area = (tables["contact_area"].reshape(unit.shape) * unit).reshape(1, -1)[:, places]
-    if "mean_separation" in tables:  # results where a load is nowhere carried are those at another one
+    if "mean_separation" in tables:  # if no separation carries the load, the other results belong to another load
         area = np.where(np.isnan(tables["mean_separation"]).reshape(1, -1)[:, places], np.nan, area)
     drawn, flat = area, ~(area < _HALF * sampled.column(nominal.nominal_area))
     if sampled.levels.size:
@@ -220,15 +223,18 @@ def _law(sampled: SampledCase, choice: Choice, weight: float) -> AreaLaw:
 
 
 def _solved(sampled: SampledCase, choice: Choice) -> tuple[Points, Mapping[str, np.ndarray]]:
-    """Return the points of the nominal contacts, and the results of one model there. Raises InputError or ArithmeticError."""
+    """Return the points of the nominal contacts, and the results of one model there by name.
+
+    Raises InputError or ArithmeticError if the model refuses a contact.
+    """
     points = points_of(make_problem(sampled.nominal(choice.model_key), choice), sampled.load)
     return points, solve_points(points, refuse=False).tables
 
 
 def _elastic(problem: Problem, tables: Mapping[str, np.ndarray]) -> np.ndarray:
-    """Return the real over nominal area (k,) that a film model gives without plastic flow; 0 for other models.
+    """Return the real over nominal area (k,) that a model for films gives without plastic flow; 0 for other models.
 
-    tables: results of the model at k points.
+    tables: results of the model at k points, by name.
     """
     load, area = (np.asarray(tables[name]).reshape(len(problem.groups), -1) for name in ("load", "contact_area"))
     if not problem.record.on_film:
@@ -239,7 +245,7 @@ def _elastic(problem: Problem, tables: Mapping[str, np.ndarray]) -> np.ndarray:
 def _too_sharp(sampled: SampledCase) -> np.ndarray:
     """Return a mask (n or 1, m or 1) of samples with an impossible surface: height deviation above the asperity radius.
 
-    All are False where every sample is like that, so that the contact still has a result.
+    Where every sample is impossible, the mask is False, so that the contact still has a result.
     """
     rough = sampled.drawn.roughness
     sharp = sampled.column(rough.asperity_height_deviation / rough.asperity_radius) > SHARPEST
@@ -247,26 +253,27 @@ def _too_sharp(sampled: SampledCase) -> np.ndarray:
 
 
 def _known(errors: MeasuredErrors, few: float | None) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return the error quantiles at each load, the missing trust in them, and the sampling error.
+    """Return error quantiles (k, 5) of a model at k points, the distance to the benchmarks (k,), and the sampling error (k,).
 
-    The quantiles are widened by few/n because n surfaces determine them; few is None if the map itself is solved. The missing
-    trust is 0 to 1, and 1 where no similar surface was solved.
+    The quantiles of ln(area) are widened by a factor 1 + few/n, because only n surfaces determine them; few is None if the map
+    itself is solved. The distance to the nearest benchmark surface is 0 to 1, and 1 where no similar surface was solved.
     """
     known = np.isfinite(errors.levels).all(axis=1)
     trust = np.where(known, np.clip(errors.trust, 0.0, 1.0), 0.0)
     levels = np.where(known[:, None], errors.levels, 0.0)
     scores, middle = np.array(NORMAL_SCORES), levels[:, 2:3]
-    if few is not None:  # else the error of the solution is in them
+    if few is not None:  # otherwise the quantiles already contain the error of the solution
         wider = 1.0 + few / np.maximum(errors.surfaces[:, None], 1.0)
         levels = middle + np.sign(scores) * np.hypot(wider * (levels - middle), _SOLVED * scores)
     return levels, 1.0 - trust, np.nan_to_num(errors.sample)
 
 
 def _yields_at(sampled: SampledCase, over_below: np.ndarray | None, places: np.ndarray, area: np.ndarray) -> np.ndarray:
-    """Return the mean pressure of plastic contact spots [Pa], (n or 1, m).
+    """Return the mean pressure of plastic contact spots [Pa], (n or 1, m), for n samples at m points.
 
     It is the hardness of each sample, or the smaller pressure at which the body below a hard film yields. over_below: pressure
-    divided by that limit at the solved points. places: index of the solved point for each point.
+    divided by that smaller pressure at the solved points; None without a film. places: index of the solved point for each point
+    (m,). area: area of the nominal contact [m2] (1, m).
     """
     hardness = sampled.bodies.hardness
     if over_below is None:

@@ -1,4 +1,4 @@
-"""Weights of the area models, determined by stacking on benchmark surfaces (truth/stack.py)."""
+"""Read the weights of the area models, determined by stacking on benchmark surfaces (truth/stack.py)."""
 
 import json
 from functools import cache
@@ -11,6 +11,10 @@ FILE = Path(__file__).parent / "area_weights.json"
 
 @cache
 def area_weights(known: str) -> tuple[tuple[Choice, float], ...]:
-    """Return the area models and their weights for a surface known by "numbers", "shape", "kind" or "map"."""
+    """Return the area models with their weights, as (Choice, weight), for how well a surface is known.
+
+    known: "numbers" (roughness parameters only), "shape" (also skewness, kurtosis or texture), "kind" (also the kind of
+    surface) or "map" (a height map).
+    """
     rows = json.loads(FILE.read_text(encoding="utf-8"))[known]
     return tuple((Choice(row["model"], asperity=row["asperity"], tangential="none"), row["weight"]) for row in rows)

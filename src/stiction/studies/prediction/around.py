@@ -1,4 +1,4 @@
-"""Predict a case with a curve over load, also where the case has a single load."""
+"""Predict a case together with a curve over load, also if the case has a single load."""
 
 from dataclasses import replace
 from typing import TYPE_CHECKING
@@ -17,10 +17,10 @@ _MIDDLE = len(AROUND) // 2
 
 
 def predict_with_curve(case: Case) -> "tuple[xarray.Dataset, xarray.Dataset]":
-    """Return the prediction of a case, and its curve over load.
+    """Return the prediction of a case at its loads, and a prediction over a range of loads.
 
-    The curve is the prediction itself, unless the case has a single load. Around a single load, the curve covers loads down
-    to a tenth and up to ten times. Raises InputError.
+    If the case has a single load above 0, the range is from a tenth to ten times this load. Otherwise, or if the range cannot
+    be predicted, both datasets are the prediction at the loads of the case. Raises InputError.
     """
     if case.is_swept or case.load is None or case.load.size != 1 or not case.load[0] > 0.0:
         data = predict(case)
@@ -29,7 +29,7 @@ def predict_with_curve(case: Case) -> "tuple[xarray.Dataset, xarray.Dataset]":
     loads[_MIDDLE] = case.load[0]
     try:
         curve = predict(replace(case, load=loads))
-    except InputError:  # of this load too, or of a larger one only
+    except InputError:  # raised again below if the load itself is refused, and not only a larger one
         data = predict(case)
         return data, data
     data = curve.isel(load=[_MIDDLE])

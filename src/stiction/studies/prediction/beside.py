@@ -1,4 +1,4 @@
-"""Additional lines of an answer: mu of bare metals, and the benchmarks behind the prediction."""
+"""Compute additional lines of an answer: mu of bare metals, and the benchmarks behind the prediction."""
 
 import json
 import math
@@ -19,16 +19,16 @@ FILE = Path(__file__).parent / "checked.json"  # made by validation/contacts/sco
 
 _BARE, _METALS = "clean metal", ("metal", "soft metal")
 _DRAWS = 256
-_WIDE = 1.5  # factor of the area from which on it is no percentage
-_LEAST = 0.01  # half width of an area that is shown, for the solved surfaces themselves are no better
+_WIDE = 1.5  # error factor of the area from which it is shown as a factor instead of a percentage
+_LEAST = 0.01  # smallest error of the area that is shown, because the solved surfaces are not more accurate
 
 
 def bare_metal(mixture: Mixture, level: float) -> list[float]:
-    """Return the interval of mu for two metals that touch where the film or surface layer between them is gone.
+    """Return the interval [low, high] of mu for two metals where the film or surface layer between them is worn away.
 
-    The list is empty if a body is not a metal, or if nothing separates the metals. The contact spots are plastic, have the
-    shear strength tau_0 of clean metal, and grow under shear. As tau_0 is proportional to the hardness H, mu = tau_0/H times
-    the junction growth does not depend on H.
+    level: coverage probability of the interval. The list is empty if a body is not a metal, or if nothing separates the metals.
+    The contact spots are plastic, have the shear strength tau_0 of clean metal, and grow under shear. As tau_0 is proportional
+    to the hardness H, mu = tau_0/H times the junction growth does not depend on H.
     """
     contact = mixture.sampled.contact
     bodies = (contact.first, contact.second)
@@ -46,7 +46,7 @@ def bare_metal(mixture: Mixture, level: float) -> list[float]:
 def checked_against(mixture: Mixture, index: int) -> str:
     """Return a text on how well benchmark surfaces and measured friction support a prediction.
 
-    index: position of the load in `loads`.
+    index: position of the load among the loads of the prediction.
     """
     near = [law for law in mixture.laws if law.far[index] < 1.0]
     share = sum(float(law.weight[index]) for law in near)
@@ -66,7 +66,10 @@ def checked_against(mixture: Mixture, index: int) -> str:
 
 
 def in_handbooks(mixture: Mixture) -> tuple[int, int]:
-    """Return how many handbook contacts with this interface agree with their 90 % interval, and how many there are."""
+    """Return how many handbook contacts with this interface agree with their 90 % interval, and how many there are.
+
+    Contacts are counted by the state of the interface that the contact of `mixture` states; (0, 0) if it states none.
+    """
     stated = mixture.sampled.contact.interface
     printed = {} if stated is None else printed_contacts().get(stated.name, {})
     return printed.get("held", 0), printed.get("contacts", 0)
@@ -75,7 +78,8 @@ def in_handbooks(mixture: Mixture) -> tuple[int, int]:
 def _half_width(mixture: Mixture, law: AreaLaw, index: int) -> float:
     """Return half the width of the 90 % interval of ln(area) that arises from the error of one area model.
 
-    Plastic area and nominal area limit this width. index: position of the load in `loads`.
+    The interval is narrower if many spots are plastic, or if the area is close to the nominal area. index: position of the load
+    among the loads of the prediction.
     """
     sampled, rows = mixture.sampled, np.arange(len(law.log_area))
     nominal = np.broadcast_to(sampled.column(sampled.drawn.nominal_area), (len(rows), 1))
@@ -85,8 +89,8 @@ def _half_width(mixture: Mixture, law: AreaLaw, index: int) -> float:
 
 @cache
 def printed_contacts() -> dict[str, dict[str, int]]:
-    """Return, for each state of the interface, the number of contacts with friction published in handbooks.
+    """Return two counts of contacts with friction published in handbooks, for each state of the interface, by its name.
 
-    "held" counts those whose 90 % interval overlaps the published range.
+    "contacts" counts all of them, "held" those whose predicted 90 % interval overlaps the published range.
     """
     return json.loads(FILE.read_text(encoding="utf-8"))

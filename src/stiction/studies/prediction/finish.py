@@ -1,4 +1,4 @@
-"""Uncertain roughness parameters of a surface that is described by its finish."""
+"""Sample the roughness parameters of a surface that is described by its finish, e.g. "ground"."""
 
 from dataclasses import replace
 
@@ -12,16 +12,17 @@ from stiction.quantities.errors import InputError, InWords
 from stiction.quantities.sampling import sobol_points
 
 _NUMBERS = ("asperity_height_deviation", "asperity_radius", "asperity_density")
-_NAME = "finish of the surface"  # the one dimension along which the three are drawn
+_NAME = "finish of the surface"  # sample dimension of the three parameters, which are sampled together
 _ROWS, _SEED = 512, 1
-SHARPEST = 1.0  # sigma over R: asperities that are higher than their tips are wide cannot be
+SHARPEST = 1.0  # largest sigma/R: asperities higher than the radius of their tips are impossible
 
 
 def with_finish(case: Case) -> Case:
-    """Return the case with height deviation, radius and density of asperities sampled from its surface finish.
+    """Return the case with roughness parameters left open by its surface finish as uncertain numbers.
 
-    The three are sampled together. Surfaces with too sharp asperities are excluded, unless all are too sharp. A case that
-    states all three is returned unchanged.
+    These are height deviation, radius and density of asperities, which are sampled together. Samples with a height deviation
+    above the radius are excluded, unless all are such. A case that states all three, or has a scan, is returned unchanged.
+    Raises InputError if numbers of the roughness are swept.
     """
     contact = case.subject
     if not isinstance(contact, Contact) or not contact.roughness.unknowns or contact.measured is not None:
@@ -34,7 +35,7 @@ def with_finish(case: Case) -> Case:
     drawn = np.array(contact.roughness.drawn(np.clip(points.T, 1e-6, 1.0 - 1e-6)))
     possible = drawn[0] <= SHARPEST * drawn[1]
     drawn = drawn[:, possible] if possible.any() else drawn
-    order = np.argsort(drawn[1], kind="stable")  # by radius, so that a level has a meaning
+    order = np.argsort(drawn[1], kind="stable")  # by radius, so that neighbouring quantile levels give similar surfaces
     paths = [("contact", "roughness", name) for name in _NUMBERS]
     more = [Uncertain.of(path, of_samples(path[-1], row[order], False), _NAME) for path, row in zip(paths, drawn, strict=True)]
     return replace(case, uncertain=(*case.uncertain, *more))

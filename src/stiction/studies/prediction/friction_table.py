@@ -1,4 +1,4 @@
-"""Tables of predicted friction and tangential stiffness against nominal pressure, for simulation programs."""
+"""Tabulate predicted friction and tangential stiffness against nominal pressure, for simulation programs."""
 
 from typing import TYPE_CHECKING, Any
 
@@ -13,13 +13,13 @@ from stiction.studies.pressing_loads import pressing_loads
 if TYPE_CHECKING:
     import xarray
 
-_PER_DECADE, _DECADES = 40, 2  # loads; decades on either side of a single load
-# Relative error of linear interpolation between rows: of mu, and of separation and stiffness, which are known less well.
+_PER_DECADE, _DECADES = 40, 2  # loads per decade; decades below and above a single load
+# Largest relative error of linear interpolation between rows: of mu, and of separation and stiffness, which are less accurate.
 _OF_MU, _OF_STIFFNESS = 4e-4, 1e-2
 
 
 def friction_table(contact: Any, *, load: Any = None, level: float = 0.5) -> "xarray.Dataset":
-    """Return a table of mu against nominal pressure that linear interpolation reproduces within 0.1 %.
+    """Return a table of mu against nominal pressure with enough rows for linear interpolation of mu within 0.1 %.
 
     Parameters
     ----------
@@ -82,7 +82,8 @@ def friction_table(contact: Any, *, load: Any = None, level: float = 0.5) -> "xa
 def _predicted(case: Case, stated: np.ndarray, level: float) -> tuple[np.ndarray, np.ndarray]:
     """Return loads [N] (n,) and the quantile `level` of mu (n,) at these loads.
 
-    The loads cover the range of the `stated` ones, or decades around a single one, up to the load that the hardness allows.
+    stated: sorted loads [N] that the table must contain. The loads cover their range. Around a single load, they cover two
+    decades below and up to two above, as far as hardness times nominal area allows.
     """
     end = "" if level == 0.5 else "_low" if level < 0.5 else "_high"
     interval = abs(1.0 - 2.0 * level) or None
@@ -105,8 +106,8 @@ def _predicted(case: Case, stated: np.ndarray, level: float) -> tuple[np.ndarray
 def _needed(pressure: np.ndarray, columns: list[tuple[np.ndarray, float]], working_index: int) -> np.ndarray:
     """Return the indices of the rows that a table needs for accurate linear interpolation in pressure.
 
-    columns: (values, relative error bound). working_index: index of a row that is always included, as the first and the last
-    are.
+    pressure: nominal pressures [Pa], ascending. columns: (values, largest relative error) of each column. working_index: index
+    of a row that is always included, like the first and the last row.
     """
     rows, last = [0], len(pressure) - 1
     while rows[-1] < last:

@@ -1,15 +1,15 @@
-"""Changes of plastic contact spots: junctions grow under shear, and a soft film is squeezed out.
+"""Compute changes of plastic contact spots: junctions grow under shear, and a soft film is squeezed out.
 
 Growth: a plastic junction under the shear stress tau obeys p^2 + alpha tau^2 = H^2 (Tabor 1959), with its mean pressure p and
 the hardness H. The pressure falls, and the area grows by 1/sqrt(1 - c^2), where c = tau_0/tau_b is the shear strength of the
 interface over that of the body. A junction that stays elastic up to the pressure H sqrt(1 - c^2) does not grow. Three
 assumptions are sampled with weights set by judgement: no growth; a bulk that shears at Y/sqrt(3) (yield stress Y, von Mises);
 and a junction that hardens until its bulk shears at up to H/3 if the interface is as strong as the body (alpha = 9, Tabor's
-experiments, the largest weight). Hardening strengthens the interface of clean metals with the body, but not an interface
-whose strength is stated as a number well below the body's: the harder body then makes such a junction grow less. None of the
-three limits growth for c near 1, so that c is limited to 0.999. On a film of thickness t the growth is raised to the power
-1/(1 + a/t) for a spot of radius a (judgement): a narrow spot is a junction of the bulk film, a wide one is carried by the body
-below. A state of the interface that was measured on films includes its growth.
+experiments, the largest weight). As the body hardens, an interface that is given by its state hardens too. An
+interface whose strength is stated as a number well below that of the body does not, so that such a junction grows less. None
+of the three assumptions limits growth for c near 1, so that c is limited to 0.999. On a film of thickness t the growth is
+raised to the power 1/(1 + a/t) for a spot of radius a (judgement): a narrow spot is a junction of the bulk film, a wide one is
+carried by the body below. A state of the interface that was measured on films includes its growth.
 
 Squeeze: a soft film of thickness t and hardness H_f between harder bodies bears up to H_f (1 + a/(7.3 t)) in a spot of radius
 a, the pressure of a plastic layer that sticks to both faces (Hill 1950). The pressure is limited by the hardness of the body,
@@ -21,7 +21,7 @@ import numpy as np
 
 # Prior weights: no growth, von Mises, Tabor's hardened junctions.
 GROWTH = (0.03, 0.27, 0.70)
-_MOST = 0.999  # of the strength of the interface over that of the body
+_MOST = 0.999  # largest ratio c of the shear strengths of interface and body
 _TABOR = 9.0  # alpha
 
 
@@ -33,18 +33,20 @@ def grown(
     shear_strength: np.ndarray,
     hardens: np.ndarray | float = 1.0,
 ) -> np.ndarray:
-    """Return the factor (n, m) by which contact spots grow under shear.
+    """Return the factor (n, m), at least 1, by which the area of contact spots grows under shear, for n samples at m loads.
 
     Parameters
     ----------
     level : numpy.ndarray, shape (n,)
-        Quantile level that selects one of the three assumptions by their prior weights GROWTH.
+        Quantile level, 0 to 1, that selects one of three assumptions by their prior weights GROWTH: no growth, growth without
+        hardening (von Mises), or Tabor's hardened junctions.
     pressure : numpy.ndarray, shape (n, m)
         Mean pressure of contact spots [Pa].
     strength, hardness, shear_strength : numpy.ndarray, shape (n, 1)
         Shear strength of the interface, and hardness and shear strength of the weaker body [Pa].
     hardens : numpy.ndarray, shape (n, 1), or float
-        How far the interface hardens with the body: 1 for an interface of clean metal, 0 for a stated strength.
+        How far the interface hardens with the body: 1 for a named state of the interface, 0 for a stated strength well below
+        that of the body.
     """
     ratio = np.minimum(strength / shear_strength, _MOST) ** 2
     most = np.maximum((hardness / shear_strength) ** 2 / _TABOR, 1.0)
@@ -64,14 +66,14 @@ def squeezed(
     hardness: np.ndarray,
     hardest: np.ndarray,
 ) -> np.ndarray:
-    """Return the factor (n, m) by which the mean pressure of spots on a thin soft film exceeds that on a thick one.
+    """Return the factor (n, m), at least 1, by which the pressure of spots on a thin soft film exceeds that on a thick film.
 
     Parameters
     ----------
     level : numpy.ndarray, shape (n,)
-        How much of the possible increase is applied, 0 to 1.
+        Logarithmic fraction of the possible increase that is applied, 0 to 1.
     pressure, radius : numpy.ndarray, shape (n, m)
-        Mean pressure [Pa] and radius [m] of contact spots.
+        Mean pressure [Pa] and radius [m] of contact spots, for n samples at m loads.
     thickness, hardness, hardest : numpy.ndarray, shape (n, m or 1)
         Film thickness [m], hardness of the film, and largest pressure that film and bodies bear [Pa].
     """

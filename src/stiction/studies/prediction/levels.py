@@ -1,6 +1,7 @@
-"""Quantile levels of all random parts of a prediction.
+"""Draw the quantile levels of all random parts of a prediction.
 
-All parts are sampled together. To find the variance due to one part, its levels alone are exchanged between samples.
+All parts are sampled together. To find the variance due to one part, only the levels of this part are exchanged between
+samples.
 """
 
 from collections.abc import Mapping
@@ -21,15 +22,15 @@ COLUMNS: Mapping[str, tuple[str, ...]] = {
     "sliding": ("spots",),
 }
 PARTS = tuple(COLUMNS)
-_APART = "spots"  # a column that few contacts need: not of the sequence, so that the others keep their levels
+_APART = "spots"  # not part of the Sobol sequence, because few contacts need it and a further column would change all others
 
 
 @dataclass(frozen=True)
 class Levels:
     """Store quantile levels, 0 to 1, of n samples.
 
-    inputs: (n, k), one column for each uncertain number of the case. others: one column (n,) for each further random number, by
-    the column names listed in COLUMNS.
+    inputs: (n, k), one column for each of the k sample dimensions of the case. others: one column (n,) for each further random
+    number, by the column names listed in COLUMNS.
     """
 
     inputs: np.ndarray
@@ -42,10 +43,10 @@ class Levels:
         return self.others[name]
 
     def with_rows(self, part: str, moved: np.ndarray, rows: np.ndarray) -> "Levels":
-        """Return levels in which the columns of one part are taken from other samples.
+        """Return levels in which the columns of one part come from other samples than the columns of all other parts.
 
-        part: a key of COLUMNS. moved: samples from which the columns of this part are taken. rows: samples from which all other
-        columns, and the inputs, are taken.
+        part: a key of COLUMNS. moved: indices of the samples from which the columns of this part are taken. rows: indices of
+        the samples from which the inputs and all other columns are taken.
         """
         others = {name: column[moved if name in COLUMNS[part] else rows] for name, column in self.others.items()}
         return Levels(self.inputs[rows], others)
@@ -57,7 +58,7 @@ def draw_levels(inputs: int, count: int, seed: int) -> Levels:
     Parameters
     ----------
     inputs : int
-        Number of uncertain numbers of the case.
+        Number of sample dimensions of the case: uncertain numbers, of which those sampled together count once.
     count : int
         Number of samples, a power of two.
     seed : int
@@ -70,7 +71,7 @@ def draw_levels(inputs: int, count: int, seed: int) -> Levels:
     names = [name for columns in COLUMNS.values() for name in columns if name != _APART]
     points = sobol_points(inputs + len(names), count, seed)
     points = np.clip(points, 1e-9, 1.0 - 1e-9)  # quantiles at 0 and 1 are infinite
-    # Inputs last: what has no uncertain number keeps its levels when it gets one.
+    # Inputs come last, so that the levels of all other parts do not change with the number of uncertain inputs.
     others = dict(zip(names, points[:, : len(names)].T, strict=True))
     others[_APART] = (np.random.default_rng(seed).permutation(count) + 0.5) / count
     return Levels(points[:, len(names) :], others)

@@ -1,4 +1,4 @@
-"""Predictions for many contacts at once, with the same quantile levels for all contacts."""
+"""Predict many contacts at once, with the same quantile levels for all contacts."""
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
@@ -23,19 +23,16 @@ from stiction.studies.prediction.unused import refusal_of
 if TYPE_CHECKING:
     import xarray
 
-# Names of what is predicted.
+# Names of the predicted results: medians, and ends of the interval.
 PREDICTED = tuple(
     f"{name}{end}" for name in ("friction_coefficient", "friction_force", "contact_area") for end in ("", "_low", "_high")
 )
-_CONTACTS = "contacts along sample"  # in place of SAMPLE, along which every contact has its draws
+_CONTACTS = "contacts along sample"  # replaces a dimension SAMPLE of the contacts, because a prediction uses this name itself
 _AT_ONCE = 128  # points of a batch, which bounds the memory; errors on benchmark surfaces are computed for as many at once
 
 
 def count_of(points: int) -> int:
-    """Return the number of samples per point of a prediction at many points.
-
-    It is the usual number up to 128 points, and half of it above.
-    """
+    """Return the number of samples per point for a prediction at so many points: 512 up to 128 points, else 256."""
     return COUNT if points <= _AT_ONCE else COUNT // 2
 
 
@@ -49,14 +46,15 @@ def predict_many(
     count: int = COUNT,
     along: Sequence[str] | None = None,
 ) -> Iterator[tuple[Region, Case | None, BatchResult | None]]:
-    """Yield predictions for many variants of a case, in batches as `evaluate_many` does.
+    """Predict many variants of a case, and yield (region, case, results) in batches, as `evaluate_many` does.
 
     Parameters
     ----------
     case : Case
         The case with its nominal numbers; its own uncertain numbers are not sampled.
     numbers : dict
-        Labelled array in SI units by address, e.g. ("contact", "first", "hardness").
+        Labelled array in SI units by address, e.g. ("contact", "first", "hardness"). The contacts are all combinations along
+        the dimensions of these arrays.
     load : numpy.ndarray or xarray.DataArray
         Loads [N] for every contact, or a labelled array along dimensions of the contacts.
     uncertain : sequence of Uncertain
@@ -71,8 +69,8 @@ def predict_many(
     Returns
     -------
     iterator
-        Of region, case and results: friction_coefficient, friction_force and contact_area with _low and _high. A region maps
-        dimensions to slices. For a refused contact, case and results are None.
+        Of region, case and results. The results are friction_coefficient, friction_force [N] and contact_area [m2], each also
+        with _low and _high. A region maps dimensions to slices. For a refused contact, case and results are None.
     """
     from xarray import DataArray
 
@@ -101,7 +99,10 @@ def predict_many(
 
 
 def _apart(value: Any) -> Any:
-    """Return a labelled array with its dimension `sample` renamed, because the samples of a prediction need that name."""
+    """Return a labelled array with its dimension `sample` renamed, because the samples of a prediction need that name.
+
+    Other values are returned unchanged.
+    """
     return value.rename({SAMPLE: _CONTACTS}) if SAMPLE in getattr(value, "dims", ()) else value
 
 
@@ -110,7 +111,7 @@ def _named(dim: str) -> str:
 
 
 def _named_back(result: BatchResult) -> BatchResult:
-    """Return the results with the original name of the dimension that `_apart` renamed."""
+    """Return the results with the name `sample` restored for the dimension that `_apart` renamed."""
     variables = {name: (tuple(map(_named, dims)), *rest) for name, (dims, *rest) in result.variables.items()}
     return replace(
         result,
@@ -122,9 +123,10 @@ def _named_back(result: BatchResult) -> BatchResult:
 def _together(
     case: Case, numbers: Mapping, load: Any, uncertain: tuple[Uncertain, ...], level: float, count: int
 ) -> tuple[Case, BatchResult]:
-    """Return the case with these numbers and its predictions.
+    """Return the case with these numbers, and its predictions for all contacts at once.
 
-    Raises InputError or ArithmeticError if any contact is refused.
+    numbers: number or labelled array by address. load: labelled array [N]. uncertain: numbers to sample. level: coverage
+    probability of the intervals. count: number of samples. Raises InputError or ArithmeticError if any contact is refused.
     """
     with np.errstate(all="ignore"):
         numbers = _one_finish(case, numbers)
@@ -149,10 +151,10 @@ def _together(
 
 
 def _one_finish(case: Case, numbers: Mapping) -> dict[tuple[str, ...], Any]:
-    """Return the numbers, with an array of one roughness height replaced by a float if the surface has a finish.
+    """Return the numbers, with an array of length one of a roughness height replaced by a float if the surface has a finish.
 
-    `with_finish` refuses arrays of heights, because it samples one surface only. Contacts with other heights are predicted
-    one by one.
+    numbers: number or labelled array by address. `with_finish` samples one surface only, and so refuses arrays of heights. The
+    caller then divides the contacts until each batch has a single height.
     """
     finished = isinstance(case.subject, Contact) and case.subject.roughness.unknowns
     rows = dict(numbers)
@@ -165,9 +167,9 @@ def _one_finish(case: Case, numbers: Mapping) -> dict[tuple[str, ...], Any]:
 def predict_swept(case: Case, level: float = 0.9) -> "xarray.Dataset":
     """Return the predictions of a case with swept numbers, over their dimensions and the loads.
 
-    Variables are named as in `predict`. Refused points, each a contact at a load, are NaN; the attribute `refused` is their
-    number. The attribute `draws` is the number of samples per contact. Raises InputError if the case has separations instead of
-    loads, or if all points are refused.
+    level: coverage probability of the intervals. Variables are named as in `predict`. Refused points, each a contact at a load,
+    are NaN; the attribute `refused` is their number. The attribute `draws` is the number of samples per contact. Raises
+    InputError if the case has separations instead of loads, or if all points are refused.
     """
     import xarray
 

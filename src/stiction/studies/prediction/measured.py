@@ -1,4 +1,4 @@
-"""Predictions updated by measured friction: samples are weighted by their likelihood."""
+"""Update predictions by measured friction: samples are weighted by their likelihood."""
 
 from dataclasses import dataclass
 from os import PathLike
@@ -9,15 +9,18 @@ from stiction.case.measurements import Measurements, read_measurements
 from stiction.case.read import Case
 from stiction.quantities.errors import InputError
 
-# Relative standard error of a measured coefficient whose error is not stated: that of the values among themselves where they
-# are three or more, and at least the first; else the second. Judgements (grade C).
+# Relative standard error of a measured coefficient whose error is not stated: the scatter of three or more values, but at least
+# _LEAST_ERROR; USUAL_ERROR for fewer values. Judgements (grade C).
 _LEAST_ERROR, USUAL_ERROR = 0.05, 0.15
-_FEW = 50.0  # draws that count at least, for an interval
+_FEW = 50.0  # smallest effective number of samples behind an interval
 
 
 @dataclass(frozen=True)
 class Measured:
-    """Store k measured friction coefficients as logarithms (k,), with loads [N] and standard errors of the logarithms."""
+    """Store k measured friction coefficients as natural logarithms, with loads [N] and standard errors of the logarithms.
+
+    Each array has the shape (k,).
+    """
 
     load: np.ndarray
     log_mu: np.ndarray
@@ -27,7 +30,8 @@ class Measured:
 def read_measured(path: str | PathLike, case: Case) -> Measured:
     """Return measured friction coefficients from a CSV file with the columns of `stiction fit`.
 
-    Raises InputError, also for measured quantities other than friction.
+    case: the case that the values belong to. A measured friction force is divided by its load. Errors that the file does not
+    state are estimated from the scatter. Raises InputError, also for measured quantities other than friction.
     """
     series: Measurements = read_measurements(path, case.tables)
     others = set(series.quantity) - {"friction_coefficient", "friction_force"}
@@ -55,9 +59,10 @@ def read_measured(path: str | PathLike, case: Case) -> Measured:
 
 
 def interval_after_measuring(mu: np.ndarray, level: float) -> list[float]:
-    """Return the interval of mu expected after one measurement with the usual error, if it gives the present median.
+    """Return the interval [low, high] of mu expected after one measurement that gives the present median.
 
-    mu: samples (n,) of friction at one load, NaN where impossible. level: coverage probability. [] without samples.
+    mu: samples (n,) of friction at one load, NaN where impossible. level: coverage probability. The measurement has a standard
+    error of 15 %. The list is empty without samples.
     """
     known = mu[np.isfinite(mu) & (mu > 0.0)]
     if not known.size:
@@ -68,21 +73,21 @@ def interval_after_measuring(mu: np.ndarray, level: float) -> list[float]:
 
 
 def chosen_draws(measured: Measured, mu: np.ndarray, count: int) -> tuple[np.ndarray, list[str]]:
-    """Return indices of samples, repeated in proportion to their likelihood, and a list of warnings.
+    """Return indices (count,) of samples, repeated in proportion to their likelihood, and a list of warnings.
 
     Parameters
     ----------
     measured : Measured
-        k measured values.
+        k measured friction coefficients.
     mu : numpy.ndarray, shape (n, k)
-        Predicted friction of each sample at the loads of the values.
+        Predicted friction coefficient of each of n samples at the loads of the measured values.
     count : int
         Number of indices to return.
 
     Notes
     -----
     The likelihood of a sample is exp(-chi^2/2), for measured values with independent log-normal errors. If the effective
-    number of samples is below _FEW, all errors are enlarged until it is reached, because a few samples give no reliable
+    number of samples is below 50, all errors are enlarged until it is reached, because a few samples give no reliable
     interval. Systematic resampling in the order of mu minimises the scatter of its quantiles (Kitagawa 1996).
     """
     with np.errstate(divide="ignore", invalid="ignore"):
@@ -92,7 +97,7 @@ def chosen_draws(measured: Measured, mu: np.ndarray, count: int) -> tuple[np.nda
     while _counting(_weights(chi, larger)) < min(_FEW, np.isfinite(chi).sum()):
         larger *= 1.1
     weights = _weights(chi, larger)
-    order = np.argsort(mu[:, 0], kind="stable")  # the draws are an even sequence, which even steps along it would not be
+    order = np.argsort(mu[:, 0], kind="stable")  # even steps along a Sobol sequence would favour some of its regions
     rows = order[np.minimum(np.searchsorted(np.cumsum(weights[order]), (np.arange(count) + 0.5) / count), len(order) - 1)]
     if chi.min() / len(measured.log_mu) > 9.0:
         return rows, ["The measured friction is outside what the stated contact allows: check the interface and the inputs."]

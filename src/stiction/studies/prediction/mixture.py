@@ -1,4 +1,4 @@
-"""The probabilistic model of a prediction: samples of mu, friction force and contact area from all its parts."""
+"""Combine all parts of a prediction in one probabilistic model that samples mu, friction force and contact area."""
 
 from dataclasses import dataclass, fields, replace
 from functools import cached_property
@@ -17,21 +17,21 @@ from stiction.studies.prediction.strength import Strength
 # Variance of ln of the area of n elastic spots under a given load, times n: of Hertz spots whose depths d are exponential, area
 # and load go with d and d^1.5, so that it is E a^2/(E a)^2 + E w^2/(E w)^2 - 2 E aw/(E a E w) = 2 + 32/(3 pi) - 5 = 0.395.
 _OF_SPOTS = 0.395
-# Asperities of a solved surface, in the median, and how many of these touch at the lightest load: errors of the area on solved
-# surfaces hold the scatter of so few. Between seeds of one design it is .10, .07 and .03 at p/(E* h') = .002, .01 and .1, where
-# the above has .16, .09 and .04.
+# Median number of asperities of a solved benchmark surface, and how many of them touch at the lightest load. The errors of
+# the area on benchmark surfaces already contain the scatter of so few spots. Between seeds of one design this scatter of
+# ln(area) is .10, .07 and .03 at p/(E* h') = .002, .01 and .1, where _OF_SPOTS gives .16, .09 and .04.
 _SOLVED, _LEAST_SOLVED = 300.0, 15.0
-_MOST_SCATTER = 1.0  # standard deviation of ln of an area that so few asperities carry that none is sure to touch
+_MOST_SCATTER = 1.0  # largest standard deviation of ln(area), reached if hardly one asperity touches
 
 
 @dataclass(frozen=True)
 class Samples:
     """Store the results of n samples at m loads, arrays (n, m); NaN for an impossible sample.
 
-    force: friction force [N]. area: real contact area [m2]. pull: factor of the area due to adhesion and menisci. growth:
-    factor of the area due to junction growth. strength: shear strength of the interface [Pa], (n, 1). pressure: mean pressure
-    of contact spots over the hardness, before shear. efficiency: force over the sum of the strengths of all spots, 1 unless
-    strength falls with slip.
+    force: friction force [N]. area: real contact area [m2]. pull: factor by which adhesion and menisci enlarge the area.
+    growth: factor by which junction growth under shear enlarges it. strength: shear strength of the interface [Pa], (n, m or
+    1). pressure: mean pressure of contact spots over the hardness, before shear. efficiency: friction force over the sum of the
+    strengths of all spots, 1 unless strength falls with slip.
     """
 
     force: np.ndarray
@@ -43,13 +43,13 @@ class Samples:
     efficiency: np.ndarray
 
     def some(self, rows: np.ndarray, loads: int) -> "Samples":
-        """Return the results of these samples (rows), at the first `loads` loads only."""
+        """Return the results of the samples with indices `rows`, at the first `loads` loads only."""
         return Samples(*(getattr(self, field.name)[rows, :loads] for field in fields(self)))
 
 
 @dataclass(frozen=True)
 class Mixture:
-    """Combine all parts of a prediction at its loads (m,): area models, adhesion, interface strength and onset of sliding."""
+    """Combine all parts of a prediction at loads (m,) [N]: area models, adhesion, interface strength and onset of sliding."""
 
     sampled: SampledCase
     loads: np.ndarray
@@ -62,19 +62,20 @@ class Mixture:
     def of(cls, sampled: SampledCase) -> "Mixture":
         """Return the mixture of area models, adhesion, interface strength and onset of sliding for a sampled contact.
 
-        Raises InputError if no area model applies, or if every load exceeds hardness times nominal area.
+        Raises InputError if no area model applies, or if a load exceeds hardness times nominal area; for many contacts, only if
+        every load does.
         """
         _refuse_flattened(sampled)
         return cls(sampled, sampled.loads, area_laws(sampled), pull_of(sampled), Strength(sampled), Onset.of(sampled))
 
     def at_load(self, index: int) -> "Mixture":
-        """Return the mixture at one load, given by its index; for a single contact."""
+        """Return the mixture for one load of a single contact; index: position of this load among the m loads."""
         laws = [law.at_load(index) for law in self.laws]
         return replace(self, loads=self.loads[[index]], laws=laws, pull=self.pull.at_load(index))
 
     @property
     def touching(self) -> np.ndarray:
-        """Return the number of asperities in contact at each load (m,)."""
+        """Return the number of asperities in contact at each load (m,), averaged over the area models; infinite if unknown."""
         return np.sum([law.weight * np.where(law.weight > 0.0, law.touching, 0.0) for law in self.laws], axis=0)
 
     @cached_property
@@ -92,7 +93,7 @@ class Mixture:
     def samples(self, levels: Levels, inputs: np.ndarray) -> Samples:
         """Return friction force, area and the other results of samples with these quantile levels.
 
-        inputs: for each sample, the row of the sampled inputs that it uses.
+        inputs: for each sample, the index of the sampled input numbers that it uses, (n,).
         """
         sampled, bodies = self.sampled, self.sampled.bodies
         load = self.loads[None, :]
@@ -103,9 +104,9 @@ class Mixture:
         pull = self.pull.factor(levels["pull_model"], levels["pull_error"], inputs)
         dry = np.minimum(self._dry_area(levels, inputs, nominal), nominal)
         area = grown_to(dry, pull, nominal)
-        borne = load * area / dry  # the load that would make this area alone
+        borne = load * area / dry  # the load that would make this area without adhesion
         elastic = nominal * np.max([law.elastic for law in self.laws], axis=0)
-        bears = np.minimum(hardest, borne / np.maximum(elastic, 1e-300))  # bodies that touch through their film bear no more
+        bears = np.minimum(hardest, borne / np.maximum(elastic, 1e-300))  # the limit by elastic bodies below the film
         area, pressure = self._squeezed(levels, inputs, area, borne, hardness, bears)
         area = grown_to(area, np.exp(self._chance(levels, pressure / hardness)), nominal)
         area = np.maximum(area, np.minimum(borne / hardest, nominal))
@@ -123,25 +124,30 @@ class Mixture:
         return Samples(force * efficiency, area, pull, growth, strength, pressure / hardness, efficiency)
 
     def _of(self, column: np.ndarray, inputs: np.ndarray) -> np.ndarray:
-        """Return the rows of a sampled input that these samples use.
+        """Return the rows of a sampled input number that the samples use, (n, m or 1).
 
-        column: (n or 1, m or 1); a single row serves all samples. inputs: index of the row for each sample.
+        column: values (n or 1, m or 1) over samples and loads; a single row serves all samples. inputs: index of the row for
+        each sample (n,).
         """
         return column[inputs % len(column)]
 
     def weights_of_laws(self, levels: Levels, rows: np.ndarray) -> dict[str, float]:
-        """Return the fraction of the samples `rows` that use each area model, by its name."""
+        """Return the fraction of the samples with indices `rows` that use each area model, by its name, at the first load."""
         which = self._laws_drawn(levels)[rows, 0]
         return {law.name: float(np.mean(which == index)) for index, law in enumerate(self.laws)}
 
     def _laws_drawn(self, levels: Levels) -> np.ndarray:
-        """Return the index of the area model of each sample at each load (n, m)."""
+        """Return the index of the area model that each of n samples uses at each of m loads, (n, m)."""
         ends = np.cumsum([law.weight for law in self.laws], axis=0)
         ends[-1] = 1.0
         return np.argmax(levels["area_model"][:, None, None] <= ends.T[None], axis=-1)
 
     def _dry_area(self, levels: Levels, inputs: np.ndarray, nominal: np.ndarray) -> np.ndarray:
-        """Return the area (n, m) without adhesion and menisci, by the area model and model error that each sample selects."""
+        """Return the contact area [m2] (n, m) without adhesion and menisci, by the area model that each sample selects.
+
+        The area is corrected by the error that the sample selects. inputs: index of the sampled input numbers of each sample
+        (n,). nominal: nominal area [m2], (n, m or 1).
+        """
         which = self._laws_drawn(levels)
         areas = np.empty((len(levels), len(self.loads)))
         for index, law in enumerate(self.laws):
@@ -153,10 +159,11 @@ class Mixture:
         return areas
 
     def _growing_share(self, levels: Levels, inputs: np.ndarray, area: np.ndarray) -> np.ndarray | float:
-        """Return the exponent (n, m), 0 to 1, of junction growth: 1 without a film.
+        """Return the exponent (n, m), 0 to 1, to which the factor of junction growth is raised; 1 without a film.
 
-        A spot much narrower than a film is thick grows like a spot of a bulk body. A wide spot does not, because the body
-        below carries it. A state of the interface that was measured on films includes this growth.
+        inputs: index of the sampled input numbers of each sample (n,). area: contact area [m2] (n, m). A spot much narrower
+        than the film is thick grows like a spot of a bulk body: the exponent is 1. A wide spot does not grow, because the body
+        below carries it: 0. For a state of the interface that was measured on films, and so includes growth, it is 0 too.
         """
         if (coating := self.sampled.drawn.coating) is None:
             return 1.0
@@ -164,15 +171,18 @@ class Mixture:
         return np.where(self.strength.is_of_film(levels["state"]), 0.0, 1.0 / (1.0 + radius / thickness))
 
     def _spot_radius(self, area: np.ndarray) -> np.ndarray:
-        """Return the radius [m] of contact spots with this total area; infinite if their number is unknown."""
+        """Return the mean radius [m] (n, m) of contact spots with this total area [m2]; infinite if their number is unknown."""
         touching = np.where(np.isfinite(self.touching), np.maximum(self.touching, 1.0), 0.0)
         with np.errstate(divide="ignore"):
             return np.sqrt(area / (np.pi * touching))
 
     def _squeezed(self, levels, inputs, area, borne, hardness, hardest):
-        """Return area and mean pressure (n, m) of contact spots after the soft film between the bodies is squeezed.
+        """Return area [m2] and mean pressure [Pa] (n, m) of contact spots after the soft film between the bodies is squeezed.
 
-        Squeezing matters for spots wider than the film is thick. A contact without film is returned unchanged.
+        inputs: index of the sampled input numbers of each sample (n,). area: contact area before. borne: load that the spots
+        carry [N]. hardness, hardest: hardness of the film, and largest pressure that film and bodies bear [Pa]. Squeezing
+        matters for spots wider than the film is thick. Without a film, or if the number of spots is unknown, the area is
+        unchanged.
         """
         coating, touching = self.sampled.drawn.coating, self.touching
         if coating is None or not np.isfinite(touching).all():
@@ -185,7 +195,8 @@ class Mixture:
     def _chance(self, levels: Levels, pressure: np.ndarray) -> np.ndarray:
         """Return the deviation of ln(area) from its mean (n, m) that arises from the small number of contact spots.
 
-        It is 0 if all spots are plastic, or if a height map determines the spots.
+        pressure: mean pressure over hardness (n, m). Plastic spots, and spots that a height map determines, add no scatter of
+        their own. Scatter of the junction strength and the sampling error of a scan are added.
         """
         from scipy.special import ndtri
 
@@ -200,7 +211,7 @@ class Mixture:
 
 
 def _most_load(sampled: SampledCase) -> np.ndarray:
-    """Return hardness times nominal area [N] at each point (m,), or (1,) if all points share it."""
+    """Return the largest load [N] that the hardness bears on the nominal area, at each point (m,), or (1,) for all points."""
     most: np.ndarray = np.median(sampled.bodies.hardest, axis=0) * np.mean(sampled.column(sampled.drawn.nominal_area), axis=0)
     return most
 
@@ -208,7 +219,7 @@ def _most_load(sampled: SampledCase) -> np.ndarray:
 def _refuse_flattened(sampled: SampledCase) -> None:
     """Raise InputError if a load exceeds hardness times nominal area.
 
-    For many contacts, it is raised only if all their loads do.
+    For many contacts, the error is raised only if all their loads do.
     """
     most = np.broadcast_to(_most_load(sampled), sampled.loads.shape)
     flattened = sampled.loads > most

@@ -1,4 +1,4 @@
-"""A single predicted number from names and values, for spreadsheets and other languages."""
+"""Predict a single number from names and values, for spreadsheets and other languages."""
 
 from collections.abc import Mapping
 from functools import lru_cache
@@ -76,9 +76,10 @@ def predict_value(output: str, *pairs: str | float) -> float:
 
 @lru_cache(maxsize=1024)
 def _predicted(given: tuple[tuple[str, Any], ...], changed: int) -> "xarray.Dataset":
-    """Return the prediction for the names and values in `given`.
+    """Return the prediction for pairs of names and values, as in `predict_value`.
 
-    changed: modification time of the case file, so that the cache does not answer for an older version of it.
+    changed: modification time of the case file [ns], an argument only so that the cache does not answer for an older version of
+    the file.
     """
     pairs = dict(given)
     file = pairs.pop("case", None)
@@ -90,16 +91,16 @@ def _predicted(given: tuple[tuple[str, Any], ...], changed: int) -> "xarray.Data
 
 
 def _with_unit(name: str, value: Any) -> Any:
-    """Return a number as text with the SI unit of its quantity; return text unchanged."""
+    """Return a number as text with the SI unit of the quantity `name`; return text unchanged."""
     if isinstance(value, str) or name not in QUANTITIES:
         return value
     return f"{float(value)!r} {QUANTITIES[name].unit}".rstrip()
 
 
 def _with_value(tables: Any, path: tuple[str, ...], value: Any) -> Any:
-    """Return case tables with a value at this path.
+    """Return a copy of case tables with this value at the address `path`.
 
-    A material named by its preset becomes a table that starts from the preset.
+    A material named by its preset first becomes the table {"preset": name}.
     """
     if not path:
         return value

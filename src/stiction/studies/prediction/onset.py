@@ -1,4 +1,4 @@
-"""Loss of friction at the onset of sliding, if the case states that strength falls with slip."""
+"""Compute the loss of friction at the onset of sliding, if the case states that strength falls with slip."""
 
 from dataclasses import dataclass
 
@@ -25,10 +25,11 @@ _MAP = "boundary_elements"
 
 @dataclass(frozen=True)
 class MapSpots:
-    """Store the contact spots of one solved height map, at k contact areas.
+    """Store how contact spots of one solved height map move under shear, at k contact areas.
 
-    share: real over nominal area (k,). spread: standard deviation of the spots' displacement, divided by their shear strength,
-    (k,) [m/Pa]. compliance: tangential compliance of the solved bodies [1/Pa]. side: side of the map [m].
+    share: real over nominal area (k,). spread: standard deviation of the tangential displacement of the spots, divided by their
+    shear strength, (k,) [m/Pa]. compliance: tangential compliance of the solved bodies [1/Pa]. side: side of the square map
+    [m].
     """
 
     share: np.ndarray
@@ -48,10 +49,10 @@ class MapSpots:
 class Onset:
     """Store the inputs of the onset of sliding, arrays (n or 1, m or 1) over samples and points.
 
-    slip: weakening slip [m]. residual: residual strength (fraction). deviation [m], radius [m], density [1/m2]: of the
-    asperities. side: side of the nominal area [m]. compliance: tangential compliance [1/Pa] of the touching surfaces, and of
-    the bodies below them. unlike: magnitude of Dundurs' beta of the touching surfaces. thickness: film thickness [m], 0
-    without a film. spots: spots of a solved map; None without a map.
+    slip: weakening slip [m]. residual: residual strength (fraction). deviation, radius [m], density [1/m2]: height deviation,
+    radius and density of asperities. side: side of the nominal area [m]. compliance: tangential compliance [1/Pa] of the
+    touching surfaces, and of the bodies below them. unlike: magnitude of Dundurs' beta of the touching surfaces. thickness:
+    film thickness [m], 0 without a film. spots: spots of a solved map; None without a map.
     """
 
     slip: np.ndarray
@@ -67,7 +68,7 @@ class Onset:
 
     @classmethod
     def of(cls, sampled: SampledCase) -> "Onset | None":
-        """Return the inputs of the onset of sliding, or None if the case states no weakening slip."""
+        """Return the inputs of the onset of sliding for a sampled contact; None if the case states no weakening slip."""
         contact = sampled.drawn
         if contact.weakening_slip is None:
             return None
@@ -87,10 +88,10 @@ class Onset:
         )
 
     def efficiency(self, strength: np.ndarray, share: np.ndarray, level: np.ndarray, rows: np.ndarray) -> np.ndarray:
-        """Return the largest friction force over the sum of the strengths of all contact spots (n, m).
+        """Return the largest friction force over the sum of the strengths of all contact spots (n, m), at most 1.
 
-        strength: mean shear strength on the contact area [Pa] (n, m); share: real over nominal area (n, m); level: quantile
-        levels (n,) of the error of the model; rows: rows (n,) of the sampled inputs.
+        strength: mean shear strength on the contact area [Pa] (n, m). share: real over nominal area (n, m). level: quantile
+        levels (n,) of the error of this calculation. rows: index of the sampled input numbers of each sample (n,).
         """
         from scipy.special import ndtri
 
@@ -100,7 +101,7 @@ class Onset:
             of_spots = self._by_numbers(share, rows) * np.exp(SPOTS_ERROR * score)
             of_edges = bodies * spread_of_edges(side, share)
             return self._coupled(efficiency(strength * np.hypot(of_spots, of_edges) / slip, residual), residual, score, rows)
-        # Waves shorter than the map are in its solution; the ends of the nominal area add those that are longer.
+        # The solution of the map contains waves up to its side; the finite nominal area adds the longer ones.
         longer = np.sqrt(np.maximum(side**2 - self.spots.side**2, 0.0))
         spread = bodies * np.hypot(self.spots.at(share), spread_of_edges(longer, share))
         found = efficiency(strength * spread / slip, residual) * np.exp(-LAW_ERROR * score)
@@ -109,7 +110,9 @@ class Onset:
     def _coupled(self, like: np.ndarray, residual: np.ndarray, score: np.ndarray, rows: np.ndarray) -> np.ndarray:
         """Return the efficiency of unlike bodies (n, m), in which normal and tangential displacements are coupled.
 
-        like: efficiency of like bodies (n, m). Where like bodies lose no strength, unlike bodies lose none either.
+        like: efficiency of like bodies (n, m). residual: residual strength (fraction). score: standard normal scores (n, 1) of
+        the error. rows: index of the sampled input numbers of each sample (n,). Where like bodies lose no friction, unlike
+        bodies lose none either.
         """
         mean, error, most = UNLIKE
         lost = (1.0 - like) / np.maximum(1.0 - residual, 1e-12)
@@ -117,10 +120,11 @@ class Onset:
         return np.maximum(like * np.exp(-loss), np.minimum(residual, like))
 
     def _by_numbers(self, share: np.ndarray, rows: np.ndarray) -> np.ndarray:
-        """Return the standard deviation of the spots' displacement over their shear strength (n, m) [m/Pa], without a map.
+        """Return the standard deviation of the displacement of spots over their shear strength (n, m) [m/Pa], without a map.
 
-        It follows from density, radius and height deviation of asperities. Spots much wider than the film is thick have the
-        compliance of the bodies below it.
+        share: real over nominal area (n, m). rows: index of the sampled input numbers of each sample (n,). The result follows
+        from density, radius and height deviation of asperities. Spots much wider than the film is thick have the compliance of
+        the bodies below it.
         """
         deviation, radius, density = (_drawn(table, rows) for table in (self.deviation, self.radius, self.density))
         spots = spot_radius(share, deviation, radius, density)
@@ -131,25 +135,25 @@ class Onset:
 
 
 def _drawn(column: np.ndarray, rows: np.ndarray) -> np.ndarray:
-    """Return the sampled inputs at these indices (len(rows), m); a column with a single row is repeated."""
+    """Return the rows of a sampled input number at these indices, (len(rows), m); a column with a single row is repeated."""
     return column[rows % len(column)]
 
 
 def _compliance(pair):
-    """Return the tangential compliance [1/Pa] of two bodies: the sum of (2 - nu)/(2 G)."""
+    """Return the tangential compliance [1/Pa] of two bodies: the sum of (2 - nu)/(2 G), Poisson's ratio nu, shear modulus G."""
     return sum((2.0 - body.poissons_ratio) / (2.0 * body.shear_modulus) for body in pair)
 
 
 def _mismatch(pair):
-    """Return the magnitude of Dundurs' second parameter beta of two bodies."""
+    """Return the magnitude of Dundurs' second parameter beta (elastic mismatch) of two bodies."""
     one, other = (((1.0 - 2.0 * body.poissons_ratio) / body.shear_modulus) for body in pair)
     return abs(one - other) / (2.0 * sum((1.0 - body.poissons_ratio) / body.shear_modulus for body in pair))
 
 
 def _spots_of(sampled: SampledCase) -> MapSpots | None:
-    """Return the contact spots on the solved map of a contact; None if there is no map that can be solved.
+    """Return the contact spots on the height map of a contact after solving it; None if there is no map that can be solved.
 
-    In a sweep, the map of the first contact is used.
+    In a parameter sweep, the map of the first contact is used.
     """
     if not sampled.on_map:
         return None

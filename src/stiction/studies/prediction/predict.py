@@ -1,4 +1,4 @@
-"""The prediction: the friction coefficient of a contact with a calibrated interval."""
+"""Predict the friction coefficient of a contact, with a calibrated interval."""
 
 import math
 from collections.abc import Mapping, Sequence
@@ -32,8 +32,8 @@ if TYPE_CHECKING:
     from stiction.case.arguments import CaseLike
     from stiction.quantities.arguments import FilePath, QuantityLike
 
-COUNT, _MANY = 512, 16384  # draws where the case states no count; with measured values
-_UNTOLD = 0.8  # of the width of the stated interval, above which measured values tell nothing of a number
+COUNT, _MANY = 512, 16384  # number of samples if the case states none; if values were measured
+_UNTOLD = 0.8  # ratio of interval widths, after over before measuring, above which a number counts as not determined
 
 
 def predict(
@@ -65,10 +65,11 @@ def predict(
         `contact_area` [m^2]; `_low` and `_high` of each, the ends of the interval; and `friction_coefficient_samples` (sample,
         load). If the case states a weakening slip, also `friction_efficiency`, the force over the sum of strengths.
 
-        Attributes, at the middle load: `level`, `regime` (a sentence), `shares` (part -> fraction of the variance of ln mu),
-        `warnings` (a list, the most serious first), `inputs_not_used` (a list), `next_step`, `after_measuring` (interval of mu
-        that one measurement with 15 % error would leave), `models` (area model -> weight), `beside_area` (laws of menisci and
-        contamination), `excluded` (fraction of impossible samples), `strength` (tau_0 [Pa]: median and ends of the interval).
+        Attributes, at the middle load: `level`, `regime` (a sentence), `lowered_by` (what would lower mu), `shares` (part ->
+        fraction of the variance of ln mu), `warnings` (a list, the most serious first), `inputs_not_used` (a list),
+        `next_step` (what to measure or state next), `after_measuring` (interval of mu that one measurement with 15 % error
+        would leave), `models` (area model -> weight), `beside_area` (laws of menisci and contamination that apply), `excluded`
+        (fraction of impossible samples), `strength` (tau_0 [Pa]: median and ends of the interval).
 
         With measured friction, `shares` is empty. `value`, `low` and `high` over `parameter` are then the updated uncertain
         numbers, and `verdict` names those that the measurement does not determine.
@@ -85,11 +86,12 @@ def predict(
     Notes
     -----
     mu = e (tau_0 A + alpha W)/P. P is the load, W = P + pull the load with the adhesive pull, and A the contact area under
-    W. These are sampled together: the inputs; tau_0 and alpha by the state of the interface; the area, by models whose
-    errors on benchmark surfaces near the contact are known; the pull of adhesion and menisci; the growth of plastic
-    junctions under shear; and random scatter if few asperities touch. The efficiency e is 1 unless a weakening slip is
-    stated; then contact spots slip one after another (docs/explanation/onset.md). The bodies set limits: tau_0 is at most
-    the shear strength of the weaker body, A at most the nominal area, and the pressure at most the hardness.
+    W. tau_0 is the shear strength of the interface at zero pressure, and alpha its increase with pressure. These are
+    sampled together: the inputs; tau_0 and alpha by the state of the interface; the area, by models whose errors on
+    benchmark surfaces near the contact are known; the pull of adhesion and menisci; the growth of plastic junctions under
+    shear; and random scatter if few asperities touch. The efficiency e is 1 unless a weakening slip is stated; then contact
+    spots slip one after another (docs/explanation/onset.md). The bodies set limits: tau_0 is at most the shear strength of
+    the weaker body, A at most the nominal area, and the pressure at most the hardness.
 
     Examples
     --------
@@ -109,7 +111,7 @@ def predict(
     if (refusal := refusal_of(case)) is not None:
         raise refusal
     if case.is_swept:
-        from stiction.studies.prediction.many import predict_swept  # which draws with what is below
+        from stiction.studies.prediction.many import predict_swept  # imported here, because it imports this module
 
         if measured is not None:
             raise InputError("--data", str(measured), "a single contact: the case has array parameters")
@@ -135,10 +137,10 @@ def predict(
 
 
 def is_predicted(case: Case) -> bool:
-    """Return whether a case is predicted by many models together, instead of being solved by one.
+    """Return whether a case is evaluated by `predict`, which combines many models, instead of by one model.
 
-    It is, if it has a [contact] and names no model, law or option. Raises InputError if the case names the model
-    "recommended" together with any of these, or has [indices].
+    This is so if the case has a [contact] and names no model, law or option, or only the model "recommended". Raises InputError
+    if it names "recommended" together with a law or an option, or with [indices].
     """
     named = {name: value for name, value in case.choice.arguments().items() if value is not None}
     is_recommended = named.pop("model", None) == RECOMMENDED
@@ -153,7 +155,8 @@ def is_predicted(case: Case) -> bool:
 def prediction_of(case: Case, load: float | None) -> "xarray.Dataset | None":
     """Return the prediction of a case at a load [N]; None if no prediction is possible.
 
-    None is possible without a load, for [indices], or if an input that decides friction is not used by predictions.
+    None is returned if `load` is None, for [indices], and if the case states an input that decides friction but that
+    predictions cannot use.
     """
     if load is None or not isinstance(case.subject, Contact) or refusal_of(case) is not None:
         return None
@@ -161,7 +164,11 @@ def prediction_of(case: Case, load: float | None) -> "xarray.Dataset | None":
 
 
 def case_given(given: Any, load: Any) -> Case:
-    """Return a contact, case, dict or path as a case, at these loads if any are given. Raises InputError."""
+    """Return a case from a contact, a case, a dict of tables or the path of a case file.
+
+    load: loads [N] or texts with units that replace those of the case; None keeps them. A contact needs loads. Raises
+    InputError.
+    """
     if isinstance(given, Contact):
         if load is None:
             raise InputError("load", None, 'a load above 0, e.g. load="1 N"')
@@ -186,9 +193,10 @@ def case_given(given: Any, load: Any) -> Case:
 
 
 def with_uncertain(case: Case) -> Case:
-    """Return the case with all uncertain numbers that a prediction samples.
+    """Return the case with all numbers that a prediction samples as uncertain numbers.
 
-    These include roughness parameters left open by a surface finish, and ranges of materials unless the case switches them off.
+    These are its own uncertain numbers, roughness parameters left open by a surface finish, and ranges of materials unless the
+    case states the key `ranges`.
     """
     if "ranges" not in case.uncertainty.model_fields_set:
         taken = [*case.swept, *(number.path for number in case.uncertain)]
@@ -197,10 +205,7 @@ def with_uncertain(case: Case) -> Case:
 
 
 def draws_of(case: Case, count: int = COUNT) -> Levels:
-    """Return the quantile levels of all samples of a case.
-
-    count: number of samples if the case states none.
-    """
+    """Return the quantile levels of all samples of a case; `count`: number of samples if the case states none."""
     count = case.uncertainty.count if "count" in case.uncertainty.model_fields_set else count
     return draw_levels(len(case.unknowns), count, case.uncertainty.seed)
 
@@ -208,7 +213,8 @@ def draws_of(case: Case, count: int = COUNT) -> Levels:
 def intervals(samples: Samples, loads: np.ndarray, level: float) -> dict[str, tuple[np.ndarray, dict[str, str]]]:
     """Return the median and both interval ends of each result, as (values (m,), attributes) by name.
 
-    level: coverage probability of the interval.
+    samples: results of n samples at m loads. loads: these loads (m,) [N]. level: coverage probability of the interval.
+    Impossible samples are left out; a value is NaN if all are.
     """
     tables = {"friction_coefficient": samples.force / loads, "friction_force": samples.force, "contact_area": samples.area}
     if (samples.efficiency != 1.0).any():
@@ -237,9 +243,11 @@ def _dataset(samples: Samples, loads: np.ndarray, level: float) -> "xarray.Datas
 def _given(
     known: Measured, case: Case, loads: np.ndarray, working_index: int, level: float, stated: Sequence[Uncertain]
 ) -> tuple[Samples, dict[str, Any], dict[str, Any]]:
-    """Return samples weighted by measured values, with attributes and updated uncertain numbers.
+    """Return samples chosen by measured friction, attributes of the prediction, and updated uncertain numbers.
 
-    working_index: index of the working load in `loads`. stated: uncertain numbers that the case itself states.
+    known: the measured friction. loads: loads of the prediction [N]. working_index: index of the working load among them.
+    level: coverage probability. stated: uncertain numbers that the case itself states. The updated numbers are dataset
+    variables: median and interval ends over `parameter`.
     """
     levels = draw_levels(len(case.unknowns), _MANY, case.uncertainty.seed)
     mixture = Mixture.of(SampledCase(case, np.concatenate([loads, known.load]), levels.inputs))
@@ -270,12 +278,12 @@ def _given(
 
 
 def _width(low: float, high: float) -> float:
-    """Return the width of an interval; of its logarithm if both ends are positive."""
+    """Return the width of an interval, or of its logarithm if the lower end is positive."""
     return math.log(high / low) if low > 0.0 else high - low
 
 
 def _beside_area(contact: Contact) -> list[str]:
-    """Return the names of the meniscus and contamination laws that the inputs of a contact require."""
+    """Return the names of the meniscus and contamination laws that apply because the contact states their inputs."""
     stated = {
         "meniscus law equilibrium_meniscus": contact.liquid,
         "contamination law independent_junctions": contact.strength_variation,

@@ -1,8 +1,7 @@
-"""The factor by which adhesion and menisci increase the contact area.
+"""Compute the factor by which adhesion and menisci increase the contact area.
 
-The factor g is computed by an asperity sum: the area with the pull over the area without it. It goes continuously to 1 as
-the pull vanishes. Two adhesion models are equally likely: JKR asperities that yield (the 2015 model) and Maugis' elastic
-ones.
+An asperity sum gives the factor g: the area with the pull over the area without it. The factor goes continuously to 1 as the
+pull vanishes. Two adhesion models are equally likely: JKR asperities that yield (the 2015 model) and Maugis' elastic ones.
 
 In an asperity sum asperities do not interact. On real surfaces, contact spots that adhesion widens merge. Height maps
 solved with adhesion (validation/adhesion.py) have the larger factor g^m with
@@ -15,8 +14,8 @@ error of ln(factor) was 12 %. Twice that is used, because no map with plastic sp
 
 Menisci on 18 maps of silicon, solved with the Laplace pressure, raised the area by 1.03 to 5.9 times as much as the
 meniscus law does (four of them are in tests/prediction/test_menisci_of_a_prediction.py). The difference is largest if
-menisci pull with less than a tenth of the load. Its logarithm has the mean 0.7 and the standard deviation 0.53. The pull is
-at most the Laplace pressure times the nominal area.
+menisci pull with less than a tenth of the load. The logarithm of this ratio has the mean 0.7 and the standard deviation 0.53.
+The pull is at most the Laplace pressure times the nominal area.
 """
 
 from dataclasses import replace
@@ -37,30 +36,33 @@ _DRY, _WET = (
 )
 _ADHESION_ERROR = 0.25  # standard deviation of ln of the factor, over ln of the factor
 _STICKY = 10.0  # U/w below which spots that adhesion widens merge
-_FLAT = 1e6  # factor of the area of faces that adhesion pulls flat
-_MENISCUS_BIAS, _MENISCUS_ERROR = 0.7, 0.53  # of ln of what menisci add to the area, over that by the law
+_FLAT = 1e6  # factor of the area of surfaces that adhesion pulls into full contact
+# Mean and standard deviation of ln(increase of the area by menisci on solved maps over that of the meniscus law).
+_MENISCUS_BIAS, _MENISCUS_ERROR = 0.7, 0.53
 
 
 class Pull:
-    """Store the factors of the contact area due to adhesion and menisci.
+    """Store the factors by which adhesion and menisci enlarge the contact area, for n samples at m loads.
 
-    adhesion: one array (n, m) for each adhesion model. menisci: (n, m). most: largest pull of menisci over the load, (n, m).
+    adhesion: one array (n, m) for each adhesion model. menisci: factors by the meniscus law, (n, m). most: largest pull of
+    menisci over the load, (n, m). Each n may be 1.
     """
 
     def __init__(self, adhesion: list[np.ndarray], menisci: np.ndarray, most: np.ndarray):
         self.adhesion, self.menisci, self.most = adhesion, menisci, most
 
     def at_load(self, index: int) -> "Pull":
-        """Return the factors at one load, given by its index; for a single contact."""
+        """Return the factors for one load of a single contact; index: position of this load among the m loads."""
         *adhesion, menisci, most = (
             table[:, [index]] if table.shape[1] > 1 else table for table in (*self.adhesion, self.menisci, self.most)
         )
         return Pull(adhesion, menisci, most)
 
     def factor(self, model: np.ndarray, error: np.ndarray, rows: np.ndarray) -> np.ndarray:
-        """Return the total factor (n, m) of the contact area.
+        """Return the factor (n, m) by which adhesion and menisci together enlarge the contact area.
 
-        model, error: quantile levels (n,) that select the adhesion model and its error. rows: rows (n,) of the sampled inputs.
+        model, error: quantile levels (n,) that select the adhesion model and its error. rows: index of the sampled input
+        numbers of each sample (n,).
         """
         from scipy.special import ndtri
 
@@ -74,7 +76,10 @@ class Pull:
 
 
 def pull_of(sampled: SampledCase) -> Pull:
-    """Return the factors of a contact with its work of adhesion and liquid. Raises InputError if no model applies."""
+    """Return the factors by which the work of adhesion and the liquid of a contact enlarge its area.
+
+    Raises InputError if no adhesion model applies.
+    """
     contact, ones = sampled.contact, np.ones((1, len(sampled.loads)))
     adhesion = _by_adhesion(sampled) if contact.adheres else [ones]
     menisci, most = ones, 0.0 * ones
@@ -89,10 +94,11 @@ def pull_of(sampled: SampledCase) -> Pull:
 
 
 def _factor(pulled: np.ndarray, alone: np.ndarray) -> np.ndarray:
-    """Return the factor by which a pull increases the contact area, at least 1.
+    """Return the factor (n, m) by which a pull enlarges the contact area, at least 1.
 
-    pulled, alone: areas with and without the pull. An area is NaN if an asperity sum exceeds the nominal area. If only the area
-    with pull is NaN, the surfaces are pulled into full contact. If both are, the pull adds nothing.
+    pulled, alone: areas with and without the pull, NaN where an asperity sum exceeds the nominal area. If only the area with
+    pull is NaN, the surfaces are pulled into full contact, and the factor is a million. If the area without pull is NaN too,
+    the pull adds nothing.
     """
     flat = np.where(np.isnan(alone), 1.0, _FLAT)
     return np.where(np.isnan(pulled), flat, np.maximum(pulled / np.where(np.isnan(alone), pulled, alone), 1.0))
@@ -100,7 +106,7 @@ def _factor(pulled: np.ndarray, alone: np.ndarray) -> np.ndarray:
 
 def _by_adhesion(sampled: SampledCase) -> list[np.ndarray]:
     factors, refusal = [], None
-    for choice in _ADHESION[:1] if sampled.contact.has_film else _ADHESION:  # the others refuse films
+    for choice in _ADHESION[:1] if sampled.contact.has_film else _ADHESION:  # the second model refuses films
         try:
             pulled, faint = (sampled.areas(choice, ("work_of_adhesion",), faint) for faint in (False, True))
             factors.append(_factor(pulled, faint) ** _merging(sampled))
@@ -117,7 +123,7 @@ def _by_adhesion(sampled: SampledCase) -> list[np.ndarray]:
 def _merging(sampled: SampledCase) -> np.ndarray:
     """Return the exponent (n or 1, m or 1) of the adhesion factor of an asperity sum, from 1 to 2.
 
-    It is 2 for strong adhesion, which makes contact spots merge.
+    It is 2 for strong adhesion, which makes contact spots merge, and 1 for weak adhesion.
     """
     from xarray import DataArray
 

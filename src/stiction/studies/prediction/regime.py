@@ -1,4 +1,4 @@
-"""Texts of an answer: the contact regime, warnings, and the input to measure next."""
+"""Write the texts of an answer: the contact regime, warnings, and the input to measure next."""
 
 import math
 from collections.abc import Mapping, Sequence
@@ -11,23 +11,24 @@ from stiction.solving.state import of_the_map
 from stiction.studies.prediction.levels import Levels
 from stiction.studies.prediction.mixture import Mixture, Samples
 
-_STICKS = 2.0  # factor of the area by adhesion above which it, and not the load, makes the contact
-_FLAT = 0.95  # of the nominal area
-_PLASTIC = 0.9  # mean pressure over hardness
-_SOME = 0.1  # share of the draws
-_GROWN = 1.5  # area after shear over that before
-_FEW = 10.0
+_STICKS = 2.0  # factor of the area by adhesion above which adhesion, and not the load, determines the area
+_FLAT = 0.95  # real over nominal area from which a contact counts as pressed flat
+_PLASTIC = 0.9  # mean pressure over hardness from which spots count as plastic
+_SOME = 0.1  # fraction of the samples
+_GROWN = 1.5  # factor of junction growth from which it is mentioned
+_FEW = 10.0  # number of touching asperities below which mu varies from place to place
 _DRY = ("clean metal", "oxidised metal", "ceramic", "dry polymer", "elastomer", "gold contact")  # a lubricant weakens these
 _STEEP = 0.93  # strength of the interface over the body's, c: ln mu goes with 1/(1 - c^2) times ln c, 0.15 for 2 % here
-_DECIDES = 0.05  # share of the variance from which on a part is worth a warning
+_DECIDES = 0.05  # fraction of the variance above which a part is worth a warning
 _ATOM = 1e-19  # m^2, some 0.3 nm squared
 _MANY = 0.05  # fraction of impossible samples above which a warning is issued
 
 
 def regime_of(mixture: Mixture, samples: Samples, index: int) -> tuple[str, str]:
-    """Return one or two sentences on the contact regime, e.g. how plastic the contact spots are, and what lowers mu in it.
+    """Return one or two sentences on the contact regime, and a phrase on what would lower mu.
 
-    index: position of the load in `loads`.
+    The sentences state, for example, that all contact spots are plastic. samples: results of the prediction. index: position of
+    the load among the loads of the prediction.
     """
     area, pull, growth, pressure = (
         float(np.nanmedian(np.broadcast_to(table, samples.area.shape)[:, index]))
@@ -69,10 +70,11 @@ def regime_of(mixture: Mixture, samples: Samples, index: int) -> tuple[str, str]
 
 
 def _of_pressure(mixture: Mixture, pressure: float, index: int, added: str) -> tuple[str, str]:
-    """Return a sentence on the mean pressure of spots, or on yielding of the body below a film, and what else lowers mu.
+    """Return a sentence on the pressure of contact spots that are not plastic, and a phrase on what else lowers mu.
 
-    pressure: mean pressure over the hardness of the softer surface. index: position of the load in `loads`. added: words for
-    what is added to tau_0 over the pressure.
+    The phrase leaves out a weaker interface. On a film, the sentence may state that the body below yields. pressure: mean
+    pressure over the hardness of the softer surface. index: position of the load among the loads of the prediction. added:
+    words for what is added to tau_0 over the pressure, or "".
     """
     contact, hardness = mixture.sampled.contact, float(np.median(mixture.sampled.bodies.hardness))
     carried = min(float(np.median(law.yields_at[:, index])) for law in mixture.laws)
@@ -92,7 +94,7 @@ def _of_pressure(mixture: Mixture, pressure: float, index: int, added: str) -> t
 
 
 def _softer(mixture: Mixture) -> str:
-    """Return what the hardness of the contact is that of, in one or two words."""
+    """Return the name of the surface whose hardness the contact has: "softer body", "film" or "counterbody"."""
     contact = mixture.sampled.contact
     if contact.coating is None:
         return "softer body"
@@ -102,10 +104,10 @@ def _softer(mixture: Mixture) -> str:
 def warnings_of(
     mixture: Mixture, samples: Samples, index: int, shares: Mapping[str, float], by_state: Sequence[str] = ()
 ) -> list[str]:
-    """Return the warnings about a prediction, the most serious first.
+    """Return the warnings about a prediction as sentences, the most serious first.
 
-    index: position of the load in `loads`. shares: fraction of the variance by part, empty if unknown. by_state:
-    texts of `mu_by_state`.
+    index: position of the load among the loads of the prediction. shares: fraction of the variance of ln mu by part, empty if
+    unknown. by_state: texts of `mu_by_state`.
     """
     impossible = float(np.mean(~np.isfinite(samples.force[:, index])))
     warnings = []
@@ -126,12 +128,12 @@ def warnings_of(
     area, pressure = (float(np.nanmedian(table[:, index])) for table in (samples.area, samples.pressure))
     is_flat = area >= _FLAT * float(np.median(mixture.sampled.drawn.nominal_area))
     soft = any(class_of(body) == "elastomer" for body in contact.touching)
-    if contact.work_of_adhesion is None and soft and not is_flat:  # adhesion cannot enlarge what touches everywhere
+    if contact.work_of_adhesion is None and soft and not is_flat:  # adhesion cannot enlarge a full contact
         warnings.append("work_of_adhesion is not stated: adhesion of an elastomer can raise mu several times at light loads.")
     warnings += _of_few_waves(mixture)
     warnings += [] if contact.measured is None else list(contact.measured.validity_warnings)
     is_open = not is_flat and pressure < _PLASTIC
-    decides = not shares or shares.get("area model", 0.0) > _DECIDES  # parts that hardly count are left out
+    decides = not shares or shares.get("area model", 0.0) > _DECIDES
     if decides and (is_open or contact.has_film) and _kind_is_missing(mixture):
         text = "The kind of surface is not stated: with the same numbers, the contact area can differ several times."
         first = shares.get("area model", 0.0) > shares.get("interface", 0.0)
@@ -144,10 +146,10 @@ def warnings_of(
 
 
 def mu_by_state(mixture: Mixture, levels: Levels, index: int, level: float) -> list[str]:
-    """Return the interval of mu for each possible state of an interface that is not stated, as texts, the weakest first.
+    """Return one text for each possible state of an interface that is not stated, with the interval of mu, lowest first.
 
-    The list is empty if the state is known. Each state is applied to all samples. index: position of the load in `loads`.
-    level: coverage probability of the intervals.
+    An example is "0.1 to 0.2 with boundary lubrication". The list is empty if the state is known. Each state is applied to all
+    samples. index: position of the load among the loads of the prediction. level: coverage probability of the intervals.
     """
     states = mixture.strength.states
     if len(states) < 2:
@@ -163,20 +165,20 @@ def mu_by_state(mixture: Mixture, levels: Levels, index: int, level: float) -> l
 
 
 def _kind_is_missing(mixture: Mixture) -> bool:
-    """Return whether the kind of surface is unknown: no scan, kind, shape or non-Gaussian heights are stated."""
+    """Return whether the kind of surface is unknown: the contact states no scan, kind, shape or non-Gaussian heights."""
     contact = mixture.sampled.contact
     stated = mixture.sampled.on_map or contact.surface_kind is not None or bool(contact.surface_shape)
     return not stated and contact.heights[0] == "gaussian"
 
 
 def _of_few_waves(mixture: Mixture) -> list[str]:
-    """Return a list with a warning if a height map contains only a few of its longest wavelengths; otherwise []."""
+    """Return a list with a warning if a height map is only a few of its longest wavelengths wide; otherwise []."""
     waves = of_the_map(mixture.sampled.contact).get("longest_waves_on_a_side", math.inf)
     few = f"The scan holds {waves:.2g} long waves, {LEAST_WAVES:g} wanted: measure a larger area."
     return [few] if waves < LEAST_WAVES else []
 
 
-_MUCH = 0.2  # share of the variance that is worth a word in the case
+_MUCH = 0.2  # fraction of the variance above which stating the kind of surface is advised
 _STEPS = {
     "interface": "measure mu once: stiction fit CASE.toml --data FILE",
     "area model": "measure the surface and give a scan (stiction surface FILE)",
@@ -187,7 +189,10 @@ _STEPS = {
 
 
 def next_step(shares: Mapping[str, float], mixture: Mixture) -> str:
-    """Return what to measure or state next, which follows from the part with the largest share of the variance."""
+    """Return a text on what to measure or state next, for the part with the largest fraction of the variance of ln mu.
+
+    shares: fraction of the variance by part. The text is "" if no fractions are known and the interface is stated.
+    """
     largest = max(shares, key=lambda name: shares[name], default="")
     if len(mixture.strength.states) > 1:
         if largest == "area model" and _kind_is_missing(mixture):

@@ -1,4 +1,4 @@
-"""The contact, loads and uncertain numbers of one prediction."""
+"""Sample the uncertain numbers of one prediction at its loads."""
 
 import math
 from collections.abc import Mapping, Sequence
@@ -20,7 +20,7 @@ from stiction.solving.choice import Choice
 from stiction.studies.uncertainty.drawing import Variant, draw
 from stiction.surfaces.theory.moments import LEAST_DENSITY
 
-# Inputs of attraction and of interface strength, which other parts of the prediction sample.
+# Inputs of adhesion and of interface strength, which area models do not use because other parts of the prediction do.
 PULLS = ("work_of_adhesion", "liquid")
 _INTERFACE = (
     "interface",
@@ -41,8 +41,8 @@ _INTERFACE = (
 class Bodies:
     """Store strengths and stiffness of the touching surfaces in Pa, arrays (n or 1, m or 1) over samples and points.
 
-    hardness, shear_strength, shear_modulus: of the softer surface. hardest: the largest pressure that a contact spot can
-    bear, the greater of the hardness of the touching surfaces and of the bodies below films.
+    hardness, shear_strength, shear_modulus: of the softer surface. hardest: the largest pressure that a contact spot can bear,
+    which is the hardness of the softer surface, or of the softer body if that is harder.
     """
 
     hardness: np.ndarray
@@ -53,9 +53,10 @@ class Bodies:
 
 @dataclass(frozen=True)
 class SampledCase:
-    """Store a case at its loads, with n samples of its k uncertain numbers, given as quantile levels (n, k).
+    """Store a case at its loads, with n samples of its uncertain numbers.
 
-    load: loads above 0 in N, an array (m,) or a labelled array along dimensions of the contacts. If numbers of the case are
+    load: loads above 0 in N, an array (m,) or a labelled array along dimensions of the contacts. levels: quantile levels (n,
+    k), one column for each of the k sample dimensions of the case. A point is a contact at a load: if numbers of the case are
     swept, the m points are all combinations of these numbers and the loads, in the order of `dims`.
     """
 
@@ -65,29 +66,29 @@ class SampledCase:
 
     @property
     def contact(self) -> Contact:
-        """Return the nominal contact; swept numbers are arrays."""
+        """Return the contact with the nominal values of its uncertain numbers; swept numbers are arrays."""
         return _contact(self.case)
 
     @cached_property
     def dims(self) -> dict[str, int]:
-        """Return the dimensions of the points and their lengths."""
+        """Return the dimensions of the points and their lengths: dimensions of swept numbers, and `load`."""
         loads = {} if hasattr(self.load, "dims") else {"load": np.size(self.load)}
         return dimensions([*self.case.swept.values(), self.load]) | loads
 
     @cached_property
     def loads(self) -> np.ndarray:
-        """Return the load (m,) of each point in N."""
+        """Return the load [N] of each of the m points, (m,)."""
         own = self.load if hasattr(self.load, "dims") else None
         values = np.reshape(self.load, [1] * (len(self.dims) - 1) + [-1]) if own is None else aligned(own, self.dims)
         return np.broadcast_to(values, tuple(self.dims.values())).reshape(-1)
 
     @property
     def contacts(self) -> int:
-        """Return the number of contacts, each with its own numbers."""
+        """Return the number of contacts: combinations of the swept numbers, without the loads."""
         return math.prod(size for dim, size in self.dims.items() if dim != "load")
 
     def ends(self) -> "list[SampledCase]":
-        """Return the first and the last contact, each as a case of its own without uncertain numbers."""
+        """Return the first and the last contact of a parameter sweep, each as a case of its own without uncertain numbers."""
         contacts = []
         for index in (0, -1):
             some = {path: value.isel({dim: [index] for dim in value.dims}) for path, value in self.case.swept.items()}
@@ -97,15 +98,19 @@ class SampledCase:
         return contacts
 
     def places(self, dims: Mapping[str, int]) -> np.ndarray:
-        """Return the index (m,) of each point in flattened results that have these dimensions."""
+        """Return, for each of the m points, its index in flattened results with fewer dimensions, (m,).
+
+        dims: dimensions of these results and their lengths, some of those in `self.dims`.
+        """
         numbers = np.arange(math.prod(dims.values())).reshape(tuple(dims.values()))
         return np.broadcast_to(arranged(numbers, list(dims), self.dims), tuple(self.dims.values())).reshape(-1)
 
     def areas(self, choice: Choice, pulls: Sequence[str] = (), faint: bool = False) -> np.ndarray:
         """Return the real contact area [m2] (n, m) by one model for all samples; NaN where the model refuses or is invalid.
 
-        n is 1 without uncertain numbers. pulls: which of PULLS act on the contact. faint: whether the work of adhesion is
-        reduced until it has no effect. Raises InputError if the model refuses the nominal contact.
+        choice: the model. n is 1 without uncertain numbers. pulls: names in PULLS that act on the contact; adhesion and liquid
+        are left out otherwise. faint: whether the work of adhesion is reduced until it has no effect. Raises InputError if the
+        model refuses the nominal contact.
         """
         left_out = [*_INTERFACE, *(name for name in PULLS if name not in pulls)]
         case = replace(_without(self.case, left_out), load=self.load, separation=None)
@@ -120,49 +125,58 @@ class SampledCase:
     def by_numbers(self) -> "SampledCase":
         """Return the case with roughness parameters instead of a height map.
 
-        A map would have to be solved again for each sample.
+        Samples are then solved by these numbers, because solving the map again for each sample would take too long.
         """
         return replace(self, case=replace(self.case, subject=self.contact.as_numbers()))
 
     @cached_property
     def is_gaussian(self) -> np.ndarray:
-        """Return a mask (m,) of the points at which N R sigma is at least the smallest value of a Gaussian surface."""
+        """Return a mask (m,) of the points at which N R sigma is large enough for a Gaussian surface.
+
+        N, R and sigma are density, radius and height deviation of asperities.
+        """
         rough = self.contact.roughness
         numbers = self.column(rough.asperity_density * rough.asperity_radius * rough.asperity_height_deviation)[0]
         return np.broadcast_to(numbers >= LEAST_DENSITY, self.loads.shape)
 
     def as_gaussian(self) -> "SampledCase":
-        """Return the case with the asperity density raised to the smallest that a Gaussian surface of this R and sigma has."""
+        """Return the case with the asperity density raised to the smallest that a Gaussian surface can have.
+
+        This smallest density follows from the radius and the height deviation of asperities. A larger density is unchanged.
+        """
         path, rough = ("contact", "roughness", "asperity_density"), self.contact.roughness
         least = LEAST_DENSITY * (1.0 + 1e-9) / (rough.asperity_radius * rough.asperity_height_deviation)
         density: dict[Address, Any] = {path: np.maximum(rough.asperity_density, least)}
         return replace(self, case=replace(self.case.at(density), swept={**self.case.swept, **density}))
 
     def variation(self, choice: Choice) -> np.ndarray:
-        """Return the area (n, m) of all samples over the area of the nominal contact, by one model."""
+        """Return the area of all samples over the area of the nominal contact, (n, m), both by one model."""
         nominal = replace(self, case=replace(self.case, uncertain=()), levels=np.zeros((1, 0)))
         return self.areas(choice) / nominal.areas(choice)
 
     def nominal(self, model: str) -> Contact:
-        """Return the nominal contact without adhesion, liquid and interface, with the roughness that this model needs."""
+        """Return the nominal contact without adhesion, liquid and interface, with the roughness parameters that a model needs.
+
+        model: key of the model.
+        """
         return _contact(_without(self.case, _INTERFACE + PULLS).with_surface_moments(model))
 
     @property
     def on_map(self) -> bool:
-        """Return whether a height map of the surface is known, even if a model uses the asperities found on it."""
+        """Return whether the contact has a height map of its surface, even if a model uses the asperities found on it."""
         return self.contact.with_surface_moments().map is not None
 
     @property
     def metallic(self) -> np.ndarray:
         """Return a mask (1 or m,) of the points at which contact spots are metal junctions, which grow under shear.
 
-        The metal is that of a body or of its film.
+        They are, if the softer of the two touching surfaces, bodies or films, is a metal.
         """
         first, second = (class_of(body) in ("metal", "soft metal") for body in self.contact.touching)
         return np.where(self._first_is_softer(self.contact), first, second)
 
     def _first_is_softer(self, contact: Contact) -> np.ndarray:
-        """Return a mask (1 or m,) of the points at which the first touching body is the softer one, or as hard.
+        """Return a mask (1 or m,) of the points at which the first touching surface is not harder than the second.
 
         Hardness is averaged over the samples.
         """
@@ -171,7 +185,7 @@ class SampledCase:
 
     @cached_property
     def drawn(self) -> Contact:
-        """Return the contact with the samples of its uncertain numbers as arrays without coordinates."""
+        """Return the contact with the samples of its uncertain numbers as arrays along `sample`, without coordinates."""
         return _contact(self.case.at(self.case.numbers_at(self.levels)) if self.case.unknowns else self.case).unlabelled
 
     @cached_property
@@ -189,7 +203,10 @@ class SampledCase:
         return Bodies(hardness, shear_strength, modulus, np.maximum(hardness, body_below))
 
     def column(self, value: Any) -> np.ndarray:
-        """Return a number of the sampled contact as an array (n or 1, m or 1) over samples and points."""
+        """Return a number of the sampled contact as an array (n or 1, m or 1) over samples and points.
+
+        value: a number, or an array along `sample` and dimensions in `dims`.
+        """
         table = aligned(value, {SAMPLE: 0, **self.dims})
         if table.ndim < 2 or table.size == len(table):
             return table.reshape(-1, 1)
@@ -197,19 +214,19 @@ class SampledCase:
 
 
 def _contact(case: Case) -> Contact:
-    assert isinstance(case.subject, Contact)  # of normalised numbers there is no prediction
+    assert isinstance(case.subject, Contact)  # predictions of [indices] were refused before
     return case.subject
 
 
 def _without(case: Case, names: Sequence[str]) -> Case:
-    """Return the case without the named fields of its contact, and without their uncertain numbers."""
+    """Return the case without the fields `names` of its contact, and without their uncertain and swept numbers."""
     return _changed(case, dict.fromkeys(names))
 
 
 def _changed(case: Case, fields: Mapping[str, Any]) -> Case:
-    """Return the case with these fields of its contact replaced by exact values.
+    """Return the case with fields of its contact replaced by exact values, which are then neither uncertain nor swept.
 
-    Replacing the work of adhesion also removes the work of adhesion of the film.
+    fields: values by name of the field. Replacing the work of adhesion also removes the work of adhesion of the film.
     """
     contact = _contact(case)
     uncertain = tuple(number for number in case.uncertain if not (set(number.path[1:]) & fields.keys()))
@@ -220,12 +237,12 @@ def _changed(case: Case, fields: Mapping[str, Any]) -> Case:
     return replace(case, subject=contact.replace(**fields, **film), uncertain=uncertain, swept=swept)
 
 
-_FAINT = 1e-6  # of the work of adhesion
+_FAINT = 1e-6  # factor of the work of adhesion at which adhesion has no effect
 
 
 def _faint(case: Case) -> Case:
     """Return the case with a millionth of its work of adhesion.
 
-    Adhesion then has no effect, but adhesive models, which refuse 0, still apply.
+    Adhesion then has no effect, but adhesive models, which refuse a work of adhesion of 0, still apply.
     """
     return _changed(case, {"work_of_adhesion": _FAINT * float(np.mean(np.asarray(_contact(case).work_of_adhesion)))})

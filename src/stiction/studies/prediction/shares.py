@@ -1,4 +1,4 @@
-"""Fractions of the variance of ln mu that are due to each part of a prediction."""
+"""Compute the fractions of the variance of ln mu that are due to each part of a prediction."""
 
 from collections.abc import Callable
 
@@ -7,20 +7,20 @@ import numpy as np
 from stiction.studies.prediction.levels import PARTS, Levels
 from stiction.studies.prediction.mixture import Mixture
 
-_EXCHANGES = range(8)  # seeds of the orders in which a part is exchanged; rows moved by a number would stay correlated
-_LEAST = 0.005  # share that is left out
-_ROUND_OFF = 1e-10  # variance of ln mu that is none: mu varies by less than 1e-5 of itself
+_EXCHANGES = range(8)  # seeds of random orders of exchange; samples shifted by a fixed number would stay correlated
+_LEAST = 0.005  # smallest fraction of the variance that is returned
+_ROUND_OFF = 1e-10  # variance of ln mu that counts as none: mu varies by less than 1e-5 of itself
 
-# What the variance is of: from levels and rows of the inputs, an array (n,).
+# Function of quantile levels and indices of the sampled inputs that returns the quantity (n,) whose variance is divided.
 Quantity = Callable[[Levels, np.ndarray], np.ndarray]
 
 
 def shares_of_variance(mixture: Mixture, levels: Levels, index: int) -> dict[str, float]:
-    """Return the fraction of the variance of ln mu that each part causes, the largest first; {} if nothing varies.
+    """Return the fraction of the variance of ln mu that each part causes, by name, the largest first; {} if nothing varies.
 
-    The fraction is the part's total Sobol index (Jansen 1999), found by exchanging the part between samples, over the sum
-    of all indices. The fraction of the inputs is divided among them by a linear fit to their normal scores.
-    index: position of the load in `loads`.
+    The fraction is the part's total Sobol index (Jansen 1999), found by exchanging the part between samples, over the sum of
+    all indices. The fraction of the inputs is divided among them by a linear fit to their normal scores. Fractions below 0.5 %
+    are left out. index: position of the load among the loads of the prediction.
     """
     mixture = mixture.at_load(index)
 
@@ -40,9 +40,10 @@ def shares_of_variance(mixture: Mixture, levels: Levels, index: int) -> dict[str
 
 
 def _total(log_mu: Quantity, levels: Levels, part: str, reference: np.ndarray) -> float:
-    """Return half the mean square change of ln mu if one part is exchanged between samples.
+    """Return half the mean square change of a quantity if one part is exchanged between samples: its total Sobol variance.
 
-    reference: ln mu (n,) of all samples before the exchange.
+    log_mu: function that returns ln mu (n,) from levels and rows of the inputs. part: name of the part. reference: ln mu (n,)
+    of all samples before the exchange.
     """
     every = range(len(levels))
     orders = [np.random.default_rng(seed).permutation(every) for seed in _EXCHANGES]
@@ -56,9 +57,10 @@ def _total(log_mu: Quantity, levels: Levels, part: str, reference: np.ndarray) -
 
 
 def _of_each_input(mixture: Mixture, levels: Levels, log_mu: Quantity, share: float) -> dict[str, float]:
-    """Return the share of each uncertain number in the variance that all inputs cause.
+    """Return the variance of ln mu that each uncertain number causes, by name.
 
-    It is proportional to the squared slope of a linear fit. share: variance that all inputs cause together.
+    log_mu: function that returns ln mu (n,) from levels and rows of the inputs. share: variance that all inputs cause together.
+    It is divided in proportion to the squared slopes of a linear fit of ln mu to the normal scores of the inputs.
     """
     from scipy.special import ndtri
 

@@ -1,6 +1,7 @@
-"""The shear strength of the interface at zero pressure, tau_0, and its increase with pressure.
+"""Sample the shear strength of the interface at zero pressure, tau_0, and its increase with pressure.
 
-tau_0 is stated, given by the state of the interface, or a mixture over all states that the pair of materials allows.
+tau_0 is stated as a number, or given by the state of the interface. If neither is stated, it is a mixture over all states that
+the pair of materials allows.
 """
 
 import numpy as np
@@ -14,17 +15,17 @@ from stiction.studies.prediction.sampled_case import SampledCase
 _TRESCA = 0.5 * 3.0**0.5
 
 
-# Stated strength over that of the body, below which no metal is so weak that it fails in the body.
+# Stated strength over the shear strength of the body, above which a metal junction may fail in the body.
 _NEAR_BODY = 0.5
 
 
 class Strength:
-    """Describe the distribution of the shear strength of an interface.
+    """Describe the distribution of the shear strength of an interface over n samples and m points.
 
     states: states of the interface with weights that sum to 1; empty if tau_0 is stated. stated: tau_0 [Pa], or None.
-    coefficient: stated pressure coefficient. takes_states: whether the state supplies this coefficient instead. varied: swept
-    and uncertain numbers of a stated interface by name. aged: factor of tau_0 by hold time. Arrays are (n or 1, m or 1) over
-    samples and points.
+    coefficient: stated pressure coefficient, 0 if none. takes_states: whether the state supplies the pressure coefficient
+    instead. varied: by name, swept and uncertain numbers of a stated interface. metallic: mask of points with metal junctions.
+    aged: factor by which the hold time raises tau_0. Arrays are (n or 1, m or 1).
     """
 
     def __init__(self, sampled: SampledCase):
@@ -46,27 +47,31 @@ class Strength:
 
     @property
     def grows_with_pressure(self) -> bool:
-        """Return whether the strength of any possible interface state increases with pressure."""
+        """Return whether the strength of any possible state of the interface increases with pressure.
+
+        It is False if the contact states a pressure coefficient.
+        """
         middle = np.array([0.5])
         return self.takes_states and any(np.any(state.pressure_coefficient_at(middle) > 0.0) for state, _ in self.states)
 
     @property
     def has_coefficient(self) -> bool:
-        """Return whether a pressure coefficient adds to friction; it is stated or belongs to a state."""
+        """Return whether a pressure coefficient, stated or that of a state, adds to friction."""
         return self.grows_with_pressure or bool(np.any(self.coefficient > 0.0))
 
     def is_relative_to(self, name: str) -> bool:
-        """Return whether tau_0 of a possible state is a fraction of a property of the softer body.
+        """Return whether tau_0 of any possible state of the interface is a fraction of a property of the softer body.
 
-        name: "shear_strength" for its hardness, "strength_over_shear_modulus" for its shear modulus.
+        name: "shear_strength" for a fraction of its hardness, "strength_over_shear_modulus" for a fraction of its shear
+        modulus.
         """
         return any(state.strength == name for state, _ in self.states)
 
     @property
     def over_body(self) -> float:
-        """Return the median of the stated strength, after ageing, over the shear strength of the weaker body.
+        """Return the median of the stated tau_0, after ageing, over the shear strength of the weaker body.
 
-        It is 0 if no strength is stated.
+        It is 0 if tau_0 is not stated.
         """
         return 0.0 if self.stated is None else float(np.median(self.stated * self.aged / self.bodies.shear_strength))
 
@@ -76,24 +81,25 @@ class Strength:
         return np.minimum(np.searchsorted(ends, level * ends[-1]), len(ends) - 1)
 
     def is_of_film(self, level: np.ndarray) -> np.ndarray:
-        """Return whether the interface state of each sample (n, 1) at these quantile levels was measured on films.
+        """Return whether the interface state that each sample selects was measured on films, (n, 1); False if tau_0 is stated.
 
-        It is False if tau_0 is stated.
+        level: quantile levels (n,) that select the state.
         """
         return np.array([state.of_film for state, _ in self.states] or [False])[self.states_drawn(level)][:, None]
 
     def hardens(self, strength: np.ndarray, shear_strength: np.ndarray) -> np.ndarray | float:
-        """Return how far the interface hardens with a metal body, 0 to 1.
+        """Return how far the interface hardens together with a metal body, 0 to 1, (n, m or 1).
 
-        It is 1 for an interface state. A stated strength hardens only if it is close to the shear strength of the body.
+        strength: tau_0 [Pa]. shear_strength: shear strength of the body [Pa]. The result is 1 if tau_0 is given by a state. A
+        stated tau_0 hardens only above half the shear strength of the body, and fully if it equals that strength.
         """
         return 1.0 if self.stated is None else np.clip((strength / shear_strength - _NEAR_BODY) / (1.0 - _NEAR_BODY), 0.0, 1.0)
 
     def at(self, state: np.ndarray, strength: np.ndarray, coefficient: np.ndarray, rows: np.ndarray):
-        """Return the shear strength tau_0 [Pa] and the pressure coefficient of each sample, arrays (n, m or 1).
+        """Return the shear strength tau_0 [Pa] and the pressure coefficient of each of n samples, arrays (n, m or 1).
 
-        state, strength, coefficient: quantile levels (n,) that select them. rows: rows (n,) of the sampled inputs. tau_0 is
-        at most the shear strength of the weaker body.
+        state, strength, coefficient: quantile levels (n,) that select the state, tau_0 and the pressure coefficient. rows:
+        index of the sampled input numbers of each sample (n,). tau_0 is at most the shear strength of the weaker body.
         """
         bodies = self.bodies
         hardness, shear, modulus = (
@@ -115,18 +121,18 @@ class Strength:
                 if self.takes_states:
                     alpha[mine] = table.pressure_coefficient_at(coefficient[mine, None], of_state.get("pressure_coefficient"))
         tau = tau * self.aged[rows % len(self.aged)]
-        if self.stated is not None and self.over_body > _NEAR_BODY:  # a metal's then fails as clean metal does
+        if self.stated is not None and self.over_body > _NEAR_BODY:  # a strong metal interface fails as clean metal does
             clean = interface("clean metal").strength_at(strength[:, None], hardness, modulus)
             tau = np.where(self.metallic, np.minimum(tau, clean), tau)
         return _capped(tau, shear, strength[:, None], self.metallic), alpha
 
 
 def _capped(tau: np.ndarray, shear: np.ndarray, level: np.ndarray, metallic: np.ndarray) -> np.ndarray:
-    """Return the shear strength tau_0 of the interface, limited by the shear strength of the weaker body.
+    """Return the shear strength tau_0 [Pa] of the interface, limited by the shear strength of the weaker body.
 
-    tau, shear: strengths of interface and body [Pa]. For metals the limit is the von Mises value. For others it lies between
-    the values of Tresca and von Mises, selected by the quantile level. This range opens as tau_0 rises from the limit to twice
-    the limit.
+    tau, shear: tau_0 before and shear strength of the body [Pa]. level: quantile levels (n, 1). metallic: mask of points with
+    metal junctions. For metals the limit is the von Mises value. For other materials the quantile level selects a limit between
+    the values of Tresca and von Mises. This range opens as tau_0 rises from the body's strength to twice that.
     """
     with np.errstate(divide="ignore"):
         beyond = np.clip(np.log2(tau / shear), 0.0, 1.0)

@@ -1,4 +1,4 @@
-"""Stated inputs that predictions cannot use: refused if they would decide friction, else listed."""
+"""Find stated inputs that predictions cannot use: inputs that would decide friction are refused, others are listed."""
 
 from collections.abc import Iterator
 
@@ -10,7 +10,7 @@ from stiction.quantities.errors import InputError, InWords
 from stiction.studies.prediction.sampled_case import SampledCase
 from stiction.studies.prediction.strength import Strength
 
-# What decides friction and is known to laws alone: dotted name -> a model that uses it, by the options of the command.
+# Inputs that decide friction but that only named models use: dotted name -> options of the command that select such a model.
 _DECIDE = {
     "coating.friction_constant": "--model greenwood_williamson_1966 --film ravindran_ramasamy_laddha_1980",
     "burgers_vector": "--model greenwood_williamson_1966 --tangential hurtado_kim_1999",
@@ -35,7 +35,7 @@ def refusal_of(case: Case) -> InputError | None:
 def not_used(sampled: SampledCase, strength: Strength, touching: np.ndarray) -> list[str]:
     """Return the stated inputs that have no effect on a prediction, each with the reason in brackets.
 
-    touching: number of asperities in contact at each load (m,).
+    touching: number of asperities in contact at each load (m,), infinite if unknown.
     """
     every = (*_of_bodies(sampled, strength), *_of_surface(sampled, touching), *_of_choice(sampled.case))
     return [f"{name} ({why})" for name, why in every]
@@ -58,14 +58,14 @@ def _of_bodies(sampled: SampledCase, strength: Strength) -> Iterator[tuple[str, 
         yield from ((f"{place}.{name}", reason) for name, reason in reasons.items() if reason and body.is_own(name))
     if contact.hardness_to_yield is not None and why:
         yield "hardness_to_yield", why
-    if contact.peeling is not None:  # of what adheres it is refused
+    if contact.peeling is not None:  # a contact with adhesion and this input was refused before
         yield "peeling", "the contact has no adhesion"
 
 
 def _why_no_yield(sampled: SampledCase, strength: Strength) -> str:
-    """Return why the yield stress has no effect; "" if it has an effect.
+    """Return the reason why the yield stress has no effect; "" if it has one.
 
-    The yield stress limits tau_0 and controls the growth of metal junctions.
+    The yield stress limits tau_0, and it controls the growth of metal junctions.
     """
     stated = strength.stated
     if sampled.metallic.any() or stated is None or np.any(stated * strength.aged > sampled.bodies.shear_strength):

@@ -29,12 +29,12 @@ if TYPE_CHECKING:
 class Analysis:
     """Hold the analysis of a scan.
 
-    surface: the prepared map. spectrum: radial average of the power spectrum. of_spectrum: how gaps were filled for the
-    spectrum, "" if there were none. spikes: number of points farther than SUSPICIOUS robust deviations from the median.
-    by_differences, by_spectrum: spectral moments from differences and from the spectrum, with the same cutoff. asperities,
-    heights, failures: asperities found, their height distribution, or the reason of failure, by method. standing: method
-    recommended for the surface, "" if none found asperities. kind: one of finishes.SURFACE_KINDS, from skewness, lay and top;
-    None if undecided.
+    surface: the prepared map. statistics: moments and distribution of its heights. spectrum: radial average of the power
+    spectrum. of_spectrum: how gaps were filled for the spectrum, "" if there were none. spikes: number of points farther than
+    SUSPICIOUS robust deviations from the median. by_differences, by_spectrum: spectral moments from differences and from the
+    spectrum, with the same cutoff. asperities, heights, failures: by asperity method, the asperities found, their height
+    distribution, or the reason of failure. standing: method recommended for the surface, "" if none found asperities. kind:
+    kind of surface, one of finishes.SURFACE_KINDS, from the skewness, lay and top of the heights; None if undecided.
     """
 
     surface: HeightMap
@@ -61,13 +61,13 @@ def analyse(surface: HeightMap, progress: Steps = iter, tip_radius: "QuantityLik
     progress : callable
         Receives the list of methods and returns an iterator over it.
     tip_radius : float [m] or str with a unit, optional
-        Radius of the stylus; ends the reliable band of the spectrum where it could not follow.
+        Radius of the stylus tip. Wavelengths too short for this tip are not in the reliable band of the spectrum.
 
     Returns
     -------
     Analysis
-        Its attributes: surface, statistics, spectrum, spikes, moments, and by method asperities, height distributions and
-        reasons of failure.
+        Its attributes: surface, statistics of the heights, spectrum, spikes, spectral moments; and by asperity method the
+        asperities found, their height distribution, or the reason why none were found.
 
     Raises
     ------
@@ -110,7 +110,7 @@ def analyse(surface: HeightMap, progress: Steps = iter, tip_radius: "QuantityLik
 
 
 def summary(analysis: Analysis) -> dict[str, Any]:
-    """Return the analysis as plain numbers in SI units, for JSON."""
+    """Return the analysis of a scan as a dict of plain numbers in SI units, for JSON."""
     surface = analysis.surface
     rows, columns = surface.heights.shape
     return {
@@ -164,7 +164,7 @@ def _moments(one: Moments) -> dict[str, Any]:
 
 
 def spectrum_rows(spectrum: BinnedSpectrum) -> tuple[list[str], Iterable[list[Any]]]:
-    """Return column heads and rows of the averaged spectrum; the last column tells whether a bin is in the reliable band."""
+    """Return column names and rows of the averaged spectrum; the last column tells whether a row is in the reliable band."""
     unit = "m^3" if spectrum.is_profile else "m^4"
     heads = ["wavevector [rad/m]", "wavelength [m]", f"density [{unit}]", "waves", "reliable"]
     columns = spectrum.wavevector, spectrum.wavelength, spectrum.density, spectrum.waves, spectrum.reliable

@@ -28,7 +28,7 @@ class ContactOfMap:
 
     Pressures are divided by E* h', with the contact modulus E*. pressures: nominal pressures. gradient: h', the root mean
     square gradient. hardness: largest local pressure, None for elastic contact. height: Sq, root mean square height [m]. curve:
-    solutions for E* = 1 Pa. validity_warnings: warnings of the map itself.
+    solutions for E* = 1 Pa, one for each pressure. validity_warnings: warnings about the map, such as too few points.
     """
 
     pressures: np.ndarray
@@ -40,7 +40,7 @@ class ContactOfMap:
 
     @property
     def columns(self) -> dict[str, np.ndarray]:
-        """Return dimensionless results by column head, one value for each pressure; NaN where the solution was interrupted."""
+        """Return dimensionless results by column name, one value for each pressure; NaN where the solution was interrupted."""
         curve = self.curve
         side = np.sqrt(curve.array("nominal_area"))
         return {
@@ -54,7 +54,7 @@ class ContactOfMap:
         }
 
     def all_warnings(self) -> list[str]:
-        """Return the warnings of the map and of each pressure as texts, without repetitions."""
+        """Return the warnings about the map and about the solution at each pressure as texts, without repetitions."""
         said = {str(one): None for one in self.validity_warnings}
         for pressure, contact in zip(self.pressures, self.curve.contacts, strict=True):
             if contact is None:
@@ -69,9 +69,9 @@ def contact_of_map(
 ) -> ContactOfMap:
     """Solve the contact of a prepared map with a flat at given nominal pressures.
 
-    Pressures and hardness are divided by E* h' and above 0; E* is the contact modulus, h' the root mean square gradient.
-    sampled: use only as many points as the contact area needs. Raises InputError for a profile, missing points, or pressures
-    above the hardness.
+    Pressures and hardness are above 0 and divided by E* h'; E* is the contact modulus, h' the root mean square gradient of the
+    map. sampled: whether to use only as many points as the contact area needs. Raises InputError for a profile, missing points,
+    or pressures above the hardness.
     """
     allowed = "a list of numbers > 0, nominal pressures over E* h'"
     wanted = floats(list(pressures), "pressures", allowed)
@@ -95,7 +95,7 @@ def contact_of_map(
 
 
 def summary_of_contact(contact: ContactOfMap) -> dict[str, Any]:
-    """Return the solved contact as plain numbers and texts, for JSON."""
+    """Return the solved contact as a dict of plain numbers and texts, for JSON."""
     return {
         "rms_gradient": contact.gradient,
         "hardness": contact.hardness,

@@ -1,4 +1,4 @@
-"""Compute how asperity numbers and friction change with the asperity method and the cutoff wavelength."""
+"""Compute how roughness parameters and friction change with the asperity method and the cutoff wavelength."""
 
 import math
 from collections.abc import Iterable, Mapping
@@ -44,8 +44,8 @@ _KEPT = {
 }
 _FRICTION = "mu"
 
-# Of default_cutoffs: their number besides 0, and how many of the longest must fit into the map: with fewer there are too few
-# asperities on the map to count.
+# Number of default cutoffs besides 0, and number of the longest cutoff wavelengths that must fit into the map. With fewer,
+# the map has too few asperities for their statistics.
 _CUTOFFS = 7
 _WAVES_IN_SIZE = 10
 
@@ -53,8 +53,8 @@ _WAVES_IN_SIZE = 10
 def default_cutoffs(surface: HeightMap, shortest: float = 0.0) -> np.ndarray:
     """Return the default cutoff wavelengths [m]: 0 (unfiltered), then seven in geometric progression.
 
-    The seven run from POINTS_PER_WAVE times the larger point spacing, or `shortest` if this is longer, to a tenth of the map's
-    shorter side. A map too small for this range gets 0 alone.
+    The seven run from POINTS_PER_WAVE times the larger point spacing, or from `shortest` [m] if this is longer, to a tenth of
+    the map's shorter side. If the map is too small for this range, only 0 is returned.
     """
     sizes = surface.size[1:] if surface.is_profile else surface.size
     shortest, longest = max(POINTS_PER_WAVE * surface.coarsest_pitch, shortest), min(sizes) / _WAVES_IN_SIZE
@@ -65,9 +65,9 @@ def default_cutoffs(surface: HeightMap, shortest: float = 0.0) -> np.ndarray:
 
 @dataclass(frozen=True)
 class _Friction:
-    """Store the contact, load and model for which friction is computed; contact and load are None if it is not.
+    """Store the contact, load and model for which friction is computed; contact and load are None without friction.
 
-    Raises InputError if contact, load or model cannot be used with any asperities.
+    load: above 0, in N or as text with a unit. Raises InputError if contact, load or model are unusable for every surface.
     """
 
     contact: Contact | None
@@ -95,7 +95,7 @@ class _Friction:
 
     @property
     def of_map(self) -> bool:
-        """Return whether the model solves the height map itself and needs no asperities."""
+        """Return whether the model solves the height map itself, instead of using asperities."""
         return find(self.choice.model_key, RoughSurface).of_map is not None
 
     def coefficient(
@@ -103,8 +103,8 @@ class _Friction:
     ) -> float:
         """Return the static friction coefficient of the contact with this surface.
 
-        found, heights: asperities of the surface and their height distribution. seen: filtered map; theories of the whole
-        surface use its spectral moments instead of asperities. to_solve: map that models of a map solve. options: options of
+        seen: filtered map, whose spectral moments theories of the whole surface use. to_solve: map that models of a map solve.
+        found, heights: asperities of the surface and their height distribution, which all other models use. options: options of
         asperity methods, by method.
         """
         assert self.contact is not None
@@ -131,7 +131,7 @@ def resolution_study(
     load: "QuantityLike | None" = None,
     choice: Choice | None = None,
 ) -> "xarray.Dataset":
-    """Compute roughness numbers and mu of a scan against the shortest wavelength.
+    """Compute roughness parameters and friction of a scan against the cutoff wavelength.
 
     Parameters
     ----------
@@ -148,7 +148,7 @@ def resolution_study(
     progress : callable
         Receives the list of cutoffs and returns an iterator over it.
     contact : Contact, optional
-        Contact of single numbers, whose roughness is replaced by what is found.
+        Contact of single numbers, whose roughness is replaced by that of the scan; without it no friction is computed.
     load : float [N] or str with a unit, optional
         Load of the contact, above 0.
     choice : Choice, optional
@@ -157,8 +157,9 @@ def resolution_study(
     Returns
     -------
     xarray.Dataset
-        Over (asperity_method, cutoff): sigma, R, N, mean_height, skewness, count, height_distribution, with a contact mu, and
-        `failure`, the reason where a number is NaN.
+        Over (asperity_method, cutoff): sigma [m], R [m] and N [1/m^2], the height deviation, radius and density of asperities;
+        mean_height [m], skewness and count of asperities; height_distribution, its name; with a contact also mu, its friction
+        coefficient; and `failure`, the reason where a number is NaN.
 
     Raises
     ------
@@ -202,7 +203,7 @@ def resolution_study(
                     numbers[_FRICTION][i, j] = asked.coefficient(seen, to_solve, found, heights, given)
             except InputError as error:
                 if error.field in (*given.get(key, {}), *asked.choice.arguments()):
-                    raise  # what was asked for, not what was found
+                    raise  # an argument is wrong, not the asperities at this cutoff
                 words["failure"][i, j] = str(error)
     return _labelled(surface, keys, wanted, numbers, words)
 
@@ -230,7 +231,10 @@ def _methods(surface: HeightMap, methods: Iterable[str] | None) -> tuple[str, ..
 
 
 def _seen(surface: HeightMap, cutoff: float, points_per_cutoff: float | None) -> HeightMap:
-    """Return the map without wavelengths below the cutoff, with fewer points if requested."""
+    """Return the map without wavelengths below the cutoff [m]; a cutoff of 0 returns the map unchanged.
+
+    points_per_cutoff: smallest number of points in a cutoff wavelength to keep; None keeps all points.
+    """
     if cutoff == 0.0:
         return surface
     smooth = filter_band(surface, shortest=cutoff)
@@ -238,20 +242,23 @@ def _seen(surface: HeightMap, cutoff: float, points_per_cutoff: float | None) ->
 
 
 def _to_solve(surface: HeightMap, seen: HeightMap, cutoff: float) -> HeightMap:
-    """Return the map that a map model solves: `seen`, or for a periodic map its periodic filtering."""
+    """Return the map that a map model solves: `seen`, or for a periodic map the result of a filter that keeps it periodic.
+
+    surface: the unfiltered map. seen: the filtered map. cutoff: cutoff wavelength [m].
+    """
     if not surface.periodic or not surface.complete:
         return seen
     return surface if cutoff == 0.0 else filter_period(surface, shortest=cutoff)
 
 
 def thinned(surface: HeightMap, cutoff: float, points_per_cutoff: float) -> HeightMap:
-    """Return every k-th point of a map along each axis.
+    """Return every k-th point of a map along each axis, with the largest k that leaves enough points.
 
-    k is the largest number that leaves at least `points_per_cutoff` (2 or more) points in a cutoff wavelength [m].
+    Enough are at least `points_per_cutoff` (2 or more) points in a cutoff wavelength [m]. Raises InputError for less than 2.
     """
     if not points_per_cutoff >= 2.0:
         raise InputError("points_per_cutoff", points_per_cutoff, "2 or more points per cutoff wavelength")
-    # The tolerance is for a cutoff that is a whole number of pitches, to rounding.
+    # The tolerance is for a cutoff that is a whole number of pitches up to round-off.
     steps = [max(int(cutoff / (points_per_cutoff * pitch) * (1.0 + 1e-9)), 1) for pitch in surface.pitch]
     if surface.is_profile:
         steps[0] = 1

@@ -1,6 +1,6 @@
 """Compute Sobol indices and Morris effects of any function of inputs between 0 and 1.
 
-Sobol indices come from SciPy. The effects are written here: SALib's are the same to rounding (2e-16), but a single refused
+Sobol indices come from SciPy. The effects are written here. SALib's are the same to rounding (2e-16), but a single refused
 contact makes all of them NaN, and SALib brings Matplotlib and multiprocess, which nothing else here needs without pictures.
 """
 
@@ -8,17 +8,18 @@ import numpy as np
 
 from stiction.studies.uncertainty.drawing import scrambled
 
-# Scramblings of the sequence, each on its own: their scatter is the error of the indices.
+# Number of independently scrambled sequences; the scatter between them gives the error of the indices.
 PARTS = 8
 _T = 2.364624  # Student's t of 7 degrees of freedom at 97.5 %
 _LEVELS = 4
 
 
 def points_of_indices(columns: int, count: int, seed: int) -> np.ndarray:
-    """Return sample points for Sobol indices, (parts, columns + 2, count / parts, columns), in the unit cube.
+    """Return sample points for Sobol indices in the unit cube, (parts, columns + 2, count / parts, columns).
 
-    Along the second dimension are sample A, sample B, and for each column a copy of A with this column from B.
-    Source: Saltelli et al. 2010, section 3: a sequence of twice the columns gives A and B.
+    columns: number of inputs. count: number of points, a power of two. Along the second dimension are sample A, sample B, and
+    for each input a copy of A with this input from B. Source: Saltelli et al. 2010, section 3: a sequence of twice the columns
+    gives A and B.
     """
     both = scrambled(2 * columns, count, seed, PARTS)
     first, second = both[..., :columns], both[..., columns:]
@@ -29,14 +30,14 @@ def points_of_indices(columns: int, count: int, seed: int) -> np.ndarray:
 
 
 def sobol_indices(values: np.ndarray) -> dict[str, np.ndarray]:
-    """Return Sobol indices from values (parts, k + 2, n) of a function at the points of `points_of_indices`.
+    """Return Sobol indices of k inputs from values (parts, k + 2, n) of a function at the points of `points_of_indices`.
 
-    The arrays (k,) are first_order and total_order, each with the ends of its 95 % interval, _low and _high; NaN if too few
-    values are known. points: number of sample points used.
+    The result has the arrays (k,) first_order and total_order, each with the ends of its 95 % interval, _low and _high; NaN if
+    less than half of the values are known; and points, the number of sample points used.
 
     Source: Saltelli et al. 2010, table 2: (b) for the first-order and (f), Jansen 1999, for the total index. The interval is
-    Student's t interval over the parts, each scrambled on its own. Points with NaN are excluded, and then so many others that
-    a power of two remains.
+    Student's t interval over the parts, which are scrambled independently. Points with NaN are excluded, and then so many
+    others that a power of two remains.
     """
     columns = values.shape[1] - 2
     known = np.isfinite(values).all(axis=1)
@@ -54,9 +55,9 @@ def sobol_indices(values: np.ndarray) -> dict[str, np.ndarray]:
 
 
 def _estimated(values: np.ndarray) -> tuple[np.ndarray, int]:
-    """Return first-order and total indices (2, k) from values (k + 2, n), and the number of points used.
+    """Return first-order and total Sobol indices (2, k) from values (k + 2, n), and the number of points used.
 
-    The indices are 0 if the values do not vary.
+    Of the n points, the largest power of two is used. The indices are 0 if the values do not vary.
     """
     from scipy.stats import sobol_indices as estimated
 
@@ -71,10 +72,10 @@ def _estimated(values: np.ndarray) -> tuple[np.ndarray, int]:
 
 
 def trajectories(columns: int, count: int, seed: int) -> np.ndarray:
-    """Return `count` trajectories of Morris, (count, columns + 1, columns), in the unit cube.
+    """Return `count` Morris trajectories in the unit cube of the inputs, (count, columns + 1, columns).
 
-    From one point of a trajectory to the next, one column changes by 2/3, each column once. Source: Morris 1991, section 3:
-    levels 0, 1/3, 2/3, 1 and steps of p/(2 (p - 1)), p = 4, in random order and direction.
+    columns: number of inputs. From one point of a trajectory to the next, one input changes by 2/3, each input once. Source:
+    Morris 1991, section 3: levels 0, 1/3, 2/3, 1 and steps of p/(2 (p - 1)), p = 4, in random order and direction.
     """
     rng = np.random.default_rng(seed)
     step = _LEVELS / (2.0 * (_LEVELS - 1.0))
@@ -86,10 +87,12 @@ def trajectories(columns: int, count: int, seed: int) -> np.ndarray:
 
 
 def effects(points: np.ndarray, values: np.ndarray) -> dict[str, np.ndarray]:
-    """Return the elementary effects from values (count, k + 1) of a function at points of `trajectories`.
+    """Return statistics of the elementary effects of k inputs, arrays (k,) by name.
 
-    An effect is the change of the value by a step, divided by the step. Source: Morris 1991, eq. 1; the mean of absolute
-    effects Campolongo, Cariboni & Saltelli 2007, eq. 3. NaN if fewer than half of an input's effects are known.
+    points: trajectories (count, k + 1, k). values: values (count, k + 1) of a function at these points. An elementary effect is
+    the change of the value by a step, divided by the step. The statistics are effect, the mean absolute effect, effect_error,
+    its standard error, mean and effect_deviation, the standard deviation; NaN if fewer than half of an input's effects are
+    known. Source: Morris 1991, eq. 1; the mean of absolute effects Campolongo, Cariboni & Saltelli 2007, eq. 3.
     """
     from pandas import DataFrame
 
@@ -98,7 +101,7 @@ def effects(points: np.ndarray, values: np.ndarray) -> dict[str, np.ndarray]:
     ratio = np.diff(values, axis=1) / np.take_along_axis(steps, column[:, :, None], axis=2)[..., 0]
     each = np.take_along_axis(ratio, column.argsort(axis=1), axis=1)
     enough = np.isfinite(each).sum(axis=0) >= max(2, len(each) // 2)
-    known = DataFrame(np.where(enough & np.isfinite(each), each, np.nan))  # which leaves out what is not known
+    known = DataFrame(np.where(enough & np.isfinite(each), each, np.nan))  # pandas skips NaN
     sizes = known.abs()
     columns = {"effect": sizes.mean(), "effect_error": sizes.sem(), "mean": known.mean(), "effect_deviation": known.std()}
     return {name: values_of.to_numpy() for name, values_of in columns.items()}

@@ -1,7 +1,7 @@
 """Compute logarithmic sensitivities d ln y/d ln x of results y to every number x of a contact.
 
-They are central differences in ln x with two widths, extrapolated (Richardson 1911). The error is of fourth order in the
-width and is bounded by the change through the extrapolation. All points are solved together.
+They are central differences in ln x with two widths, extrapolated to width 0 (Richardson 1911). The error is of fourth order in
+the width and is bounded by the change through the extrapolation. All points are solved together.
 """
 
 from collections.abc import Iterator, Sequence
@@ -24,9 +24,9 @@ from stiction.studies.uncertainty.drawing import OUTPUTS, Variant, draw
 # Half the width of the wider difference, in ln x.
 _WIDTH = 0.02
 _STENCIL = np.array([-1.0, -0.5, 0.5, 1.0]) * _WIDTH
-# The same for a prediction: its median is one of few hundred draws, and smaller steps show how these change places.
+# Steps for a prediction. Its median is that of a few hundred samples, so that smaller steps would mainly show their scatter.
 _WIDE = np.array([-0.2, 0.2])
-# Numbers of a contact that decide nothing of it, or that a roughness is measured by.
+# Numbers without effect on a contact, which uses its work of adhesion instead.
 _LEFT_OUT = ("surface_energy",)
 
 
@@ -34,8 +34,8 @@ _LEFT_OUT = ("surface_energy",)
 class LogSensitivities:
     """Hold logarithmic sensitivities d ln y/d ln x of results y to k input numbers x.
 
-    names: names of the inputs (k,). tables: sensitivities (k, *shape) by result, NaN unless y > 0. errors: error bounds of the
-    same shape, by result. dims: dimensions of `shape`, by result.
+    names: names of the inputs (k,). tables: by name of the result, sensitivities (k, *shape), NaN unless y > 0. errors: by name
+    of the result, error bounds of the same shape. dims: by name of the result, the dimensions of `shape`.
     """
 
     names: list[str]
@@ -46,9 +46,9 @@ class LogSensitivities:
 
 @dataclass(frozen=True)
 class _Steps:
-    """Replace a distribution by steps: `ppf` returns the nominal value times exp(step).
+    """Replace the distribution of an uncertain number: `ppf` returns the nominal value times exp(step).
 
-    The code that samples uncertain numbers then steps a number instead.
+    The code that samples uncertain numbers then computes the contact with the number changed by steps of its logarithm.
     """
 
     nominal: float
@@ -59,9 +59,10 @@ class _Steps:
 
 
 def numbers_of(case: Case) -> dict[str, list[Uncertain]]:
-    """Return every number of the contact above 0 as an uncertain number with steps, by name.
+    """Return every number of the contact above 0 as an uncertain number with steps of its logarithm, by name.
 
-    Numbers that are uncertain together share one name and are stepped together.
+    Numbers that are sampled together in the case share one name and are changed together. Swept numbers, and roughness
+    parameters measured from scans, are left out.
     """
     together = {one.path: one for one in case.uncertain}
     found = []
@@ -78,7 +79,10 @@ def numbers_of(case: Case) -> dict[str, list[Uncertain]]:
 
 
 def _numbers(record: Input, path: Address) -> Iterator[tuple[Address, float]]:
-    """Yield the address and value of each stated number above 0 in a record and its nested records."""
+    """Yield the address and the value of each stated number above 0 in a record and its nested records.
+
+    path: address of the record, with which all addresses begin.
+    """
     given = record.model_fields_set if isinstance(record, Subject) else type(record).model_fields  # groups may have a default
     for name in [name for name in type(record).model_fields if name in given]:
         value = getattr(record, name)
@@ -89,9 +93,10 @@ def _numbers(record: Input, path: Address) -> Iterator[tuple[Address, float]]:
 
 
 def log_sensitivities(case: Case, choice: Choice, names: Sequence[str] = OUTPUTS, progress: Any = iter) -> LogSensitivities:
-    """Return the logarithmic sensitivities of results to every number of the contact. Raises InputError.
+    """Return the logarithmic sensitivities of results to every number of the contact.
 
-    names: names of the results.
+    choice: the model. names: names of the results. progress: receives the list of batches and returns an iterator over it.
+    Raises InputError.
     """
     inputs, stepped, steps = _stepped_case(case, _STENCIL)
     found = draw(stepped, steps, [Variant(choice)], names=names, progress=progress)
@@ -103,7 +108,7 @@ def log_sensitivities(case: Case, choice: Choice, names: Sequence[str] = OUTPUTS
 def log_sensitivities_of_prediction(case: Case, load: float) -> dict[str, float]:
     """Return d ln mu/d ln x for the median mu of a prediction at a load [N], by name of the number x.
 
-    x is stepped by -20 % and +20 %, in its logarithm.
+    The slope is a difference between ln x - 0.2 and ln x + 0.2.
     """
     inputs, stepped, steps = _stepped_case(case, _WIDE)
     numbers, mu = stepped.numbers_at(steps), np.full(len(steps), np.nan)
@@ -117,7 +122,7 @@ def log_sensitivities_of_prediction(case: Case, load: float) -> dict[str, float]
 def _stepped_case(case: Case, stencil: np.ndarray) -> tuple[list[str], Case, np.ndarray]:
     """Return the names of k numbers, a case in which they are uncertain, and the steps to take (k s, k).
 
-    stencil (s,): steps of ln x. Each row of steps changes one number and leaves the others at 0.
+    stencil (s,): steps of ln x. Each row of steps is for one contact: it changes one number and leaves the others unchanged.
     """
     inputs = numbers_of(case)
     steps = np.zeros((len(inputs), len(stencil), len(inputs)))
@@ -129,9 +134,10 @@ def _stepped_case(case: Case, stencil: np.ndarray) -> tuple[list[str], Case, np.
 
 
 def _slopes(table: np.ndarray, inputs: int) -> tuple[np.ndarray, np.ndarray]:
-    """Return the slopes d ln y/d ln x (inputs, *shape), extrapolated to step 0, and their change by the extrapolation.
+    """Return the slopes d ln y/d ln x (inputs, *shape), extrapolated to step 0, and error bounds of the same shape.
 
-    table: y at the steps of every input (inputs times steps, *shape). The slope is NaN unless y > 0 at all steps.
+    table: y at the four steps of every input, (4 inputs, *shape). The error bound is the change of the slope by the
+    extrapolation. The slope is NaN unless y > 0 at all steps.
     """
     y = table.reshape(inputs, len(_STENCIL), *table.shape[1:])
     positive = np.asarray(np.all(y > 0.0, axis=1))

@@ -32,8 +32,8 @@ if TYPE_CHECKING:
 
 METHOD_INPUT, MODEL_INPUT = "asperity_method", "model"
 _LOADS = 9  # largest number of loads of a case
-_ENDS = (0.025, 0.975)  # shares of a distribution between which effects are taken
-_PER_TRAJECTORY = 16  # points of the indices for each trajectory
+_ENDS = (0.025, 0.975)  # quantile levels between which Morris effects are computed
+_PER_TRAJECTORY = 16  # sample points of the Sobol indices for each Morris trajectory
 
 
 def sensitivity(
@@ -44,7 +44,7 @@ def sensitivity(
     ranges: bool | None = None,
     progress: Progress = silent,
 ) -> "xarray.Dataset":
-    """Compute how much each input decides the results of a case.
+    """Compute how much each input affects the results of a case.
 
     Parameters
     ----------
@@ -53,9 +53,10 @@ def sensitivity(
     load : float [N] or str with a unit, optional
         Only this load; by default at most nine of the loads of the case.
     models : sequence of str, optional
-        Names of models as `compare` shows them, drawn with equal chance; by default the model of the case.
+        Names of models as `compare` shows them, sampled with equal probability as a further input; by default the model of
+        the case alone.
     ranges : bool, optional
-        Whether numbers of material presets vary within their ranges, in place of what the case states.
+        Whether numbers of material presets vary within their ranges; None uses the setting of the case.
     progress : callable
         Receives a label and returns a function that wraps the list of steps.
 
@@ -66,8 +67,8 @@ def sensitivity(
         inputs: y_first_order and y_total_order, Sobol indices of ln y with 95 % intervals (`_low`, `_high`); y_effect, the mean
         elementary effect of Morris on ln y from the 2.5 to the 97.5 % quantile of the input, with y_effect_error and
         y_effect_deviation. Over `number`, all numbers of the contact: y_log_sensitivity, d ln y/d ln x at the nominal numbers.
-        Without a named model it is of the prediction: friction_coefficient_share over `input`,
-        friction_coefficient_log_sensitivity over `number`.
+        If no model is named, the results are those of the prediction: friction_coefficient_share over `input`, the fraction of
+        the variance of ln mu, and friction_coefficient_log_sensitivity over `number`.
 
     Raises
     ------
@@ -112,7 +113,7 @@ def sensitivity(
 def _of_prediction(case: Case, load: float) -> "xarray.Dataset":
     """Return the sensitivities of a prediction at a load [N] as a dataset.
 
-    They are the share of each input in the variance of ln mu, and d ln mu/d ln x for every number x.
+    It has the fraction of the variance of ln mu that each input causes, and d ln mu/d ln x for every number x of the contact.
     """
     import xarray
 
@@ -130,7 +131,7 @@ def _of_prediction(case: Case, load: float) -> "xarray.Dataset":
 
 
 def _at_few_loads(case: Case, working: float | None) -> Case:
-    """Return the case with at most nine of its loads, among them the one nearest to the working load."""
+    """Return the case with at most nine of its loads, including the one nearest to the working load [N]."""
     if case.load is None or case.load.size <= _LOADS:
         return case
     places = spread_rows(case.load.size, _LOADS)
@@ -144,7 +145,8 @@ def _at_few_loads(case: Case, working: float | None) -> Case:
 class _Variation:
     """Hold the inputs that the study varies: uncertain numbers, asperity methods and models.
 
-    Methods and models have equal probability. variants: every combination of a method and a model.
+    numbers: names of the uncertain numbers. methods, models: names, each with equal probability. variants: every combination of
+    a method and a model.
     """
 
     numbers: list[str]
@@ -158,7 +160,7 @@ class _Variation:
         return [*self.numbers, *more]
 
     def rows(self, shares: np.ndarray) -> np.ndarray:
-        """Return the index of the variant, a method and a model, of each sample (n,).
+        """Return the index in `variants` of the method and model of each of n samples, (n,).
 
         shares (n, inputs): sampled position of each input, 0 to 1.
         """
@@ -228,7 +230,7 @@ def _drawn(case: Case, variation: _Variation, shares: np.ndarray, progress: Any)
     return draw(case, shares[:, : len(variation.numbers)], variation.variants, rows, OUTPUTS, progress)
 
 
-# How the names of indices and effects end -> meaning.
+# Meaning of indices and effects, by the ending of their names.
 _MEANINGS = {
     "first_order": "first Sobol index of the logarithm",
     "first_order_low": "low end of its 95 % interval, first Sobol index of the logarithm",
@@ -247,8 +249,8 @@ def _of_result(
 ) -> Iterator[tuple[str, tuple[np.ndarray, dict[str, str]]]]:
     """Yield the Sobol indices and Morris effects of the logarithm of one result.
 
-    Each item is the ending of a variable name, and (array (inputs, *shape), attributes). drawn, screened: results at `points`
-    (Sobol) and `paths` (Morris).
+    Each item is the ending of a variable name, and (array (inputs, *shape), attributes). name: name of the result. drawn,
+    screened: results at the sample points `points` (for Sobol indices) and `paths` (Morris trajectories).
     """
     shape = drawn.tables[name].shape[1:]
     logs = [_log(one.tables[name]).reshape(*grid.shape[:-1], -1) for one, grid in ((drawn, points), (screened, paths))]

@@ -30,20 +30,20 @@ if TYPE_CHECKING:
     import xarray
 
 _X = np.linspace(-2.0, 2.0, 81)
-_ROWS, _SHALLOW, _DEEP = 61, 1.8, 4.0  # depths; over the contact radius, down to where at least, and at most for a film's sake
-_ASIDE = 1e-9  # of the thickness, how far above the interface is in the film
+_ROWS, _SHALLOW, _DEEP = 61, 1.8, 4.0  # number of depths; smallest and largest depth of a section over the contact radius
+_ASIDE = 1e-9  # distance from the interface, relative to the thickness, of the last depth inside the film
 
 
 def film_section(contact: Subject, point: "xarray.Dataset") -> "xarray.Dataset":
     """Compute the stresses in a section under the mean touching asperity.
 
     contact: a Contact or Indices with a film. point: one load or separation of its `film_stresses` result. Returns a dataset
-    over depth z and position x along the tangential force, both divided by the contact radius. stress_over_yield is the von
-    Mises stress over the local yield stress. interface_normal_stress (tension above 0) and interface_shear_stress are taken
-    over x in the middle plane: in Pa for a Contact, over the mean pressure for Indices. Attributes: contact_radius and
-    film_thickness [m] and mean_pressure [Pa] of a Contact; thickness_over_radius; largest, largest_x, largest_z: largest
-    stress_over_yield and its position; where: part that yields first. Raises InputError if no asperity presses, or if the
-    ratio of contact radius to film thickness is outside the range checked.
+    over depth z and position x along the tangential force, both divided by the contact radius. stress_over_yield (z, x) is the
+    von Mises stress over the local yield stress. interface_normal_stress (tension above 0) and interface_shear_stress are along
+    x at the interface, in the middle plane: in Pa for a Contact, over the mean pressure for Indices. Attributes: contact_radius
+    and film_thickness [m] and mean_pressure [Pa] of a Contact; thickness_over_radius; largest, largest_x, largest_z: largest
+    stress_over_yield and its position; where: part that yields first. Raises InputError if no asperity presses, or if the ratio
+    of contact radius to film thickness is outside the range in which stresses were checked.
     """
     subject = as_subject(contact)
     groups, _ = Groups.of(subject.indices())
@@ -53,7 +53,7 @@ def film_section(contact: Subject, point: "xarray.Dataset") -> "xarray.Dataset":
     stresses, worst = _worst(bodies, radius, traction, strength)
     thickness = stresses.thickness
     deepest = min(1.3 * thickness, _DEEP) if _SHALLOW < 1.3 * thickness < 1.3 * _DEEP else _SHALLOW
-    both_sides = np.array([1.0 - _ASIDE, 1.0]) * thickness  # stresses along the interface jump there
+    both_sides = np.array([1.0 - _ASIDE, 1.0]) * thickness  # stresses parallel to the interface jump there
     z = np.union1d(np.linspace(0.0, deepest, _ROWS), both_sides[both_sides < deepest])
     field = pressure * section(stresses, traction, strength, _X, z)
     radial = stresses.in_film(np.abs(_X), np.array([thickness]))
@@ -68,8 +68,9 @@ def film_section(contact: Subject, point: "xarray.Dataset") -> "xarray.Dataset":
 def _asperity(subject: Subject, groups: Groups, point: "xarray.Dataset") -> tuple[float, float, float, dict[str, Any]]:
     """Return radius, pressure and traction of the mean touching asperity, and for a Contact its sizes in SI units.
 
-    The radius is divided by the thickness of one film, the mean pressure by the body's yield stress, and the traction is
-    friction over load.
+    groups: dimensionless groups of the contact. point: one load or separation of a `film_stresses` result. The radius is
+    divided by the thickness of one film, the mean pressure by the body's yield stress, and the traction is friction force over
+    load. The sizes are dataset attributes by name; {} for Indices.
     """
     count, area, load = (float(point[name]) for name in ("touching_asperities", "contact_area", "load"))
     if not (count > 0.0 and load > 0.0 and math.isfinite(float(point["stress_over_yield"]))):
@@ -89,9 +90,9 @@ def _asperity(subject: Subject, groups: Groups, point: "xarray.Dataset") -> tupl
 
 
 def _worst(bodies: Bodies, radius: float, traction: float, strength: float) -> tuple[Stresses, Yield]:
-    """Return the stresses and first yield of the coated body that is closer to yield.
+    """Return the stress solution of the coated body that is closer to yield, and where that body first yields.
 
-    radius: contact radius over film thickness; traction: friction over load; strength: film hardness over body hardness.
+    radius: contact radius over film thickness. traction: friction force over load. strength: film hardness over body hardness.
     """
     each = coated_bodies(bodies, radius)
     return max(((one, first_yield(one, traction, strength)) for one in each), key=lambda pair: pair[1].excess)

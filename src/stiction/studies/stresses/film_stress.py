@@ -1,4 +1,4 @@
-"""Compute stresses in a film and at its interface under the mean touching asperity: distance to yield, and where it begins."""
+"""Compute stresses in a film and at its interface under the mean touching asperity, and where yield begins."""
 
 from typing import TYPE_CHECKING, Unpack
 
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from stiction.quantities.arguments import QuantityLike
 
 _FILM = "layered"
-# The radii, over the thickness of a film, at which stresses were compared.
+# Range of contact radius over film thickness in which stresses were checked against other solutions.
 LEAST, MOST = 1e-3, 1e3
 _RULES = (
     Validity("stress_over_yield", 0.0, 1.0, "film or body yields under the mean asperity, but computed stresses are elastic"),
@@ -62,9 +62,11 @@ def film_stresses(
     Returns
     -------
     xarray.Dataset
-        As from `solve`, with contact_over_thickness, stress_over_yield, interface_tension and interface_shear, the last two
-        over the strength of the weaker of film and body; and yields_first: "film", "counterbody", "interface", "body", or ""
-        where nothing touches. `validity_warnings` name the stresses that film or body cannot bear.
+        As from `solve`, with contact_over_thickness, the contact radius over the film thickness; stress_over_yield, the
+        largest von Mises stress over the local yield stress; interface_tension and interface_shear, the largest stresses at
+        the interface over the yield stress and the shear yield stress of the weaker of film and body; and yields_first: "film",
+        "counterbody", "interface", "body", or "" where nothing touches. `validity_warnings` name the stresses that film or
+        body cannot bear.
 
     Raises
     ------
@@ -115,13 +117,13 @@ def require_film(subject: Subject) -> None:
 
 
 def require_proportion(radius: float) -> None:
-    """Raise InputError if contact radius over film thickness is outside the range in which stresses were checked."""
+    """Raise InputError if stresses were not checked at this `radius`, the contact radius over the film thickness."""
     if not LEAST <= radius <= MOST:
         raise InputError("thickness", f"a/t = {radius:.3g}", f"contact radius over film thickness, {LEAST:g} to {MOST:g}")
 
 
 def part_that_yields(subject: Subject, where: str) -> str:
-    """Return the part that yields first: `where`, but "counterbody" instead of "film" if that body is softer than the film.
+    """Return the part that yields first: `where`, or "counterbody" instead of "film" if the counterbody is softer.
 
     The counterbody is uncoated. where: "film", "interface" or "body", from the solution of the layered body.
     """
@@ -130,9 +132,9 @@ def part_that_yields(subject: Subject, where: str) -> str:
 
 
 def middle_point(data: "xarray.Dataset") -> "xarray.Dataset":
-    """Return the middle load or separation of a `film_stresses` result, among those at which asperities press.
+    """Return a `film_stresses` result at its middle load or separation, among those at which asperities are pressed.
 
-    If asperities press at none, it is the middle of all.
+    If none are pressed, it is the middle of all loads or separations.
     """
     if not data["load"].dims:
         return data
@@ -143,10 +145,11 @@ def middle_point(data: "xarray.Dataset") -> "xarray.Dataset":
 
 
 def _of_one(groups: Groups, area: float, load: float, friction: float) -> tuple[float, float, float, float, str]:
-    """Return the stresses in a film under one asperity, from its normalised area, load and friction force.
+    """Return the stresses in a film under one asperity, from its dimensionless area, load and friction force.
 
-    They are contact radius over film thickness, stress over yield stress, tension and shear at the interface over the strength
-    of the weaker of film and body, and the part that yields first. Stresses are NaN if the asperity does not press.
+    They are contact radius over film thickness, stress over yield stress, tension and shear at the interface over the yield
+    stress and shear yield stress of the weaker of film and body, and the part that yields first. Stresses are NaN if the
+    asperity is not pressed.
     """
     if not (area > 1e-100 and load > 0.0):
         return contact_over_thickness(groups, area), np.nan, np.nan, np.nan, ""
@@ -157,17 +160,22 @@ def _of_one(groups: Groups, area: float, load: float, friction: float) -> tuple[
 
 
 def contact_over_thickness(groups: Groups, area: float) -> float:
-    """Return the contact radius over the thickness of one film, for an asperity with this normalised area."""
+    """Return the contact radius over the thickness of one film, for an asperity with this dimensionless area."""
     return float(area**0.5 * per_root(groups)[0] ** 2)
 
 
 def pressure_over_yield(groups: Groups, area: float, load: float) -> float:
-    """Return the mean pressure over the body's yield stress, for an asperity with this normalised area and load."""
+    """Return the mean pressure over the body's yield stress, for an asperity with this dimensionless area and load."""
     return load * float(groups.hardness_to_yield[0]) / (float(groups.eta[0]) * area)
 
 
 def _worst(bodies: Bodies, radius: float, pressure: float, traction: float, strength: float) -> tuple[float, float, float, str]:
-    """Evaluate each coated body separately and return the largest stresses."""
+    """Return the largest stresses over all coated bodies, each evaluated separately, and the part that yields first.
+
+    radius: contact radius over film thickness. pressure: mean pressure over the body's yield stress. traction: friction force
+    over load. strength: film hardness over body hardness. The stresses are von Mises stress over yield stress, and tension and
+    shear at the interface over the yield stress and shear yield stress of the weaker of film and body.
+    """
     each, weaker = coated_bodies(bodies, radius), min(strength, 1.0)
     first = max(first_yield(stresses, traction, strength) for stresses in each)
     tension, shear = map(max, zip(*(at_interface(stresses, traction) for stresses in each), strict=True))
@@ -175,10 +183,7 @@ def _worst(bodies: Bodies, radius: float, pressure: float, traction: float, stre
 
 
 def coated_bodies(bodies: Bodies, radius: float) -> list[Stresses]:
-    """Return the stress solution of each coated body.
-
-    radius: contact radius over film thickness.
-    """
+    """Return the stress solution of each coated body; `radius`: contact radius over film thickness."""
     return [Stresses(bodies.pair, body, radius) for body in dict.fromkeys(bodies.coated)]
 
 

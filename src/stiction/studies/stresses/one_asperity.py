@@ -2,7 +2,8 @@
 
 The asperity is a non-adhesive paraboloid with contact radius a, stated as x = a/(R sigma)^(1/2). Without a film it is Hertz's
 contact with Hamilton's stresses, with a film the layered solid of `solvers.layered`. K, sigma and R are as in theory.md,
-theory 1; without a film E_P = 1 and n_E = 1. The load and mean pressure are
+theory 1. E_P is the dimensionless load of the layered contact, and n_E the modulus of the film over that of the body; without a
+film both are 1. The load and mean pressure are
 
     W = n_E E_P x^3 K R^(1/2) sigma^(3/2),    p_m/H = n_E E_P x/eta,    eta = pi H R^(1/2)/(K sigma^(1/2)),
 
@@ -35,9 +36,10 @@ class OneAsperity:
     """Hold the stresses in a section under one asperity.
 
     x (m,), z (n,): positions along the tangential force and depths, over the contact radius. stress (n, m): von Mises stress
-    over the local yield stress. thickness: film thickness over contact radius, infinite without a film. largest: highest
-    stress anywhere. at: its position (x, z). where: "film", "interface" or "body". radius: contact radius over (R sigma)^(1/2).
-    load: over K R^(1/2) sigma^(3/2), all symbols as in the module. pressure: mean pressure over the hardness.
+    over the local yield stress. thickness: film thickness over contact radius, infinite without a film. largest: highest stress
+    anywhere, over the local yield stress. at: its position (x, z). where: part in which it lies, "film", "interface" or "body".
+    radius: contact radius over (R sigma)^(1/2). load: load over K R^(1/2) sigma^(3/2), all symbols as in the module. pressure:
+    mean pressure over the hardness.
     """
 
     x: np.ndarray
@@ -55,9 +57,9 @@ class OneAsperity:
 def one_asperity(subject: Subject, radius: float, traction: float) -> OneAsperity:
     """Compute the stresses under one asperity of a contact.
 
-    radius: contact radius over (R sigma)^(1/2), R and sigma the asperity radius and height deviation, above 0; traction:
-    tangential over normal force, 0 or more. Raises InputError for array parameters, and for a contact radius that is too
-    large or too small relative to the film.
+    radius: contact radius over (R sigma)^(1/2), with the radius R and height deviation sigma of asperities, above 0. traction:
+    tangential over normal force, 0 or more. Raises InputError for array parameters, and for a contact radius that is too large
+    or too small relative to the film.
     """
     subject.require_single("one number, for one asperity")
     if not (math.isfinite(radius) and radius > 0.0 and math.isfinite(traction) and traction >= 0.0):
@@ -82,8 +84,8 @@ def _bare(groups: Groups, radius: float, traction: float) -> OneAsperity:
 def _coated(groups: Groups, radius: float, traction: float) -> OneAsperity:
     """Compute the stresses under an asperity on a coated body; if both bodies are coated, in the first one.
 
-    radius: contact radius over sqrt(R sigma). traction: shear stress over pressure. Each of two films has half the total
-    thickness.
+    radius: contact radius over (R sigma)^(1/2). traction: tangential over normal force. If there are two films, each has half
+    the total thickness.
     """
     over_film = radius / float(groups.film_aspect[0] / groups.films[0])
     require_proportion(over_film)
@@ -104,7 +106,9 @@ def _coated(groups: Groups, radius: float, traction: float) -> OneAsperity:
 def section(stresses: Stresses, traction: float, film_strength: float, x: np.ndarray, z: np.ndarray) -> np.ndarray:
     """Return the von Mises stress over the mean pressure (n, m) at depths z (n,) and positions x (m,).
 
-    In the film it is also divided by film_strength. x runs along the traction and must be symmetric about 0.
+    stresses: solution of the layered body. traction: tangential over normal force. x and z are over the contact radius; x runs
+    along the tangential force and must be symmetric about 0. In the film the stress is also divided by film_strength, the film
+    hardness over the body hardness.
     """
     r = np.abs(x[len(x) // 2 :])
     inside = stresses.thickness > z

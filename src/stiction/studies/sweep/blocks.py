@@ -21,11 +21,11 @@ from stiction.studies.sweep.table import MOMENTS
 def solve_block(
     plan: Plan, choice: Choice, block: int, dims: Mapping[str, tuple[str, ...]], sizes: Mapping[str, int]
 ) -> tuple[dict[str, np.ndarray], np.ndarray]:
-    """Solve the contacts of one block; return results by name, and validity warnings as bits.
+    """Solve the contacts of one block; return results by name, and validity warnings as an array of bits.
 
-    dims: dimensions of each result to store, by name. sizes: number of loads or separations, by dimension. Arrays run over the
-    contacts of the block and the loads or separations. The results of a contact that the model refuses are NaN, and the reason
-    is among its bits.
+    choice: the model. block: number of the block. dims: dimensions of each result to store, by name. sizes: number of loads or
+    separations, by dimension. All arrays run over the contacts of the block and the loads or separations. The results of a
+    contact that the model refuses are NaN, and the reason is among its bits.
     """
     shape = {dim: some.stop - some.start for dim, some in plan.region(block).items()} | dict(sizes)
     results = {name: np.full([shape[dim] for dim in of], np.nan) for name, of in dims.items()}
@@ -43,7 +43,7 @@ def solve_block(
 def _solved(plan: Plan, choice: Choice, block: int, keep: list[str]) -> Iterator[tuple[Region, BatchResult]]:
     """Yield (region, results) of the contacts of a block that can be solved.
 
-    region: slices within the block, by dimension.
+    region: slices within the block, by dimension. keep: names of the results.
     """
     first = plan.region(block)
     for piece in plan.pieces(block):
@@ -57,11 +57,12 @@ def _solved(plan: Plan, choice: Choice, block: int, keep: list[str]) -> Iterator
 def solved_of(plan: Plan, choice: Choice, piece: Region, keep: list[str] | None) -> Iterator[tuple[Region, BatchResult | None]]:
     """Yield (region, results) for all parts of `piece`, a region of the sweep; results are None for refused contacts.
 
-    The results come from the named model, or from a prediction if the case names none.
+    The results come from the model in `choice`, or from the prediction if it is "recommended". keep: names of the results, None
+    for all.
     """
     try:
         case, arrays = plan.case_at(piece), plan.arrays(piece)
-    except InputError:  # of a map that cannot be read, or has no asperities
+    except InputError:  # a map cannot be read, or has no asperities
         yield piece, None
         return
     if choice.model == RECOMMENDED:
@@ -72,7 +73,10 @@ def solved_of(plan: Plan, choice: Choice, piece: Region, keep: list[str] | None)
 
 
 def _along_places(solved: BatchResult) -> BatchResult:
-    """Return the results of one contact with a leading dimension `place` of length 1, along which a sweep joins its maps."""
+    """Return the results of one contact with a leading dimension `place` of length 1.
+
+    A sweep over maps joins the results of its maps along this dimension.
+    """
     variables = {
         name: ((PLACE, *dims), np.asarray(values)[None], *rest) for name, (dims, values, *rest) in solved.variables.items()
     }
@@ -81,7 +85,7 @@ def _along_places(solved: BatchResult) -> BatchResult:
 
 
 def statistics_of(values: np.ndarray, contacts: int) -> np.ndarray:
-    """Return statistics of the finite values at each point, (5, points).
+    """Return statistics of the finite values over all contacts, at each load or separation, (5, points).
 
     The rows are count, mean, sum of squared deviations, minimum and maximum. values: array over contacts and points (loads or
     separations). contacts: how many of its leading dimensions run over contacts.
@@ -97,7 +101,7 @@ def statistics_of(values: np.ndarray, contacts: int) -> np.ndarray:
 
 
 def merged(parts: Iterable[np.ndarray]) -> dict[str, np.ndarray]:
-    """Merge the statistics of several blocks into count, mean, standard deviation, minimum and maximum (points,).
+    """Merge the statistics of blocks into count, mean, standard deviation, minimum and maximum, (points,) by name.
 
     parts: arrays (5, points) as `statistics_of` returns them. Source: Chan, Golub & LeVeque 1983, eqs 2.1. The standard
     deviation divides by n - 1.

@@ -1,4 +1,4 @@
-"""Sweeps over measured or generated height maps: each map is the roughness of one contact.
+"""Describe sweeps over measured or generated height maps: each map is the roughness of one contact.
 
 The list `roughness` of the table [sweep] has scan files, files cut into patches, and random maps of a spectrum. The table
 [contact.roughness] then holds the settings that apply to every file: size, unit, form, filters.
@@ -19,11 +19,11 @@ from stiction.surfaces.heightmap import HeightMap
 from stiction.surfaces.measured import MeasuredRoughness, Scan, measure, surface_of
 from stiction.surfaces.roughness import Roughness
 
-PLACE = "place"  # the dimension of the maps
+PLACE = "place"  # name of the dimension along which the maps lie
 _MOST_PATCHES, _MOST_REALISATIONS = 64, 1_000_000
 _PREPARED = {name: one for name, one in MeasuredRoughness.model_fields.items() if name not in ("first", "second")}
 
-# A file with what is done to it; patches: along each side, so that 4 make 16 maps.
+# A scan file with the settings of its preparation. patches: number along each side, so that 4 give 16 maps.
 _FIELDS: Any = {name: (one.annotation, one) for name, one in _PREPARED.items()}
 FileMaps: Any = create_model(
     "FileMaps",
@@ -36,8 +36,9 @@ FileMaps: Any = create_model(
 class Realisations(Input):
     """Define periodic random maps with one self-affine spectrum, which differ by their seed.
 
-    points: number of points along a side. realisations: number of maps. skewness, kurtosis: of the heights, both or
-    neither.
+    hurst: Hurst exponent. rolloff, shortest: wavelengths at which the spectrum levels off and ends, with units. deviation:
+    standard deviation of the heights, with unit. size: side of the map, with unit. points: number of points along a side.
+    realisations: number of maps. seed: seed of the first map. skewness, kurtosis: of the heights, both or neither.
     """
 
     hurst: float
@@ -52,7 +53,7 @@ class Realisations(Input):
     kurtosis: float | None = None
 
     def surface(self, index: int) -> HeightMap:
-        """Return random map number `index`; its seed is `seed` + `index`."""
+        """Return the random map with the number `index`; its seed is `seed` + `index`."""
         from stiction.surfaces.generate import gaussian_surface, non_gaussian_surface
         from stiction.surfaces.targets import SelfAffine
 
@@ -69,8 +70,8 @@ class Realisations(Input):
 class MapOfPlace:
     """Describe one map of a sweep: a scan file, a patch of a scan file, or a random map of a spectrum.
 
-    entry: settings from the list `roughness` of [sweep]. index: number of the patch or random map. folder: file names are
-    relative to it. content: SHA-256 digest of the file, "" for a random map.
+    entry: settings from the list `roughness` of [sweep]. index: number of the patch or random map. folder: folder at which
+    relative paths start. content: SHA-256 digest of the file, "" for a random map.
     """
 
     entry: Any
@@ -87,7 +88,7 @@ class MapOfPlace:
         return self.entry.file if self.entry.patches == 1 else f"{self.entry.file}, row {row + 1}, column {column + 1}"
 
     def roughness(self) -> Roughness:
-        """Return the roughness measured on the map. Raises InputError if it has none, e.g. no asperities."""
+        """Return the roughness measured on the map; raise InputError if it has none, e.g. no asperities."""
         with field_below("sweep.roughness"):
             table: dict[str, Any] = {}
             if isinstance(self.entry, Realisations):
@@ -110,9 +111,10 @@ class MapOfPlace:
 
 @lru_cache(maxsize=1)
 def _surface(entry: Any, folder: Path, _content: str) -> HeightMap:
-    """Read the whole map of a file, and keep it in memory for its next patch.
+    """Return the whole map of a scan file; the last one is cached for its next patch.
 
-    _content: digest of the file; a changed file has another digest and is read again.
+    entry: settings of the file. folder: folder at which its path starts. _content: digest of the file, an argument only so that
+    a changed file is read again.
     """
     return surface_of(Scan(**{name: getattr(entry, name) for name in Scan.model_fields}), folder, "first")
 
@@ -120,8 +122,8 @@ def _surface(entry: Any, folder: Path, _content: str) -> HeightMap:
 def maps_of(listed: Sequence[Any], shared: Any, folder: Path) -> tuple[MapOfPlace, ...]:
     """Return the maps that the list `roughness` of the table [sweep] describes.
 
-    listed: entries, each a scan file or a spectrum. shared: settings that apply to every entry, or None. folder: file names
-    are relative to it. Raises InputError.
+    listed: entries of the list, each a scan file or a spectrum. shared: settings that apply to every entry, or None. folder:
+    folder at which relative paths start. Raises InputError.
     """
     if not isinstance(shared or {}, Mapping) or (shared or {}).keys() & {"first", "second", "file"}:
         raise InputError("contact.roughness", shared, "settings of all maps, e.g. size, unit; name scans in sweep.roughness")

@@ -1,4 +1,7 @@
-"""Open the store of a sweep, or create it if there is none yet."""
+"""Open the store of a sweep, or create it if there is none yet.
+
+A store is a folder on disk with the results of a sweep, block by block.
+"""
 
 import json
 import math
@@ -29,14 +32,14 @@ _LAWS = ("title", "model", "asperity", "tangential", "film", "options", "heights
 _PACKAGES = ("numpy", "scipy", "numba", "xarray", "zarr")
 _MOST_RULES = 31 - len(WHY_NOT)
 _COORDINATE_CHECKSUMS = "coordinate_checksums"
-_SIZES = 2048  # of a point that one file holds; few results have more
+_SIZES = 2048  # histogram bins of a point in one file; few results occupy more bins
 
 
 def opened_store(path: Path, plan: Plan, title: str, text: str) -> Store:
-    """Open the store at a path; create it if the folder is new or empty.
+    """Return the store at a path for a sweep plan; it is created if the folder is new or empty.
 
-    title, text: title and text of the case file, which a new store keeps. Raises InputError if the path holds something else,
-    or the store of another case or version.
+    title, text: title and text of the case file, which a new store contains. Raises InputError if the path holds something
+    else, or the store of another case or another version of the program.
     """
     require_place(path, "a folder for the store, new, or of this case")
     if path.is_file():
@@ -57,7 +60,7 @@ def opened_store(path: Path, plan: Plan, title: str, text: str) -> Store:
 def _check_whole(store: Store, path: Path) -> None:
     """Raise InputError if a store is damaged.
 
-    It is, if an array is absent, the list of finished blocks cannot be read, or a coordinate was changed.
+    It is damaged if an array is absent, the list of finished blocks cannot be read, or a coordinate was changed.
     """
     try:
         absent = ({DONE, CHECKSUMS} | (set() if store.plan.sweep.statistics else set(store._results))) - store._arrays.keys()
@@ -72,7 +75,7 @@ def _check_whole(store: Store, path: Path) -> None:
 
 
 def _checksum(coordinate: np.ndarray) -> int:
-    """Return the CRC-32 of a coordinate, an array of numbers or texts."""
+    """Return the CRC-32 checksum of a coordinate, an array of numbers or texts."""
     return crc32(repr(np.asarray(coordinate).tolist()).encode())
 
 
@@ -80,7 +83,7 @@ def _attributes(store: Store, path: Path) -> Mapping[str, Any]:
     wanted = "a folder for the store, new, or of this case; this is no store of a sweep"
     try:
         attributes = dict(store.group.attrs)
-    except Exception:  # of what is no store, zarr raises many things
+    except Exception:  # zarr raises many kinds of errors for folders that are no store
         raise InputError("--out", str(path), wanted) from None
     if "identity" not in attributes:
         raise InputError("--out", str(path), wanted)
@@ -88,7 +91,10 @@ def _attributes(store: Store, path: Path) -> Mapping[str, Any]:
 
 
 def _difference(one: Any, other: Any, path: str = "") -> str:
-    """Return the dotted key at which two nested tables first differ; `path`: key of both tables."""
+    """Return the dotted key at which two nested tables first differ.
+
+    path: dotted key of both tables themselves, "" for the outermost ones.
+    """
     if isinstance(one, Mapping) and isinstance(other, Mapping):
         for key in [*one, *(key for key in other if key not in one)]:
             if one.get(key) != other.get(key):
@@ -97,10 +103,11 @@ def _difference(one: Any, other: Any, path: str = "") -> str:
 
 
 def create(path: Path, plan: Plan, title: str, text: str) -> None:
-    """Create an empty store at a path; it is prepared in a neighbouring folder and moved there at the end.
+    """Create an empty store for a sweep plan at a path.
 
-    A store that another process created meanwhile stays. Raises InputError if the first contacts cannot be solved, or if the
-    path cannot be written.
+    title, text: title and text of the case file. The store is written to a neighbouring folder and moved to the path at the
+    end. A store that another process created meanwhile stays. Raises InputError if the first contacts cannot be solved, or if
+    the path cannot be written.
     """
     choice, first = _first(plan)
     beside = path.resolve().parent / f".{path.resolve().name}.{uuid4().hex}.begun"
@@ -118,9 +125,9 @@ def create(path: Path, plan: Plan, title: str, text: str) -> None:
 
 
 def _first(plan: Plan) -> tuple[Choice, Any]:
-    """Return the model choice, and (case, results) of the first contact that can be solved.
+    """Return the choice of the model, and (case, results) of the first contact of a sweep that can be solved.
 
-    Raises the last error if the model refuses the first few contacts of the first blocks.
+    Raises the last error if the model refuses the first five contacts of each of the first three blocks.
     """
     from stiction.studies.case_results import choice_of_case
 
@@ -150,7 +157,7 @@ def _fill(path: Path, plan: Plan, first: Any, attributes: Mapping[str, str]) -> 
         if name not in names:
             raise InputError("sweep.keep", name, nearest(name, names))
     dims, bits = solved.validity_warnings
-    names = [name for name in plan.sweep.keep or names if name not in dims]  # the requested name is a coordinate
+    names = [name for name in plan.sweep.keep or names if name not in dims]  # loads or separations are stored as coordinates
     points = {dim: size for dim, size in zip(dims, bits.shape, strict=True) if dim not in plan.dims}
     points |= {"load": case.load.size} if "load" in points else {}
     layout = {name: tuple(dim for dim in (*plan.dims, *points) if dim in solved.variables[name][0]) for name in names}
@@ -201,7 +208,11 @@ def _of_sample(plan: Plan) -> dict[str, Any]:
 
 
 def _arrays(group: Any, plan: Plan, layout: Mapping[str, tuple], sizes: Mapping[str, int], solved: Any) -> None:
-    """Create the stored arrays of results and validity warnings, with one chunk for each block."""
+    """Create the stored arrays of results and validity warnings, with one chunk for each block.
+
+    group: the zarr group of the store. layout: dimensions of each result, by name. sizes: lengths of all dimensions. solved:
+    results of the first contact, which give names, units and warnings.
+    """
     for name, dims in [*layout.items(), (WARNINGS, tuple(sizes))]:
         validity_warnings = name == WARNINGS
         array = group.create_array(
@@ -225,7 +236,11 @@ def _warning_attributes(meanings: list[str]) -> dict[str, Any]:
 
 
 def _statistics(group: Any, plan: Plan, layout: Mapping[str, tuple], points: Mapping[str, int], solved: Any) -> None:
-    """Create the stored arrays of statistics over all contacts, and of the block statistics that they are merged from."""
+    """Create the stored arrays of statistics over all contacts, and of the block statistics that are merged into them.
+
+    group: the zarr group of the store. layout: dimensions of each result, by name. points: number of loads or separations, by
+    dimension. solved: results of the first contact, which give the attributes.
+    """
     parts = group.create_group(PARTS)
     kinds = plan.sweep.statistics
     for name, dims in layout.items():
@@ -247,9 +262,10 @@ def _statistics(group: Any, plan: Plan, layout: Mapping[str, tuple], points: Map
 
 
 def _coordinates(group: Any, plan: Plan, case: Any, points: Mapping[str, int]) -> dict[str, tuple]:
-    """Return the coordinates of the dimensions, as (dimension, values, attributes) by name.
+    """Return the coordinates of the dimensions of a store, as (dimension, values, attributes) by name.
 
-    Array parameters of listed or sampled contacts are written later, with each block; their empty arrays are created here.
+    group: the zarr group of the store. points: number of loads or separations, by dimension. For listed or sampled contacts,
+    the values of array parameters are written later, with each block; their empty arrays are created here.
     """
     found: dict[str, tuple] = {}
     if plan.sweep.statistics:

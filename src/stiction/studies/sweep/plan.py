@@ -1,4 +1,4 @@
-"""The plan of a sweep: its contacts, how they are cut into blocks, and which results are stored."""
+"""Plan a sweep: its contacts, how they are cut into blocks, and which results are stored."""
 
 import json
 import math
@@ -21,20 +21,20 @@ from stiction.studies.prediction.predict import is_predicted
 from stiction.studies.sweep.maps import PLACE, MapOfPlace, maps_of
 from stiction.studies.sweep.table import LARGEST_BLOCK, Sample, Sweep
 
-AT_ONCE = 131_072  # points of a block: half a second of work; and of what is solved together, of larger ones
+AT_ONCE = 131_072  # points of a block, half a second of work; larger blocks are solved in parts of this size
 _MOST_BLOCKS = 50_000_000  # 10^12 points in blocks of the usual size are 7.6 million
-_BITS = 32  # of the coordinates of Sobol points: as many as can be skipped quickly
+_BITS = 32  # bits of the coordinates of Sobol points, the most with which points can be skipped quickly
 
 
 @dataclass(frozen=True)
 class Plan:
-    """Describe a checked sweep, cut into blocks; any process can compute any block, in any order, with the same bits.
+    """Describe a checked sweep, cut into blocks of contacts.
 
-    case: the case with the first value of each array parameter. several: array parameters by address. sweep: the table
-    [sweep]. dims: numbers of contacts by dimension. tile: numbers of contacts within one block by dimension. points: loads or
-    separations of each contact. load: loads [N], None if separations are stated. uncertain: numbers that a prediction samples
-    for every contact. scans: attributes of measured roughness. maps: one map for each contact, in a sweep over maps. Use
-    `make_plan` to build one.
+    Any process can compute any block, in any order, and gets the same bits. case: the case with the first value of each array
+    parameter. swept: array parameters by address. sweep: the table [sweep]. dims: number of contacts along each dimension.
+    tile: number of contacts in one block along each dimension. points: number of loads or separations of each contact. load:
+    loads [N], None if separations are stated. uncertain: numbers that a prediction samples for every contact. scans: attributes
+    that describe measured roughness. maps: one map for each contact, in a sweep over maps. Use `make_plan` to build a plan.
     """
 
     case: Case
@@ -61,30 +61,33 @@ class Plan:
         return [-(-length // self.tile[dim]) for dim, length in self.dims.items()]
 
     def region(self, block: int) -> Region:
-        """Return the contacts of a block, as a slice for each dimension."""
+        """Return the contacts of the block with the number `block`, as a slice for each dimension."""
         places = np.unravel_index(block, self._tiles()) if self.dims else ()
         starts = {dim: int(at) * self.tile[dim] for dim, at in zip(self.dims, places, strict=True)}
         return {dim: slice(start, min(start + self.tile[dim], self.dims[dim])) for dim, start in starts.items()}
 
     def pieces(self, block: int) -> Iterator[Region]:
-        """Yield the contacts of a block in smaller regions, each solved in one call."""
+        """Yield the contacts of the block with the number `block` in smaller regions, each solved in one call."""
         return pieces(self.region(block), AT_ONCE // self.points)
 
     def contacts(self, block: int) -> int:
-        """Return the number of contacts in a block."""
+        """Return the number of contacts in the block with the number `block`."""
         return math.prod(some.stop - some.start for some in self.region(block).values())
 
     def case_at(self, region: Mapping[str, slice]) -> Case:
-        """Return the case for a region of contacts.
+        """Return the case for a region of contacts; the values of its array parameters are left to `arrays`.
 
-        In a sweep over maps, it has the roughness of the region's first map.
+        region: slice by dimension. In a sweep over maps, the case has the roughness of the first map in the region.
         """
         if not self.maps:
             return self.case
         return self.case.at({("contact", "roughness"): self.maps[region[PLACE].start].roughness()})
 
     def arrays(self, region: Mapping[str, slice]) -> dict[Address, Any]:
-        """Return the array parameters of a region of contacts, by address, as labelled arrays."""
+        """Return the array parameters of a region of contacts as labelled arrays by address, in SI units.
+
+        region: slice by dimension.
+        """
         if self.maps:
             return {}
         if self.sweep.sample.is_drawn:
@@ -97,16 +100,16 @@ class Plan:
         return found
 
     def _drawn(self, some: slice) -> dict[Address, Any]:
-        """Return the array parameters of the sampled contacts `some`, a slice, by address.
+        """Return the array parameters of the sampled contacts in the slice `some` as labelled arrays by address.
 
-        Parameters with the same dimension name take the same sampled position, so they vary together.
+        Parameters with the same dimension name are sampled at the same position, so that they vary together.
         """
         columns = list(dict.fromkeys(one.dimension for one in self.swept.values()))
         shares = _shares(self.sweep.sample, len(columns), some)
         return {path: one.array(one.at(shares[:, columns.index(one.dimension)]), SAMPLE) for path, one in self.swept.items()}
 
     def identity(self) -> str:
-        """Return JSON text of everything that determines the results; equal for equal sweeps."""
+        """Return JSON text of everything that determines the results; it is equal for equal sweeps."""
         case = self.case
         solve = {"separation": case.separation, "load": case.load, **case.choice.arguments()}
         plain: Any = {name: subject.model_dump() for name, subject in case.tables.items()}
@@ -124,9 +127,9 @@ def _plain(value: Any) -> Any:
 
 
 def _shares(sample: Sample, columns: int, some: slice) -> np.ndarray:
-    """Return the sample points `some` (n, columns), a slice of all, each coordinate from 0 to 1.
+    """Return the sample points in the slice `some` of all points, (n, columns), with coordinates from 0 to 1.
 
-    A coordinate is a position between the start (0) and the stop (1) of a range.
+    columns: number of sampled dimensions. A coordinate is a position between the start (0) and the stop (1) of a range.
     """
     from scipy.stats import qmc
 
@@ -138,14 +141,14 @@ def _shares(sample: Sample, columns: int, some: slice) -> np.ndarray:
     if some.start:
         sobol.fast_forward(some.start)
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore", UserWarning)  # that a part of the points is balanced is not asked for
+        warnings.simplefilter("ignore", UserWarning)  # SciPy warns that a part of the sequence is not balanced
         return sobol.random(some.stop - some.start)
 
 
 def make_plan(content: Mapping[str, Any], folder: Path = Path()) -> Plan:
     """Return the sweep plan that the tables of a case file describe.
 
-    folder: file names in the tables are relative to it. Raises InputError.
+    folder: folder at which relative paths in the tables start. Raises InputError.
     """
     require_names(content)
     sweep: Sweep = study_table({"sweep": {}, **content}, "sweep", "a table with sample, keep, statistics, precision, block")
@@ -166,7 +169,10 @@ def make_plan(content: Mapping[str, Any], folder: Path = Path()) -> Plan:
 
 
 def _plan_of_maps(content: Mapping[str, Any], folder: Path, sweep: Sweep) -> Plan:
-    """Return the plan of a sweep over maps, with one map in each block."""
+    """Return the plan of a sweep over height maps, with one map in each block.
+
+    content: tables of the case. folder: folder at which relative paths start. Raises InputError.
+    """
     if not isinstance(content.get("contact"), Mapping):
         raise InputError("sweep.roughness", "given", "a case with [contact]")
     maps = maps_of(sweep.roughness, roughness_in(content), folder)
@@ -188,9 +194,9 @@ def _plan_of_maps(content: Mapping[str, Any], folder: Path, sweep: Sweep) -> Pla
 
 
 def _without_scans(case: Case) -> tuple[Case, dict[str, str]]:
-    """Return the case with the roughness numbers of its asperity method in place of scans, and attributes of the scans.
+    """Return the case with roughness parameters instead of scans, and attributes that describe the scans.
 
-    Worker processes then need no scan files.
+    The parameters are those that the asperity method of the case finds. Worker processes then need no scan files.
     """
     if case.measured is None:
         return case, {}
@@ -200,13 +206,13 @@ def _without_scans(case: Case) -> tuple[Case, dict[str, str]]:
 def _lengths(plan: Plan) -> dict[str, int]:
     """Return the number of contacts of a sweep along each dimension.
 
-    Raises InputError if there is no array parameter, or if lengths differ along a dimension.
+    Raises InputError if there is no array parameter, or if two array parameters along one dimension differ in length.
     """
     if not plan.swept:
         raise InputError("contact", "single numbers only", "at least one array parameter: a list or {start, stop, count}")
     sample = plan.sweep.sample
     if sample.is_drawn:
-        assert sample.count is not None  # the validator has seen to it
+        assert sample.count is not None  # checked by the table
         return {SAMPLE: sample.count}
     found: dict[str, tuple[int, SweptNumber]] = {}
     for one in plan.swept.values():
@@ -220,7 +226,7 @@ def _lengths(plan: Plan) -> dict[str, int]:
 def _cut(plan: Plan, lengths: Mapping[str, int]) -> Plan:
     """Return the plan cut into blocks of the requested or default size.
 
-    lengths: number of contacts along each dimension. Blocks are cut along the first dimensions and span the last ones.
+    lengths: number of contacts along each dimension. Blocks are cut along the first dimensions and contain the last ones whole.
     """
     size = math.prod(lengths.values()) * plan.points
     times = min(max(1, size // (64 * AT_ONCE)), 8) if plan.sweep.statistics else 1

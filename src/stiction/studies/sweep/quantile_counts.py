@@ -1,10 +1,10 @@
 """Approximate quantiles of any number of values in bounded memory, by histograms that can be merged.
 
-A bin has one sign, exponent and the first seven binary digits of the fraction, so its width is at most 1/128 of its lower
-end. All histograms have the same bins, so those of parts add up exactly, in any order. A quantile is the centre of its bin,
-within 1/256 of the true value. Source: bins of constant relative width, which bound the relative error of quantiles and can
-be merged, Masson, Rim & Lee 2019 (DDSketch), section 2. The authors' package takes one value after another in Python, thirty
-times slower.
+A bin has one sign, one exponent and the first seven binary digits of the fraction, so its width is at most 1/128 of its lower
+end. All histograms have the same bins, so the counts of parts add up exactly, in any order. A quantile is the centre of its
+bin, within 1/256 of the true value. Source: bins of constant relative width, which bound the relative error of quantiles and
+can be merged, Masson, Rim & Lee 2019 (DDSketch), section 2. The authors' package takes one value after another in Python,
+thirty times slower.
 """
 
 from collections.abc import Iterable, Mapping
@@ -12,7 +12,7 @@ from itertools import pairwise
 
 import numpy as np
 
-# Share of the values that are not above it, by the name of a statistic.
+# Quantile level of each percentile, by the name of the statistic.
 PERCENTILES: Mapping[str, float] = {
     "percentile_1": 0.01,
     "percentile_5": 0.05,
@@ -23,19 +23,19 @@ PERCENTILES: Mapping[str, float] = {
     "percentile_99": 0.99,
 }
 _CUT = 52 - 7  # binary digits that are left out of the 52 that a number has
-_FLIPPED = np.int64(2**63 - 1)  # of a negative number all but the sign: then they are in order, too
-_MIDDLE = 1 << (63 - _CUT)  # sizes below belong to negative numbers
-_AT_ONCE = 250_000  # counts that are added together: as many as stay in a cache
+_FLIPPED = np.int64(2**63 - 1)  # all bits but the sign; flipping them puts negative numbers in ascending order
+_MIDDLE = 1 << (63 - _CUT)  # bin numbers below belong to negative values
+_AT_ONCE = 250_000  # counts that are added in one step; so many fit into the cache of a processor
 
 
 def sizes_of(values: np.ndarray) -> np.ndarray:
-    """Return the bin number (uint32, above 0) of each finite float64 value; larger values have larger numbers."""
+    """Return the histogram bin number (uint32, above 0) of each finite float64 value; larger values have larger numbers."""
     bits = np.ascontiguousarray(values, dtype=np.float64).view(np.int64)
     return (((bits ^ ((bits >> 63) & _FLIPPED)) >> _CUT) + _MIDDLE).astype(np.uint32)
 
 
 def values_at(sizes: np.ndarray) -> np.ndarray:
-    """Return the centre value of each bin number; 0 for the bins next to 0."""
+    """Return the centre value of each histogram bin, given by its number; 0 for the bins next to 0."""
     first = (sizes.astype(np.int64) - _MIDDLE) << _CUT
     ends = (first, first + ((1 << _CUT) - 1))
     low, high = ((end ^ ((end >> 63) & _FLIPPED)).view(np.float64) for end in ends)
@@ -44,10 +44,10 @@ def values_at(sizes: np.ndarray) -> np.ndarray:
 
 
 def counted(values: np.ndarray) -> np.ndarray:
-    """Return histograms of values (n, points) as an array (2, points, m): bin numbers and their counts.
+    """Return the histogram of n values at each of several points, as bin numbers and their counts, (2, points, m).
 
-    Non-finite values are excluded. The bin numbers of a point ascend. m is the largest number of occupied bins of a point;
-    shorter rows are filled up with bin 0, which no value has.
+    values: array (n, points). Non-finite values are excluded. The bin numbers of a point ascend. m is the largest number of
+    occupied bins of a point; shorter rows are filled up with bin 0, which no value has.
     """
     there = np.isfinite(values)
     sizes = np.where(there, sizes_of(np.where(there, values, 0.0)), np.uint32(0)).T.copy()
@@ -69,9 +69,9 @@ def counted(values: np.ndarray) -> np.ndarray:
 
 
 def quantiles_of(parts: Iterable[np.ndarray], points: int, shares: Iterable[float]) -> np.ndarray:
-    """Return quantiles (shares, points) of all values in several histograms.
+    """Return quantiles (shares, points) of all values that are counted in several histograms.
 
-    parts: histograms (2, points, n) as `counted` returns them. shares: quantile levels, 0 to 1. A quantile is the centre of the
+    parts: histograms (2, points, m) as `counted` returns them. shares: quantile levels, 0 to 1. A quantile is the centre of the
     lowest bin at which the cumulative count reaches the level. It is NaN without values.
     """
     keys, counts = _together(parts)
@@ -89,7 +89,8 @@ def quantiles_of(parts: Iterable[np.ndarray], points: int, shares: Iterable[floa
 def _together(parts: Iterable[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
     """Merge histograms: return each key once, ascending, and its total count.
 
-    A key is one integer that encodes a point and a bin.
+    parts: histograms (2, points, m). A key is one integer that encodes a point (upper 32 bits) and a bin number (lower 32
+    bits).
     """
     keys, counts = [np.empty(0, dtype=np.uint64)], [np.empty(0, dtype=np.int64)]
     waiting = 0
@@ -106,9 +107,9 @@ def _together(parts: Iterable[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _added(keys: list[np.ndarray], counts: list[np.ndarray]) -> tuple[list[np.ndarray], list[np.ndarray]]:
-    """Merge several lists of keys and counts into one, each key once with its total count.
+    """Merge lists of keys and counts into one list of each: every key once, ascending, with its total count.
 
-    A key is one integer that encodes a point and a bin. The keys of each list ascend, which makes a stable sort fast.
+    A key is one integer that encodes a point and a bin number. The keys of each list ascend, which makes a stable sort fast.
     """
     every = np.concatenate(keys)
     order = np.argsort(every, kind="stable")

@@ -23,7 +23,8 @@ if TYPE_CHECKING:
 
 _MOST_WORKERS = 1024  # processes of one machine
 
-# From how many points are done, how many there are, and what is done as it is done, the same with a display of that.
+# Function of the number of finished points, the number of all points, and an iterator over the sizes of blocks as they are
+# finished; returns an iterator over the same sizes that displays the progress.
 Progress = Callable[[int, int, Iterable[int]], Iterable[int]]
 
 
@@ -43,13 +44,15 @@ def sweep(
     scheduler : str, optional
         Address of a dask.distributed scheduler, in place of workers; its workers need the store under the same path.
     progress : callable, optional
-        Receives the numbers of finished and of all contacts and the iterator of steps; returns that iterator.
+        Receives the number of finished points (contacts at a load), the number of all points, and an iterator over steps;
+        returns an iterator over the same steps, e.g. one that displays the progress.
 
     Returns
     -------
     xarray.Dataset
-        The store, read from disk when needed: results over the varied dimensions (or `sample`) and the points, and
-        `validity_warnings`, bit flags whose meaning is in the attributes flag_masks and flag_meanings.
+        The store, read from disk when needed: results as from `solve`, over the dimensions of the array parameters (or over
+        `sample`) and the loads or separations; and `validity_warnings`, bit flags whose meaning is in the attributes
+        flag_masks and flag_meanings.
 
     Raises
     ------
@@ -82,7 +85,7 @@ def sweep(
 def run_sweep(case: Any, out: Any, workers: int, scheduler: str | None, progress: Progress | None) -> "Store":
     """Run a sweep into the store folder `out` and return the completed store.
 
-    Arguments as in `sweep`. Raises InputError.
+    The arguments are those of `sweep`; progress: None displays nothing. Raises InputError.
     """
     require("sweep", *(("distributed",) if scheduler else ()), "zarr")
     if isinstance(workers, bool) or not isinstance(workers, int) or not 1 <= workers <= _MOST_WORKERS:
@@ -137,10 +140,10 @@ def _refused_where_not_writable(store: "Store") -> Iterator[None]:
 
 @contextmanager
 def locked(path: Path):
-    """Lock the store folder `path`; raise InputError if another sweep is writing to it.
+    """Lock the store folder `path` for the duration of a with block; raise InputError if another sweep writes to it.
 
-    The operating system releases the lock when the process ends. Without file locks two sweeps may run at once, but they write
-    the same bits.
+    The operating system releases the lock when the process ends. On a system without file locks two sweeps may run at once, but
+    they write the same bits.
     """
     try:
         import fcntl
@@ -149,7 +152,7 @@ def locked(path: Path):
         return
     handle = os.open(path, os.O_RDONLY)
     try:
-        with suppress(OSError):  # of a file system without locks
+        with suppress(OSError):  # raised by file systems without locks
             try:
                 fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
             except BlockingIOError:

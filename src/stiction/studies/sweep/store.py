@@ -1,8 +1,8 @@
-"""The store of a sweep: a zarr 3 folder of chunked, labelled arrays, which xarray.open_zarr opens.
+"""Read and write the store of a sweep: a zarr 3 folder of chunked, labelled arrays, which xarray.open_zarr opens.
 
 Each block is one chunk of every array and is written by itself. Its row in `validity_warnings_by_block` is written last and
-marks the block as done. zarr moves files into place, so none is half written. An interrupted block is computed again, with
-the same bits.
+marks the block as done. zarr moves complete files into place, so that no file is half written. An interrupted block is computed
+again, with the same bits.
 """
 
 import json
@@ -33,13 +33,13 @@ DONE, CHECKSUMS, WARNINGS, PARTS, COUNTS = (
     "statistics_by_block",
     "counts_by_block",
 )
-NOT_DONE = -1  # of a block that is not done
-_ROWS_AT_ONCE = 1_000_000  # numbers of blocks that are read together
+NOT_DONE = -1  # value that marks a block as not done
+_ROWS_AT_ONCE = 1_000_000  # numbers that are read from disk together
 
 
 @dataclass(frozen=True)
 class Store:
-    """Read and write the store of a sweep plan; several processes may open one store and compute different blocks."""
+    """Read and write the store of a sweep plan at a path; processes may open one store and compute different blocks."""
 
     path: str
     plan: Plan
@@ -52,7 +52,7 @@ class Store:
 
     @cached_property
     def _arrays(self) -> dict[str, Any]:
-        """Return all arrays of the store by path, each opened once, because opening reads a file."""
+        """Return all arrays of the store by their path in the store, each opened once, because opening reads a file."""
         return {path: one for path, one in self.group.members(max_depth=None) if hasattr(one, "shape")}
 
     @cached_property
@@ -78,7 +78,10 @@ class Store:
         return [block for block in range(self.plan.blocks) if block not in left and not self.is_whole(block)]
 
     def do(self, block: int) -> int:
-        """Solve and store a block; return its number of points. Raises OSError if it cannot be written."""
+        """Solve and store the block with the number `block`; return its number of points, contacts times loads or separations.
+
+        Raises OSError if the block cannot be written.
+        """
         with all_compiled():
             results, validity_warnings = solve_block(self.plan, self._choice, block, self._results, self._points)
         with uninterrupted():
@@ -86,7 +89,7 @@ class Store:
         return validity_warnings.size
 
     def is_whole(self, block: int) -> bool:
-        """Return whether a finished block can be read and has the checksum with which it was written."""
+        """Return whether a finished block, given by its number, can be read and has its original checksum."""
         try:
             return _checksum(self._read(block)) == int(self._arrays[CHECKSUMS][block])
         except Exception:  # zarr raises many kinds of errors for damaged files
@@ -109,15 +112,15 @@ class Store:
         self._arrays[DONE][block : block + 1] = np.array([counts])
 
     def _read(self, block: int) -> Iterator[np.ndarray]:
-        """Yield the stored arrays of a block, as `_write` wrote them."""
+        """Yield the stored arrays of the block with the number `block`, in the order in which `_write` wrote them."""
         for path, place in self._places(block).items():
             values = self._arrays[path][place]
-            if path.startswith(COUNTS):  # the bins that are occupied stand in front
+            if path.startswith(COUNTS):  # occupied bins come first; the empty rest was not written
                 values = values[..., : max(1, np.count_nonzero(values[0, 0].any(axis=0)))]
             yield values
 
     def _places(self, block: int) -> dict[str, tuple]:
-        """Return where the values of a block are stored: the index in each array, by path of the array."""
+        """Return the index at which the values of a block are stored in each array, by path of the array."""
         if self.plan.sweep.statistics:
             parts = [PARTS, COUNTS] if percentiles(self.plan) else [PARTS]
             return {f"{part}/{name}": (slice(block, block + 1),) for part in parts for name in self._results}
@@ -127,7 +130,7 @@ class Store:
         return places | ({one.name: (region[SAMPLE],) for one in self.plan.swept.values()} if SAMPLE in region else {})
 
     def _drawn(self, block: int) -> dict[str, np.ndarray]:
-        """Return the sampled array parameters of a block by array name; {} if the contacts are a grid."""
+        """Return the values of the sampled array parameters of a block, in SI units by name; {} if the contacts are a grid."""
         region = self.plan.region(block)
         if SAMPLE not in region:
             return {}
@@ -135,7 +138,10 @@ class Store:
         return {one.name: drawn[path].values for path, one in self.plan.swept.items()}
 
     def _statistics(self, results: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
-        """Return the statistics of a block's results by array path, with histograms if percentiles are requested."""
+        """Return statistics over the contacts of a block by path of the stored array.
+
+        results: results of the contacts by name. If percentiles are requested, histograms are included.
+        """
         contacts = len(self.plan.dims)
         values = {f"{PARTS}/{name}": statistics_of(table, contacts)[None] for name, table in results.items()}
         if percentiles(self.plan):
@@ -157,11 +163,14 @@ class Store:
             target = self.group[name]
             rows = np.array([whole[one] for one in self.plan.sweep.statistics])
             target[:] = rows.reshape(target.shape).astype(target.dtype)
-        for file in Path(self.path).rglob("*.partial"):  # which a process that was killed had begun to write
+        for file in Path(self.path).rglob("*.partial"):  # left by processes that were killed while they wrote
             file.unlink(missing_ok=True)
 
     def validity_warnings(self) -> dict[str, int]:
-        """Return the number of points with each validity warning, by its text, over the finished blocks; zeros are omitted."""
+        """Return the number of points with each validity warning, by text of the warning, over the finished blocks.
+
+        Warnings without points are omitted.
+        """
         counts = np.zeros(self.group[DONE].shape[1], dtype=np.int64)
         for row in _each_row(self.group[DONE]):
             counts += np.where(row == NOT_DONE, 0, row)
@@ -169,7 +178,7 @@ class Store:
 
 
 def _checksum(tables: Iterable[np.ndarray]) -> int:
-    """Return the CRC-32 of the bytes of several arrays, one after the other."""
+    """Return the CRC-32 checksum of the bytes of several arrays, one after the other."""
     total = 0
     for table in tables:
         total = crc32(np.ascontiguousarray(table).tobytes(), total)
@@ -177,7 +186,7 @@ def _checksum(tables: Iterable[np.ndarray]) -> int:
 
 
 def percentiles(plan: Plan) -> dict[str, float]:
-    """Return the quantile level, 0 to 1, of each percentile among the requested statistics, by its name."""
+    """Return the quantile level, 0 to 1, of each percentile among the requested statistics of a sweep, by name."""
     return {name: PERCENTILES[name] for name in plan.sweep.statistics if name in PERCENTILES}
 
 
@@ -196,12 +205,12 @@ def _each_counts(array: Any) -> Iterator[np.ndarray]:
         for first in range(0, array.shape[-1], wide):
             parts = array[start : start + step, :, :, first : first + wide]
             yield from parts
-            if not parts[..., -1].any():  # sizes stand in front: none is after these
+            if not parts[..., -1].any():  # occupied bins come first: all further chunks are empty
                 break
 
 
 def open_store(path: str | Path) -> "xarray.Dataset":
-    """Open the results of a sweep as a dataset; values are read from disk when used."""
+    """Open the results of a sweep at a path as a dataset; values are read from disk when used."""
     import xarray
 
     return xarray.open_zarr(path, consolidated=False, chunks=None)

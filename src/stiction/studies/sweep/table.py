@@ -1,4 +1,4 @@
-"""The table [sweep] of a case file: its keys and their checks."""
+"""Define the table [sweep] of a case file: its keys and their checks."""
 
 from typing import Any, Literal, get_args
 
@@ -18,8 +18,9 @@ STATISTICS = (*MOMENTS, *PERCENTILES)
 class Sample(Input):
     """Define how the contacts of a sweep are selected from the values of its array parameters.
 
-    grid: every combination. list: the first values together, then the second, and so on. sobol, latin_hypercube: `count`
-    points between start and stop of each range, uniform in the value or in its logarithm.
+    method: "grid" takes every combination; "list" the first values of all parameters together, then the second, and so on;
+    "sobol" and "latin_hypercube" take `count` points between start and stop of each range, uniform in the value or in its
+    logarithm.
     """
 
     method: Method = Field("grid", description=", ".join(get_args(Method)))
@@ -28,7 +29,7 @@ class Sample(Input):
 
     @property
     def is_drawn(self) -> bool:
-        """Return whether the method samples points between the ends of ranges: sobol or latin_hypercube."""
+        """Return whether the method samples points between the ends of ranges, as sobol and latin_hypercube do."""
         return self.method in ("sobol", "latin_hypercube")
 
     @model_validator(mode="after")
@@ -45,10 +46,10 @@ class Sample(Input):
 class Sweep(Input):
     """Define the table [sweep] of a case file: which contacts are computed and which results are stored.
 
-    roughness: maps, each the roughness of one contact (see `maps`). sample: how contacts are selected. keep: names of
-    results, all by default. statistics: statistics over all contacts at each load, stored in place of single results.
-    precision: number type of stored results. block: points stored at once; by default as many as are solved at once, for
-    statistics up to 8 times as many.
+    roughness: height maps, each the roughness of one contact (see `maps`). sample: how contacts are selected. keep: names of
+    the results to store, all by default. statistics: names of statistics over all contacts at each load, stored instead of
+    single results. precision: number type of stored results. block: points (contacts at a load) stored at once; by default as
+    many as are solved at once, for statistics up to 8 times as many.
     """
 
     roughness: list[str | dict[str, Any]] = Field(

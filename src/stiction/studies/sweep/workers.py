@@ -14,18 +14,18 @@ from stiction.quantities.extras import bring_back
 if TYPE_CHECKING:
     from stiction.studies.sweep.store import Store
 
-# Times that workers may die without a block done between; blocks that wait for each worker.
+# Consecutive deaths of workers, without a finished block between them, that end a sweep; blocks submitted for each worker.
 _DEATHS, _AHEAD = 3, 3
-_EVERY = 5.0  # seconds between countings of the workers of a cluster
-_LEAST_AHEAD = 256  # blocks that wait for a cluster, however small: the scheduler hands them on without asking here
+_EVERY = 5.0  # seconds between two counts of the threads of a cluster
+_LEAST_AHEAD = 256  # smallest number of blocks submitted to a cluster, so that its scheduler always has some to hand out
 
 
-# What every worker needs, imported once for all of them where they can be copies of one process.
+# Modules that every worker needs. They are imported once for all workers where a process can be copied (forkserver).
 _NEEDED = ["stiction.studies.sweep.store", "stiction.studies.case_results", "scipy.stats", "xarray", "zarr"]
 
 
 def make_ready() -> Any:
-    """Return the multiprocessing context for workers, which begins to import their modules in the background."""
+    """Return the multiprocessing context for workers, and begin to import their modules in the background."""
     import multiprocessing
 
     if "forkserver" not in multiprocessing.get_all_start_methods():
@@ -41,7 +41,8 @@ def make_ready() -> Any:
 def done_in_processes(store: "Store", blocks: list[int], workers: int) -> Iterator[int]:
     """Compute blocks in several processes; yield the number of points of each finished block.
 
-    Processes that die are replaced and their blocks repeated. Raises InputError if they die repeatedly.
+    blocks: numbers of the blocks. workers: number of processes. Processes that die are replaced and their blocks repeated.
+    Raises InputError if they die three times without a finished block.
     """
     from concurrent.futures.process import BrokenProcessPool
 
@@ -80,7 +81,7 @@ def _in_pool(store: "Store", blocks: list[int], workers: int) -> Iterator[tuple[
         pool.shutdown(wait=True, cancel_futures=True)
 
 
-_store: "Store | None" = None  # of a process that works for another
+_store: "Store | None" = None  # the store that this worker process writes to
 
 
 def _begin(store: "Store") -> None:
@@ -96,7 +97,7 @@ def _begin(store: "Store") -> None:
 def _end_with_parent() -> None:
     """End this worker process when its parent process ends; otherwise the worker would wait for ever.
 
-    No file is left half written: files are moved into place.
+    No file is left half written, because complete files are moved into place.
     """
     from multiprocessing import parent_process
 
@@ -114,8 +115,8 @@ def _do(block: int) -> int:
 def done_on_cluster(store: "Store", blocks: list[int], address: str) -> Iterator[int]:
     """Compute blocks on a dask.distributed cluster; yield the number of points of each finished block.
 
-    address: of the scheduler; its workers must reach the store under the same path. Raises InputError if the scheduler does
-    not answer, or if workers die repeatedly.
+    blocks: numbers of the blocks. address: address of the scheduler, whose workers must reach the store under the same path.
+    Raises InputError if the scheduler does not answer, or if workers die repeatedly.
     """
     bring_back("dask")
     from distributed import Client, as_completed
@@ -139,7 +140,7 @@ def done_on_cluster(store: "Store", blocks: list[int], address: str) -> Iterator
 
         running = as_completed(submitted())
         try:
-            for batch in running.batches():  # many at a time; requested results would be a message each
+            for batch in running.batches():  # many at a time; requesting results would cost one message each
                 done = [waiting.pop(future.key) for future in batch]
                 running.update(submitted())
                 for future, block in zip(batch, done, strict=True):
@@ -151,7 +152,10 @@ def done_on_cluster(store: "Store", blocks: list[int], address: str) -> Iterator
 
 
 class _Room:
-    """Limit how many blocks are submitted to a cluster at once, by the number of its threads, counted every few seconds."""
+    """Limit how many blocks are submitted to a cluster at once, by the number of its threads.
+
+    The threads are counted every five seconds.
+    """
 
     def __init__(self, client: Any) -> None:
         self.client, self.room, self.counted = client, 0, -_EVERY
@@ -169,7 +173,7 @@ def _do_there(given: bytes, block: int) -> int:
 
 @lru_cache(maxsize=1)
 def _opened(given: bytes) -> "Store":
-    """Unpickle the store that a task carries; the last one is cached.
+    """Return the store that a task carries in pickled form; the last one is cached.
 
     Each task carries the store itself, because data sent to a worker once are lost when the worker dies.
     """

@@ -1,4 +1,4 @@
-"""Prediction intervals of one model over uncertain inputs, with their sampling errors."""
+"""Compute prediction intervals of one model over uncertain inputs, with their sampling errors."""
 
 import json
 from typing import TYPE_CHECKING
@@ -23,22 +23,25 @@ from stiction.studies.uncertainty.drawing import (
 if TYPE_CHECKING:
     import xarray
 
-# Scramblings of the sequence, each on its own: their scatter is the error of the sampling.
+# Number of independently scrambled Sobol sequences; the scatter between them gives the sampling error.
 _PARTS = 8
-_LEAST_KNOWN = 0.5  # the share of the points that must be known for a quantile of them
+_LEAST_KNOWN = 0.5  # fraction of the samples with a result below which no quantile is given
 _MANY = 0.05  # fraction of impossible samples above which a warning is issued
 
 
 def levels(coverage: float) -> np.ndarray:
-    """Return the quantile levels of results: the ends of the interval, the quartiles and the median."""
+    """Return the quantile levels of results (5 or fewer): the ends of the prediction interval, the quartiles and the median.
+
+    coverage: coverage probability of the interval.
+    """
     return np.array(sorted({(1.0 - coverage) / 2.0, 0.25, 0.5, 0.75, (1.0 + coverage) / 2.0}))
 
 
 def quantiles(values: np.ndarray, shares: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return quantiles (levels, ...) of values (parts, n, ...), and their standard errors.
+    """Return quantiles (levels, ...) of values (parts, n, ...), and their standard errors of the same shape.
 
-    The standard error follows from the scatter of the parts, which are independently scrambled sequences (Owen 1997). A
-    quantile is NaN if less than half of the values are known.
+    shares: quantile levels (levels,). The parts are samples from independently scrambled sequences (Owen 1997), whose scatter
+    gives the standard error. A quantile is NaN if less than half of the values are known.
     """
     parts, count = values.shape[:2]
     overall = _quantile(values.reshape(parts * count, *values.shape[2:]), shares)
@@ -56,10 +59,11 @@ def _quantile(values: np.ndarray, shares: np.ndarray) -> np.ndarray:
 
 
 def with_bands(data: "xarray.Dataset", case: Case, choice: Choice, progress: Steps = iter) -> "xarray.Dataset":
-    """Return the results of a case with quantiles over its uncertain numbers.
+    """Return the results of a case with quantiles over its uncertain numbers added.
 
-    Added are NAME_quantile (quantile, ...) and NAME_quantile_error, its standard error due to sampling. Results of a case
-    without uncertain numbers are returned unchanged.
+    data: results of the nominal contact. choice: the model. Added are NAME_quantile (quantile, ...) and NAME_quantile_error,
+    its standard error due to sampling. Without uncertain numbers the results are returned unchanged. For a model that solves
+    height maps, only a warning is added.
     """
     if not case.uncertain:
         return data
@@ -80,7 +84,7 @@ def with_bands(data: "xarray.Dataset", case: Case, choice: Choice, progress: Ste
 def _with_stated_values_beyond(data: "xarray.Dataset") -> "xarray.Dataset":
     """Return the dataset with a warning if mu at the stated values is outside its own interval by more than 1 %.
 
-    This happens if mu has its maximum or minimum at these values, because samples are then all on one side.
+    This happens if mu has a maximum or minimum at these values, because all samples then lie on one side of it.
     """
     if "friction_coefficient_quantile" not in data:
         return data
@@ -103,7 +107,7 @@ def _as_variables(name: str, draws: Draws, shares: np.ndarray) -> dict[str, tupl
 
 
 def _with_notes(data: "xarray.Dataset", case: Case, draws: Draws) -> "xarray.Dataset":
-    """Return the dataset with attributes on the uncertain inputs and warnings of missing or impossible samples."""
+    """Return the dataset with attributes on the uncertain inputs, and with warnings of missing or impossible samples."""
     lost = sum(draws.shares().get(why, 0.0) for why in WHY_NOT[:2])
     impossible = draws.impossible_share
     if lost:
@@ -122,12 +126,12 @@ def _with_notes(data: "xarray.Dataset", case: Case, draws: Draws) -> "xarray.Dat
 
 
 def sampling_attributes(case: Case) -> dict[str, str]:
-    """Return the uncertain inputs of a case and their sampling as text attributes of a result."""
+    """Return two texts for the attributes of a result: the uncertain inputs of a case, and how they were sampled."""
     words = (f"{name}: {together[0].distribution.words}" for name, together in case.unknowns.items())
     drawn = f"{case.uncertainty.count} points, seed {case.uncertainty.seed}"
     return {"uncertain_inputs": "\n".join(words), "uncertainty": drawn}
 
 
 def warning_shares(draws: Draws) -> str:
-    """Return the fraction of all points at which each validity warning applies, as JSON."""
+    """Return JSON text with the fraction of all points (samples at a load) at which each validity warning applies."""
     return json.dumps(draws.shares(), ensure_ascii=False)

@@ -1,4 +1,4 @@
-"""Samples of a contact with uncertain numbers, solved together.
+"""Sample the uncertain numbers of a contact, and solve all samples together.
 
 One model may solve all samples, or each sample may have its own model.
 """
@@ -23,13 +23,16 @@ from stiction.studies.evaluate_many import evaluate_many, evaluate_together
 
 # Results that are computed for samples.
 OUTPUTS = ("friction_coefficient", "contact_area", "load", "pull_off_force")
-_AT_ONCE = 65_536  # points that are solved at once: bounds the memory
+_AT_ONCE = 65_536  # points that are solved at once, to limit the memory
 _MOST = 50_000_000  # largest number of stored points
 
 
 @dataclass(frozen=True)
 class Variant:
-    """Describe a model with its laws and, for a measured surface, the roughness that one asperity method finds."""
+    """Describe a model with its laws and, for a measured surface, the roughness that one asperity method finds.
+
+    roughness: None for the roughness of the case.
+    """
 
     choice: Choice
     roughness: Any = None
@@ -43,9 +46,10 @@ class Variant:
 class Draws:
     """Store the results of n samples of a contact.
 
-    points: number of points of one contact. tables: arrays (n, *shape) by name, NaN where a result is missing or impossible.
-    dims: dimensions of `shape`, by name. attributes: meaning and unit, by name. validity_warnings: number of points by the text
-    of a violated validity range, or of the reason for a missing result. impossible: number of points with an impossible result.
+    points: number of loads or separations of one contact. tables: arrays (n, *shape) by name, NaN where a result is missing or
+    impossible. dims: dimensions of `shape`, by name. attributes: meaning and unit, by name. validity_warnings: number of points
+    (samples at a load or separation) by the text of a violated validity range, or of the reason for a missing result.
+    impossible: number of points with an impossible result.
     """
 
     points: int = 0
@@ -58,13 +62,13 @@ class Draws:
     def shares(self) -> dict[str, float]:
         """Return the fraction of all points for each validity warning or reason for a missing result, by text.
 
-        The most frequent is first; texts without points are left out.
+        A point is a sample at a load or separation. The most frequent text is first; texts without points are left out.
         """
         return {text: count / self._every for text, count in self.validity_warnings.most_common() if count}
 
     @property
     def impossible_share(self) -> float:
-        """Return the fraction of all points with an impossible result."""
+        """Return the fraction of all points (samples at a load or separation) with an impossible result."""
         return self.impossible / self._every
 
     @property
@@ -73,17 +77,17 @@ class Draws:
 
 
 def scrambled(columns: int, count: int, seed: int, parts: int = 1) -> np.ndarray:
-    """Return points (parts, count / parts, columns) from Sobol sequences, one for each part, with coordinates 0 to 1.
+    """Return points of scrambled Sobol sequences, one for each part, (parts, count / parts, columns), with coordinates 0 to 1.
 
-    Each sequence has its own Owen scrambling.
+    count: number of points of all parts together. Each sequence has its own Owen scrambling, which the seed determines.
     """
     return np.array([sobol_points(columns, count // parts, sequence) for sequence in np.random.SeedSequence(seed).spawn(parts)])
 
 
 def _steps(variants: Sequence[Variant], rows: np.ndarray, points: int) -> list[tuple[int, np.ndarray]]:
-    """Return the batches to solve: (index of a variant, indices of rows).
+    """Return the batches to solve: (index of a variant, indices of samples).
 
-    rows: index of the variant of each row; points: number of points of one contact.
+    rows: index of the variant that solves each sample. points: number of loads or separations of one contact.
     """
     size = max(1, _AT_ONCE // max(points, 1))
     steps = []
@@ -103,9 +107,10 @@ def draw(
 ) -> Draws:
     """Solve a case for samples of its uncertain numbers, and return their results.
 
-    shares: quantile levels (n, k) of the case's `unknowns`. variants: models that may be used. rows: index of the variant that
-    solves each sample, by default the first. names: results to return. progress: wraps the list of batches. Raises InputError
-    if the first variant refuses the nominal contact, or if there are too many points.
+    shares: quantile levels (n, k) of the n samples, one column for each of the k entries in the case's `unknowns`. variants:
+    models that may be used. rows: index of the variant that solves each sample, by default the first. names: results to return.
+    progress: wraps the list of batches. Raises InputError if the first variant refuses the nominal contact, if a variant solves
+    height maps, or if there are too many points.
     """
     for variant in variants:
         if solves_maps(variant.choice):
@@ -127,19 +132,23 @@ def draw(
 
 
 def _points(case: Case) -> dict[str, Any] | None:
-    """Return the loads of the case; None if it has separations, which the case computes again where sigma varies."""
+    """Return the loads of the case as {"load": loads}; None if it states separations.
+
+    None makes the case compute its separations for each sample, because they may be multiples of an uncertain sigma.
+    """
     return None if case.load is None else {"load": case.load}
 
 
 def solves_maps(choice: Choice) -> bool:
-    """Return whether this model solves a height map, which is too slow for thousands of samples."""
+    """Return whether a model solves a height map, which is too slow for thousands of samples."""
     return find(choice.model_key, RoughSurface).of_map is not None
 
 
 def _layout(case: Case, variants: Sequence[Variant], names: Sequence[str]) -> Draws:
-    """Return the shapes and meanings of all results, from the nominal contact.
+    """Return Draws with the shapes and meanings of all results, from the nominal contact, but without samples.
 
-    Variants that refuse the nominal contact are ignored, except for the first. Raises InputError or ArithmeticError.
+    names: names of the results. Variants that refuse the nominal contact are ignored, except for the first. Raises InputError
+    or ArithmeticError if the first refuses it.
     """
     draws = Draws()
     for index, variant in enumerate(variants):
@@ -168,7 +177,7 @@ def _keep(draws: Draws, rows: np.ndarray, solved: BatchResult | None) -> None:
     for name, (dims, values, _) in solved.variables.items():
         if name in draws.tables:
             values = np.where(impossible, np.nan, values) if tuple(dims) == points else values
-            wanted = draws.dims[name]  # separations over a sigma that is drawn have a name of their own
+            wanted = draws.dims[name]  # the dimension of separations is called "separation" where sigma is sampled
             have = ["mean_separation" if dim == "separation" and dim not in wanted else dim for dim in dims]
             draws.tables[name][rows] = arranged(values, have, (SAMPLE, *wanted))
     times = len(rows) * draws.points // bits.size
