@@ -39,7 +39,7 @@ class Measurements:
 
     Each field has n entries. quantity: name of the measured result, e.g. "friction_force". sample: name of the series, "" if
     not stated. load: in N, or dimensionless for [indices]; NaN if not stated. error: standard error of the value, NaN if not
-    stated. known: numbers of the contact stated in the same row, by address. line: line number in the file.
+    stated. known: numbers of the contact stated in the same row, by address (tuple of keys). line: line number in the file.
     """
 
     quantity: tuple[str, ...]
@@ -201,7 +201,8 @@ def _entries(line_number: int, cells: Mapping[str, str], columns: Mapping[str, _
     """Return one tuple for each measured value in a line of the file.
 
     cells: text of each cell by column name. columns: description of each column by column name. A tuple is (quantity, sample,
-    load, value, standard error, numbers of the contact by address, line number), in SI units. Raises InputError.
+    load, value, standard error, numbers of the contact by address (tuple of keys), line number), in SI units. Raises
+    InputError.
     """
     sample, load, known = "", float("nan"), {}
     values: dict[str, float] = {}

@@ -52,12 +52,12 @@ class Case:
     """Store a case as read from a case file: a contact, the points to solve, the model and the uncertain inputs.
 
     title: text, "" if not stated. subject: a Contact, or dimensionless Indices. Its swept numbers are arrays with named
-    dimensions, its uncertain numbers have their nominal values. separation, load: the points to solve, of which one is an array
+    dimensions, its uncertain numbers have their nominal values. separation, load: the points to solve, one of them an array
     (n,) and the other None. They are in m and N for a Contact. For Indices they are h = d/sigma and the load over K R^(1/2)
     sigma^(3/2) per asperity. If sigma is swept, separations stated as multiples of sigma are an array with named dimensions.
     choice: the model with its laws and options. uncertain: uncertain numbers with their distributions. uncertainty: how they
-    are sampled. swept: arrays of the swept numbers by address. points: separations as the file states them; None without
-    separations.
+    are sampled. swept: arrays of the swept numbers by address (tuple of keys). points: separations as the file states them;
+    None without separations.
     """
 
     title: str
@@ -78,7 +78,8 @@ class Case:
     def at(self, numbers: Mapping[Address, Any]) -> "Case":
         """Return a copy of the case with the entries at some addresses replaced.
 
-        numbers: new entries by address: SI numbers, arrays with named dimensions, or names such as "gold". Raises InputError.
+        numbers: new entries by address (tuple of keys): SI numbers, arrays with named dimensions, or names such as "gold".
+        Raises InputError.
         """
         (subject,) = with_numbers(self.tables, numbers).values()
         points = None if self.separation is None else self.points
@@ -100,7 +101,7 @@ class Case:
         return by_dimension
 
     def numbers_at(self, shares: np.ndarray) -> dict[Address, Any]:
-        """Return arrays of all swept numbers, and of the uncertain numbers at given quantile levels, by address.
+        """Return all swept numbers, and the uncertain numbers at given quantile levels, as arrays by address (tuple of keys).
 
         shares: quantile levels (n, k), one column for each of the k dimensions in `unknowns`. The values of uncertain numbers
         are arrays along the dimension `sample` of length n, in SI units.
@@ -295,11 +296,11 @@ def case_in(content: Mapping, folder: Path = Path()) -> Case:
 
 
 def with_files_read(content: Mapping, folder: Path) -> tuple[Mapping, dict[Address, SweptNumber]]:
-    """Return the tables of a case after reading all files that they name, and its swept and uncertain numbers by address.
+    """Return the tables of a case after reading all files that they name, and its swept and uncertain numbers.
 
-    folder: folder at which relative paths start. In the returned tables, names of user-defined materials are replaced by the
-    materials and scans by the roughness measured from them. A swept number is replaced by its first value, an uncertain number
-    by its nominal value. Raises InputError.
+    The numbers are by address (tuple of keys). folder: folder at which relative paths start. In the tables, names of
+    user-defined materials are replaced by the materials, scans by the roughness measured from them, swept numbers by their
+    first value, and uncertain numbers by their nominal value. Raises InputError.
     """
     refuse_bare_numbers(content, "")
     numbers: dict[Address, SweptNumber] = dict(swept_numbers(content))
@@ -318,10 +319,10 @@ def with_files_read(content: Mapping, folder: Path) -> tuple[Mapping, dict[Addre
 
 
 def with_single_numbers(content: Mapping[str, Any], folder: Path, allowed: str) -> tuple[Mapping, dict[Address, Uncertain]]:
-    """Return the tables of a case without those of studies, after reading all files, and its uncertain numbers by address.
+    """Return the tables of a case without those of studies, after reading all files, and its uncertain numbers.
 
-    folder: folder at which relative paths start. Raises InputError if a number is swept. allowed: text for this error that says
-    what a list of values may be instead.
+    These are by address (tuple of keys). folder: folder at which relative paths start. Raises InputError if a number is swept.
+    allowed: text for this error that says what a list of values may be instead.
     """
     content, numbers = with_files_read(without_studies(content), folder)
     uncertain = {}
@@ -346,7 +347,8 @@ def wants_ranges(content: Mapping) -> bool:
 def _refuse_beside_scans(content: Mapping, swept: Mapping, uncertain: Mapping[Address, Uncertain]) -> None:
     """Raise InputError if scans define the roughness and a roughness parameter is swept or uncertain too.
 
-    content: tables of the case after reading all files. swept, uncertain: swept and uncertain numbers by address.
+    content: tables of the case after reading all files. swept, uncertain: swept and uncertain numbers by address (tuple of
+    keys).
     """
     if getattr(roughness_in(content), "measured", None) is None:
         return
@@ -358,8 +360,8 @@ def _refuse_beside_scans(content: Mapping, swept: Mapping, uncertain: Mapping[Ad
 def case_of(content: Mapping, numbers: Mapping[Address, Any] | None = None) -> Case:
     """Return the Case that these tables describe, after replacing the entries at some addresses.
 
-    content: tables of a case, which name no files. numbers: SI numbers or arrays with named dimensions by address. Raises
-    InputError.
+    content: tables of a case, which name no files. numbers: SI numbers or arrays with named dimensions by address (tuple of
+    keys). Raises InputError.
     """
     file = case_tables()(**with_numbers(content, numbers or {}))
     subject = file.contact or file.indices

@@ -156,7 +156,7 @@ class SweptNumber:
     def array(self, values: np.ndarray, dimension: str | None = None) -> "xarray.DataArray":
         """Return given values (n,) of this number, in SI units, as an xarray.DataArray with a coordinate of the same values.
 
-        dimension: name of its dimension; by default that of the swept number.
+        dimension: name of the dimension of the array; None uses the dimension of the swept number.
         """
         import xarray
 
@@ -172,7 +172,10 @@ class SweptNumber:
 
 
 def swept_numbers(content: Mapping) -> dict[Address, SweptNumber]:
-    """Return the swept numbers in the tables [contact] and [indices] of a case by address. Raises InputError."""
+    """Return the swept numbers in the tables [contact] and [indices] of a case, by address (tuple of keys).
+
+    Raises InputError.
+    """
     entries = {path: entry for path, entry in numbers_in(content, ("contact", "indices")) if not with_error(entry)}
     short = [path[-1] for path in entries]
     return {path: _read(path, entry, short.count(path[-1]) > 1) for path, entry in entries.items()}

@@ -132,7 +132,7 @@ class Uncertain(SweptNumber):
 
 
 def uncertain_numbers(content: Mapping, folder: Path = Path(), of_materials: Path | None = None) -> dict[Address, Uncertain]:
-    """Return the uncertain numbers of the tables [contact], [indices] and [materials] by address.
+    """Return the uncertain numbers of the tables [contact], [indices] and [materials] by address (tuple of keys).
 
     content: tables of a case. folder: folder at which relative paths of sample files start. of_materials: this folder for
     [materials]; None if it is the same. Raises InputError.
@@ -280,8 +280,8 @@ def _is_number(text: str) -> bool:
 def at_bodies(numbers: Mapping[Address, Uncertain], content: Mapping) -> Iterator[Uncertain]:
     """Yield the uncertain numbers of a case with the addresses of the bodies that have them.
 
-    numbers: uncertain numbers by address. content: tables of the case. A number of a user-defined material is yielded once for
-    every body of this material, unless the body states its own value. All other numbers are yielded unchanged.
+    numbers: uncertain numbers by address (tuple of keys). content: tables of the case. A number of a user-defined material is
+    yielded once for every body of this material, unless the body states its own value. All other numbers are yielded unchanged.
     """
     for path, number in numbers.items():
         if path[0] != "materials":
@@ -297,8 +297,8 @@ def at_bodies(numbers: Mapping[Address, Uncertain], content: Mapping) -> Iterato
 def with_ranges(content: Mapping, taken: Sequence[Address]) -> Iterator[Uncertain]:
     """Yield an uncertain number for every material property that has a stated range, for both bodies and the film.
 
-    content: tables of a case. taken: addresses to skip. A positive property is log-uniform in its range, others are uniform.
-    The same property of two bodies of one material is sampled at the same quantile levels.
+    content: tables of a case. taken: addresses (tuples of keys) of numbers to skip. A positive property is log-uniform in its
+    range, others are uniform. The same property of two bodies of one material is sampled at the same quantile levels.
     """
     for body in BODIES:
         material = _material_of(entry_at(content, body))

@@ -111,13 +111,13 @@ def slide_case(
     choice : Choice, optional
         Model and laws that replace those of the case.
     residual_strength : float, optional
-        As in `slide`, 0 to 1.
+        Fraction of its shear strength that an asperity, or a point of a map, retains once it slides, 0 to 1.
     weakening_slip : float [m] or str with a unit, optional
-        As in `slide`.
+        For a height map: slip over which a point loses the rest of its strength.
     spring_stiffness : float [N/m] or str with a unit, optional
-        As in `slide`.
+        For a height map: stiffness of the machine that moves it; by default rigid.
     tangential_force : float [N], str with a unit, or array, optional
-        As in `slide`.
+        For a height map at one load: tangential forces to apply instead of displacements.
 
     Returns
     -------
@@ -154,8 +154,8 @@ def slide_case(
 def with_groups(data: "xarray.Dataset", subject: Subject) -> "xarray.Dataset":
     """Return a dataset of results with the dimensionless groups of the contact added.
 
-    A group that is a single number becomes an attribute. A group that is an array becomes a variable, unless the dataset has a
-    variable of this name.
+    A group that is a single number becomes an attribute. A group that is an array becomes a variable, unless the dataset
+    already has one of this name.
     """
     groups: dict[str, Any] = subject.all_groups()
     swept = {

@@ -1,4 +1,4 @@
-"""Evaluate one model for many variants of a case, some of which the model may refuse.
+"""Evaluate one model for many variants of a case; the model may refuse some of them.
 
 All studies of many contacts (uncertainty, sensitivity, sweep, fit, design) use it. The numbers that vary are labelled arrays
 (xarray.DataArray), given by their addresses in the case. The contacts are all combinations along the dimensions of these

@@ -130,7 +130,7 @@ def designed_case(search: "DesignSearch", out: Path) -> str:
 def _with_numbers(content: Any, numbers: Mapping[tuple[str, ...], Any]) -> Any:
     """Return the tables of a case file with the choices of a design written into them.
 
-    content: the tables. numbers: chosen number in SI units, or chosen list entry, by address in the case.
+    content: the tables. numbers: chosen number in SI units, or chosen list entry, by address in the case (tuple of keys).
     """
     for path, entry in sorted(numbers.items(), key=lambda one: one[0][-1] in QUANTITIES):  # materials before their numbers
         if path == LOAD:

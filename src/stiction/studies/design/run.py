@@ -294,7 +294,7 @@ def _seeds(search: DesignSearch, number: int, ceiling: float | None, rng: np.ran
 
 
 def _refined(search: DesignSearch, number: int, callback: Callback) -> None:
-    """Refine the free numbers of the best designs by COBYQA (Ragonneau 2022), a local optimiser.
+    """Refine the free parameters of the best designs by COBYQA (Ragonneau 2022), a local optimiser.
 
     number: index of the objective. COBYQA fits quadratic models, and so finds the optimum to many digits, also at an end of a
     number or where a constraint is active. Designs evaluated by the prediction, which is known to two digits, are not refined.

@@ -60,7 +60,7 @@ class Evaluated:
 
 @dataclass
 class DesignSpace:
-    """Evaluate the designs of a plan, given as shares (n, d) of n designs with d choices; choices from lists come first.
+    """Evaluate n designs of a plan, given by the positions (n, d), 0 to 1, of their d choices; choices from lists come first.
 
     choice: model and laws. is_predicted: whether the prediction evaluates the designs instead. names: results to compute.
     """
@@ -113,8 +113,8 @@ class DesignSpace:
     def _evaluated(self, numbers: Mapping, points: Mapping) -> Iterator[tuple[Region, Any, Any]]:
         """Solve designs in batches, by the named model or the prediction, and yield (region, case, results) of each batch.
 
-        region: {"design": slice}. numbers: values of the choices by address. points: {"load": loads}. For a refused design,
-        case and results are None.
+        region: {"design": slice}. numbers: values of the choices by address (tuple of keys). points: {"load": loads}. For a
+        refused design, case and results are None.
         """
         if not self.is_predicted:
             return evaluate_many(self.case, numbers, points, self.choice, self._kept, along=(_DESIGN,))
@@ -137,7 +137,7 @@ class DesignSpace:
         return [one for one in kept if one.path not in chosen]
 
     def numbers(self, shares: np.ndarray) -> dict[Address, Any]:
-        """Return the choices of one design by address in the case: numbers in SI units, or list entries.
+        """Return the choices of one design by address in the case (tuple of keys): numbers in SI units, or list entries.
 
         shares (d,): position of each choice, 0 to 1.
         """
@@ -244,9 +244,10 @@ class DesignSpace:
         return product
 
     def _contacts(self, shares: np.ndarray, some: np.ndarray) -> tuple[dict[Address, Any], dict[str, Any]]:
-        """Return the numbers of designs by address, with samples of uncertain numbers, and their loads as {"load": array}.
+        """Return the numbers of designs, with samples of uncertain numbers, and their loads as {"load": array}.
 
-        shares (n, d). some: indices of the designs, which must have the same choices of everything that is not a number.
+        The numbers are by address (tuple of keys). shares (n, d): position of each choice, 0 to 1. some: indices of designs
+        with the same choices of everything that is not a number.
         """
         from xarray import DataArray
 
@@ -266,9 +267,10 @@ class DesignSpace:
         return named | numbers, {"load": DataArray(self.case.load, dims=("load",)) if load is None else load}
 
     def _sampled(self, named: Mapping[Address, Any], chosen: list[Address]) -> dict[Address, np.ndarray]:
-        """Return samples (samples,) of each uncertain number that the design does not choose, by address; {} for a prediction.
+        """Return samples (samples,) of each uncertain number that the design does not choose; {} for a prediction.
 
-        named: choices that are not numbers, by address. chosen: addresses of chosen numbers.
+        All arguments and results are by address (tuple of keys). named: choices that are not numbers. chosen: addresses of
+        chosen numbers.
         """
         if self.is_predicted:
             return {}

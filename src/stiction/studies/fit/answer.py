@@ -1,6 +1,6 @@
 """Fit one model to measured values, with intervals and sentences on what the data do not determine.
 
-A free number is a number of the case that the fit varies between a low and a high end. The fit works with its share: the
+A free parameter is a number of the case that the fit varies between a low and a high end. The fit works with its share: the
 position between the low end (0) and the high end (1), linear or logarithmic.
 """
 
@@ -28,13 +28,13 @@ _FAR_OFF = 0.5  # scatter over the size of the values above which the model does
 
 @dataclass(frozen=True)
 class Fitted:
-    """Hold one model with its best-fit free numbers and their intervals.
+    """Hold one model with its best-fit free parameters and their intervals.
 
-    name: name of the model, "" for that of the case. forward: the model with its data. best: the best fit. errors: standard
-    errors (n,) of the n measured values, multiplied by `scale`. stated: whether the data file states the errors. found: whether
-    `scale` was estimated from the scatter of the values; otherwise it is 1. threshold: rise of chi square that marks the ends
-    of an interval. freedom: number of values minus number of free numbers that affect the model. profiles: one likelihood
-    profile for each free number, or none.
+    name: name of the model, "" for the model that the case names. forward: the model with its data. best: the best fit. errors:
+    standard errors (n,) of the n measured values, multiplied by `scale`. stated: whether the data file states the errors.
+    found: whether `scale` was estimated from the scatter of the values; otherwise it is 1. threshold: rise of chi square that
+    marks the ends of an interval. freedom: number of values minus number of free parameters that affect the model. profiles:
+    one likelihood profile for each free parameter, or none.
     """
 
     name: str
@@ -54,7 +54,7 @@ class Fitted:
 
     @property
     def values(self) -> np.ndarray:
-        """Return the best-fit values (k,) of the k free numbers, in SI units."""
+        """Return the best-fit values (k,) of the k free parameters, in SI units."""
         return self.at(self.best.shares)
 
     @property
@@ -66,7 +66,7 @@ class Fitted:
         return np.array([one.at(share) for one, share in zip(self.parameters, shares, strict=True)])
 
     def log_likelihood(self, rise: np.ndarray) -> np.ndarray:
-        """Return the log-likelihood relative to that of the best fit, for a rise of chi square of any shape.
+        """Return the log-likelihood minus its value at the best fit, for a rise of chi square of any shape.
 
         If the size of the errors was estimated from the same values, it is integrated out (Gelman et al. 2013, section 14.2:
         Student's t for a linear model).
@@ -75,9 +75,10 @@ class Fitted:
         return -0.5 * len(self.errors) * np.log1p(rise / self.freedom) if self.found else -0.5 * rise
 
     def residuals(self) -> Residuals:
-        """Return a function that computes residuals, (model - measured)/standard error, from shares of the free numbers.
+        """Return a function that computes residuals, (model - measured)/standard error, for sets of the k free parameters.
 
-        It maps shares (sets, k) of k free numbers to residuals (sets, n) of n measured values.
+        The function maps positions (sets, k) of the numbers between their ends, 0 to 1, to residuals (sets, n) of n measured
+        values.
         """
         return _residuals(self.forward, self.errors)
 
@@ -105,9 +106,9 @@ def fitted(name: str, forward: ForwardModel, with_profiles: bool = True) -> Fitt
 def _searched(forward: ForwardModel, errors: np.ndarray, start: np.ndarray) -> Best:
     """Return the best fit of a model.
 
-    errors: standard errors (n,). start: shares (k,), 0 to 1, from which the search starts. Errors far smaller than the measured
-    values are enlarged for the search, all by one factor, which does not move the minimum. Otherwise residuals would be clipped
-    everywhere except near the minimum, and the search would find no slope.
+    errors: standard errors (n,). start: positions (k,) of the k free parameters between their ends, 0 to 1, at which the search
+    starts. Errors far smaller than the measured values are enlarged for the search, all by one factor, which does not move the
+    minimum. Otherwise residuals would be clipped everywhere except near the minimum, and the search would find no slope.
     """
     sizes = {
         name: np.abs(forward.data.value[np.array(forward.data.quantity) == name]).max() for name in forward.data.quantities
@@ -174,7 +175,7 @@ def _errors(data: Measurements) -> tuple[np.ndarray, bool]:
 
 
 def _start(forward: ForwardModel) -> np.ndarray:
-    """Return the shares (k,), 0 to 1, of the k free numbers at which the search starts.
+    """Return the positions (k,), 0 to 1 between their ends, of the k free parameters at which the search starts.
 
     A number starts at its value in the case, or at 0.5 if the case has no value between its ends.
     """
@@ -200,7 +201,7 @@ def _given(content, path):
 
 
 def diagnostics(fit: Fitted) -> list[str]:
-    """Return one sentence for each problem of a fit, above all for free numbers that the data determine badly or not at all."""
+    """Return one sentence for each problem of a fit, e.g. for each free parameter that the data do not determine."""
     found = []
     groups = _indistinguishable(fit)
     for group in groups:
@@ -244,7 +245,7 @@ def _is_wide(fit: Fitted, at: int) -> bool:
 
 
 def _indistinguishable(fit: Fitted) -> list[list[int]]:
-    """Return groups of free numbers that are badly determined because they can change together, as lists of indices.
+    """Return groups of free parameters that are badly determined because they can change together, as lists of indices.
 
     Two numbers are grouped if, within the interval of either, the other moves more than five times as far as it could alone.
     """
@@ -257,7 +258,7 @@ def _indistinguishable(fit: Fitted) -> list[list[int]]:
 
 
 def _carries(fit: Fitted, at: int, other: int) -> bool:
-    """Return whether free number `other` moves far within the interval of free number `at`, while chi square stays low.
+    """Return whether free parameter `other` moves far within the interval of free parameter `at`, while chi square stays low.
 
     at, other: indices of the numbers. Far means five times as far as `other` could move alone, or 80 % of its range.
     """
@@ -268,7 +269,7 @@ def _carries(fit: Fitted, at: int, other: int) -> bool:
 
 
 def _is_traded(fit: Fitted, at: int, other: int) -> bool:
-    """Return whether two free numbers, given by their indices, may compensate each other.
+    """Return whether two free parameters, given by their indices, may compensate each other.
 
     They may if the data determine both badly, or if the interval of one reaches an end and both change at similar rates.
     """
@@ -281,7 +282,7 @@ def _is_traded(fit: Fitted, at: int, other: int) -> bool:
 
 
 def _span(fit: Fitted, at: int, other: int) -> float:
-    """Return how far free number `other` moves, as a fraction of its range, within the interval of free number `at`."""
+    """Return how far free parameter `other` moves, as a fraction of its range, within the interval of free parameter `at`."""
     path = fit.profiles[at].others[fit.profiles[at].rise <= fit.threshold, other]
     return float(np.ptp(path)) if path.size else 0.0
 
@@ -292,7 +293,7 @@ def _size(fit: Fitted, at: int) -> float:
 
 
 def _ways(fit: Fitted, group: Sequence[int]) -> str:
-    """Return two very different sets of some free numbers that fit about equally well, as text.
+    """Return two very different sets of some free parameters that fit about equally well, as text.
 
     group: indices of the numbers. The sets are those at the two ends of the interval of the first number.
     """

@@ -1,6 +1,6 @@
-"""Predict with a fitted model, with 95 % bands from the uncertainty of its free numbers.
+"""Predict with a fitted model, with 95 % bands from the uncertainty of its free parameters.
 
-A free number is a number of the case that the fit varies. Its share is its position between its low end (0) and its high end
+A free parameter is a number of the case that the fit varies. Its share is its position between its low end (0) and its high end
 (1).
 """
 
@@ -35,8 +35,8 @@ class Bands:
     """Hold the predictions of a fitted model for each measured quantity.
 
     tables: by name of the quantity, (dimensions, best values, low and high ends of the 95 % band) in SI units. coords:
-    coordinates of the dimensions. sample: name of the measured sample that is predicted, if samples have free numbers of their
-    own. effective: effective number of posterior samples behind the bands.
+    coordinates of the dimensions. sample: name of the measured sample that is predicted, if samples have free parameters of
+    their own. effective: effective number of posterior samples behind the bands.
     """
 
     tables: dict[str, tuple[tuple[str, ...], np.ndarray, np.ndarray, np.ndarray]]
@@ -46,10 +46,10 @@ class Bands:
 
 
 def draws_of(fit: Fitted, seed: int = 1) -> tuple[np.ndarray, float]:
-    """Return posterior samples (m, k) of the shares of the k free numbers, and the effective number of samples.
+    """Return posterior samples (m, k) of the k free parameters, and the effective number of samples.
 
-    Method: importance sampling with Sobol points. The proposal mixes a wide Student's t distribution about the best fit with a
-    uniform distribution.
+    A sample holds the position of each number between its ends, 0 to 1. Method: importance sampling with Sobol points. The
+    proposal mixes a wide Student's t distribution about the best fit with a uniform distribution.
     """
     k = len(fit.parameters)
     points = sobol_points(k + 1, _TRIED, seed)
@@ -89,8 +89,8 @@ def _density(standard: np.ndarray, root: np.ndarray) -> np.ndarray:
 def predicted(plan: FitPlan, fit: Fitted) -> Bands:
     """Predict the measured quantities at the loads or separations of [solve], with 95 % bands.
 
-    Numbers of the table [fit.predict] replace those of the case. If samples have free numbers of their own, the first sample is
-    predicted. Raises InputError if the contact cannot be solved.
+    Numbers of the table [fit.predict] replace those of the case. If samples have free parameters of their own, the first sample
+    is predicted. Raises InputError if the contact cannot be solved.
     """
     sample = plan.data.samples[0] if any(x.sample is not None for x in fit.parameters) else None
     columns = [at for at, x in enumerate(fit.parameters) if x.sample in (None, sample)]
@@ -132,7 +132,10 @@ def check_predicted(plan: FitPlan) -> None:
 
 
 def _predicted_numbers(plan: FitPlan) -> dict[Address, Any]:
-    """Return the numbers of the table [fit.predict] by address, in SI units; lists and ranges become labelled arrays."""
+    """Return the numbers of the table [fit.predict] by address (tuple of keys), in SI units.
+
+    Lists and ranges become labelled arrays (xarray).
+    """
     from stiction.case.addresses import address_of, leaves_of
     from stiction.case.swept import number_of, swept_numbers
 
@@ -156,9 +159,10 @@ def _predicted_numbers(plan: FitPlan) -> dict[Address, Any]:
 
 
 def _numbers(named: list[Free], sets: np.ndarray, taken: set[Address]) -> dict[Address, Any]:
-    """Return the values (sets,) of free numbers by address, in SI units, without those at the addresses `taken`.
+    """Return the values (sets,) of free parameters, in SI units by address (tuple of keys), except for some addresses.
 
-    named: the free numbers. sets (sets, k): their shares, 0 to 1. taken: addresses that [fit.predict] sets.
+    named: the free parameters. sets (sets, k): positions of the k numbers between their ends, 0 to 1. taken: the addresses that
+    are left out, because [fit.predict] sets these numbers.
     """
     return {x.path: x.at(sets[:, at]) for at, x in enumerate(named) if x.path not in taken}
 
@@ -183,7 +187,7 @@ def _of(solved: BatchResult, name: str, resistance: Any, sets: int) -> tuple[tup
     """Return a measured quantity from solved results: its dimensions, and its values (sets, *dimensions) in SI units.
 
     name: name of the quantity. resistance: specific contact resistance [ohm m^2], one number or (sets,). sets: number of sets
-    of free numbers.
+    of free parameters.
     """
     result = result_of(name)
     dims, values, _ = solved.variables[result]

@@ -1,6 +1,6 @@
-"""Evaluate a model at the measured points, for many sets of its free numbers at once.
+"""Evaluate a model at the measured points, for many sets of its free parameters at once.
 
-A free number is a number of the case that the fit varies between a low and a high end.
+A free parameter is a number of the case that the fit varies between a low and a high end.
 """
 
 from collections.abc import Mapping, Sequence
@@ -32,7 +32,7 @@ class _Group:
     """Hold which measured values are evaluated together.
 
     rows: their indices in the data. known: numbers of the contact that the data state for each of these values, (rows,) by
-    address. columns: indices of the free numbers on which these values depend.
+    address (tuple of keys). columns: indices of the free parameters on which these values depend.
     """
 
     rows: np.ndarray
@@ -42,10 +42,10 @@ class _Group:
 
 @dataclass(frozen=True)
 class ForwardModel:
-    """Hold a model with its free numbers and the measured values that the model should reproduce.
+    """Hold a model with its free parameters and the measured values that the model should reproduce.
 
-    choice: the model with its laws. parameters: the free numbers. data: the measured values. groups: which values are evaluated
-    together.
+    choice: the model with its laws. parameters: the free parameters. data: the measured values. groups: which values are
+    evaluated together.
     """
 
     plan: FitPlan
@@ -57,7 +57,7 @@ class ForwardModel:
     def values(self, shares: np.ndarray) -> np.ndarray:
         """Return what the model computes for the n measured values, (sets, n) in SI units; NaN where it refuses.
 
-        shares (sets, k): for each set, the position of each of the k free numbers between its ends, 0 to 1.
+        shares (sets, k): for each set, the position of each of the k free parameters between its ends, 0 to 1.
         """
         shares = np.atleast_2d(shares)
         numbers = [one.at(shares[:, at]) for at, one in enumerate(self.parameters)]
@@ -109,9 +109,9 @@ def solved_sets(
 ) -> dict[str, np.ndarray]:
     """Solve rows of contacts for many sets of numbers, and return results (sets, rows) by name.
 
-    numbers: values (sets,) that differ between sets, by address. known: values (rows,) that differ between rows, by address.
-    load: load of each row [N] (rows,), NaN if the results need no load. keep: names of the results. A set that the model
-    refuses gives NaN.
+    numbers: values (sets,) that differ between sets, by address (tuple of keys). known: values (rows,) that differ between
+    rows, by address. load: load of each row [N] (rows,), NaN if the results need no load. keep: names of the results. A set
+    that the model refuses gives NaN.
     """
     from xarray import DataArray
 
@@ -129,10 +129,10 @@ def solved_sets(
 
 
 def forward_model(plan: FitPlan, model: str | None = None, data: Measurements | None = None) -> ForwardModel:
-    """Return the model of a fit plan with its free numbers and measured values.
+    """Return the model of a fit plan with its free parameters and measured values.
 
-    model: name of a model to use instead of that of the case. data: some of the measured values, to use instead of all. Raises
-    InputError if the model does not compute a measured quantity.
+    model: name of a model to use instead of the one that the case names. data: some of the measured values, to use instead of
+    all. Raises InputError if the model does not compute a measured quantity.
     """
     data = plan.data if data is None else data
     parameters = _parameters(plan)
@@ -144,7 +144,7 @@ def forward_model(plan: FitPlan, model: str | None = None, data: Measurements | 
 
 
 def case_between_the_ends(plan: FitPlan, data: Measurements) -> "Case":
-    """Return the case of a plan at the measured loads, with each free number halfway between its ends.
+    """Return the case of a plan at the measured loads, with each free parameter halfway between its ends.
 
     data: measured values; the first row also supplies the numbers of the contact that the data state. Without loads, the case
     keeps its points.
@@ -167,7 +167,7 @@ def check_models(plan: FitPlan) -> None:
 
 
 def _parameters(plan: FitPlan) -> tuple[Free, ...]:
-    """Return the free numbers of a fit: each once, or once for every measured sample if samples have values of their own."""
+    """Return the free parameters of a fit: each once, or once for every measured sample if samples have values of their own."""
     return tuple(
         replace(one, sample=sample) for one in plan.free for sample in (plan.data.samples if one.each_sample else [None])
     )
@@ -176,7 +176,7 @@ def _parameters(plan: FitPlan) -> tuple[Free, ...]:
 def _groups(data: Measurements, parameters: Sequence[Free]) -> tuple[_Group, ...]:
     """Return groups of measured values that can be solved together.
 
-    The values of a group state the same numbers of the contact, depend on the same free numbers, and all have a load or all
+    The values of a group state the same numbers of the contact, depend on the same free parameters, and all have a load or all
     have none.
     """
     found: dict[tuple, list[int]] = {}
@@ -197,7 +197,7 @@ def _groups(data: Measurements, parameters: Sequence[Free]) -> tuple[_Group, ...
 def _check_answers(forward: ForwardModel, subject: Any) -> None:
     """Raise InputError if the model does not compute one of the measured quantities.
 
-    subject: the contact with each free number halfway between its ends, with which this is tried.
+    subject: a contact with which this is tried; its free parameters are halfway between their ends.
     """
     load = forward.data.load[np.isfinite(forward.data.load)]
     point: dict[str, Any] = {"load": float(load[0])} if load.size else {"separation": 0.0}

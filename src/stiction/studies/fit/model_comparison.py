@@ -85,9 +85,9 @@ def _cross_validation_error(plan: FitPlan, fit: Fitted) -> float:
 def _folds(plan: FitPlan) -> list[np.ndarray]:
     """Return the folds (parts of the data) of the cross-validation, each an array of indices of measured values.
 
-    With three or more samples, and no free number fitted per sample, each sample is a fold. Otherwise the values are sorted by
-    sample and load, and every fifth goes into one fold, so that each fold covers the whole range. The list is empty if any fold
-    leaves too few values for a fit.
+    With three or more samples, and no free parameter fitted per sample, each sample is a fold. Otherwise the values are sorted
+    by sample and load, and every fifth goes into one fold, so that each fold covers the whole range. The list is empty if any
+    fold leaves too few values for a fit.
     """
     data, each = plan.data, any(one.each_sample for one in plan.free)
     if len(data.samples) >= 3 and not each:
@@ -101,7 +101,7 @@ def _folds(plan: FitPlan) -> list[np.ndarray]:
 def _is_enough(plan: FitPlan, rest: np.ndarray) -> bool:
     """Return whether the measured values with the indices `rest` suffice for a fit.
 
-    They must outnumber the free numbers. If any number is fitted per sample, every sample must occur among them.
+    They must outnumber the free parameters. If any number is fitted per sample, every sample must occur among them.
     """
     each = sum(one.each_sample for one in plan.free)
     samples = {plan.data.sample[at] for at in rest}

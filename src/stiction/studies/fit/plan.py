@@ -1,6 +1,6 @@
 """Read the table [fit] of a case into a fit plan, and check it against the measured values.
 
-A free number is a number of the case that the fit varies between a low and a high end.
+A free parameter is a number of the case that the fit varies between a low and a high end.
 """
 
 from collections.abc import Iterable, Mapping
@@ -33,8 +33,8 @@ class FitPlan:
     content: tables of the case without [fit], with scans and user-defined materials read. case: the case of these tables.
     given: the tables as the user wrote them. folder: folder at which relative paths in the tables start. free: the free
     numbers. models: names of alternative models. predict: table of numbers of the contact for which the fitted model predicts.
-    resistance: specific contact resistance [ohm m^2], or None. data: the measured values. uncertain: addresses of numbers that
-    the case states as uncertain but that are not fitted, as text.
+    resistance: specific contact resistance [ohm m^2], or None. data: the measured values. uncertain: dotted names of numbers
+    that the case states as uncertain but that are not fitted.
     """
 
     content: Mapping[str, Any]
@@ -84,15 +84,18 @@ def make_fit_plan(content: Mapping[str, Any], data: Any, folder: Path = Path()) 
 
 
 def middle_of(free: Iterable[Free]) -> dict[Address, float]:
-    """Return the value halfway between the ends of each free number of the contact, by address, in SI units."""
+    """Return the value halfway between the ends of each free parameter of the contact, in SI units by address.
+
+    An address is a tuple of keys, e.g. ("contact", "first", "hardness").
+    """
     return {one.path: float(one.at(0.5)) for one in free if one.path != RESISTANCE}
 
 
 def _complete(content: Mapping[str, Any], free: tuple[Free, ...], data: Measurements) -> Case:
     """Return the case of these tables; missing numbers that the fit or the data supply are filled in.
 
-    Free numbers are set halfway between their ends. Numbers that every measured row states are taken from the first row. Raises
-    InputError if the case is still incomplete.
+    Free parameters are set halfway between their ends. Numbers that every measured row states are taken from the first row.
+    Raises InputError if the case is still incomplete.
     """
     known = data.known[0] if all(row.keys() == data.known[0].keys() for row in data.known) else {}
     for numbers in ({}, middle_of(free)):
@@ -108,7 +111,7 @@ def read_fit(content: Mapping[str, Any]) -> Fit:
 
 
 def free_numbers(fit: Fit, content: Mapping) -> tuple[Free, ...]:
-    """Return the free numbers of the table [fit.free], each with its address in the case.
+    """Return the free parameters of the table [fit.free], each with its address in the case.
 
     content: tables of the case. Raises InputError.
     """
@@ -127,7 +130,7 @@ def free_numbers(fit: Fit, content: Mapping) -> tuple[Free, ...]:
 
 
 def _check(plan: FitPlan) -> None:
-    """Raise InputError if the free numbers contradict the data, or if the data are too few to fit them."""
+    """Raise InputError if the free parameters contradict the data, or if the data are too few to fit them."""
     known = {path for row in plan.data.known for path in row}
     for one in plan.free:
         if one.path in known:

@@ -1,6 +1,6 @@
-"""Fit a case that names no model: sample its free numbers between their ends and predict with the measured values.
+"""Fit a case that names no model: sample its free parameters between their ends and predict with the measured values.
 
-A free number is a number of the case with a low and a high end in [fit.free].
+A free parameter is a number of the case with a low and a high end in [fit.free].
 """
 
 from collections.abc import Mapping
@@ -22,9 +22,9 @@ if TYPE_CHECKING:
 def fit_prediction(given: Any, data: Any, folder: Path | None = None) -> "tuple[Case, xarray.Dataset] | None":
     """Return a case and its prediction updated by measured values; None if the case names a model.
 
-    Each free number of [fit.free] becomes uncertain, uniformly distributed between its ends. given: path of a case file, or its
-    tables. data: path of the CSV file of measured values. folder: folder at which relative paths in the tables start; None for
-    that of the case file. Raises InputError.
+    Each free parameter of [fit.free] becomes uncertain, uniformly distributed between its ends. given: path of a case file, or
+    its tables. data: path of the CSV file of measured values. folder: folder at which relative paths in the tables start; None
+    for the folder of the case file. Raises InputError.
     """
     content, own_folder = tables_of(given)
     folder = folder or own_folder
@@ -40,7 +40,7 @@ def fit_prediction(given: Any, data: Any, folder: Path | None = None) -> "tuple[
 
 
 def _ends(content: Mapping[str, Any], plain: Mapping) -> dict[tuple[str, ...], Any]:
-    """Return each free number as an uncertain number of a case file, {low, high, spacing}, by address.
+    """Return each free parameter as an uncertain number of a case file, {low, high, spacing}, by address (tuple of keys).
 
     content: tables of the case with [fit]. plain: tables after reading all files, which give the addresses. Raises InputError
     for keys of [fit] that need a named model.

@@ -230,10 +230,10 @@ def _evidence(compared_models: list[ComparedModel]) -> "xarray.Dataset":
 
 
 def _left_over(fits: Sequence[Fitted | None], stated: bool) -> dict[str, tuple]:
-    """Return the dataset variable that measures how far the measured values are from the fit of each model.
+    """Return, by name, the dataset variable that measures how far the measured values are from the fit of each model.
 
-    stated: whether the data file states errors. With errors it is chi square, without errors the standard deviation of the
-    values about the fit. A model without a fit has NaN.
+    stated: whether the data file states errors. With errors the variable is chi square, without errors the standard deviation
+    of the values about the fit. A model without a fit has NaN.
     """
     if stated:
         chi = [np.nan if one is None else one.best.chi_square * one.scale**2 for one in fits]

@@ -1,6 +1,6 @@
 """Fit numbers that are bounded between 0 and 1 by least squares, and compute their likelihood profiles.
 
-These numbers are called shares: positions of the free numbers of a fit between their low end (0) and their high end (1).
+These numbers are called shares: positions of the free parameters of a fit between their low end (0) and their high end (1).
 Residuals are (model - measured)/standard error.
 """
 
@@ -29,10 +29,10 @@ Residuals = Callable[[np.ndarray], np.ndarray]
 
 @dataclass(frozen=True)
 class Best:
-    """Hold the best fit of k free numbers to n measured values.
+    """Hold the best fit of k free parameters to n measured values.
 
-    shares (k,): position of each number between its ends, 0 to 1. residuals (n,), jacobian (n, k): standardised residuals at
-    these shares, and their derivatives by the shares. unfinished: why the search did not converge, "" if it did.
+    shares (k,): position of each number between its ends, 0 to 1. residuals (n,), jacobian (n, k): (model - measured)/standard
+    error at this point, and its derivatives by the positions. unfinished: why the search did not converge, "" if it did.
     """
 
     shares: np.ndarray
@@ -46,9 +46,10 @@ class Best:
 
     @cached_property
     def covariance(self) -> np.ndarray:
-        """Return the covariance (k, k) of the shares of the free numbers, from the Jacobian alone.
+        """Return the covariance (k, k) of the positions of the k free parameters between their ends, by the Jacobian alone.
 
-        All entries are NaN if the data leave a combination of the numbers undetermined.
+        A position is 0 at the low end and 1 at the high end. All entries are NaN if the data leave a combination of the numbers
+        undetermined.
         """
         try:
             found = np.linalg.inv(self.jacobian.T @ self.jacobian)
@@ -58,21 +59,22 @@ class Best:
 
     @cached_property
     def bounded(self) -> np.ndarray:
-        """Return the covariance (k, k) of the shares of the free numbers, given also that each lies between 0 and 1.
+        """Return the covariance (k, k) of the positions of the k free parameters, given also that each lies between 0 and 1.
 
-        The ends count as a prior with the variance 1/12 of a uniform distribution from 0 to 1.
+        A position is 0 at the low end and 1 at the high end of a number. The ends count as a prior with the variance 1/12 of a
+        uniform distribution from 0 to 1.
         """
         return np.linalg.inv(self.jacobian.T @ self.jacobian + 12.0 * np.eye(self.jacobian.shape[1]))
 
 
 @dataclass(frozen=True)
 class Profile:
-    """Hold the likelihood profile of one free number, on a grid of m shares.
+    """Hold the likelihood profile of one free parameter, on a grid of m positions between its ends.
 
-    shares (m,): positions of the number between its ends, 0 to 1. rise (m,): chi square minimised over the other k - 1 free
-    numbers, minus that of the best fit. others (m, k): shares of all k numbers at these minima. low, high: ends of the
-    interval, where the rise reaches a threshold, as shares. open_low, open_high: whether the rise stays below the threshold up
-    to the end; low is then 0, high 1.
+    shares (m,): positions of the number, 0 at its low and 1 at its high end. rise (m,): rise of chi square, minimised over the
+    other k - 1 free parameters, above the best fit. others (m, k): positions of all k numbers at these minima. low, high: ends
+    of the interval as positions, where the rise reaches a threshold. open_low, open_high: whether the rise stays below the
+    threshold up to the end; low is then 0, high 1.
     """
 
     shares: np.ndarray
@@ -90,10 +92,11 @@ def finite(values: np.ndarray) -> np.ndarray:
 
 
 def jacobian(residuals: Residuals, shares: np.ndarray, columns: Sequence[int] | None = None) -> tuple[np.ndarray, np.ndarray]:
-    """Return residuals (sets, n) and their derivatives by the shares, (sets, n, columns), by central differences.
+    """Return residuals (sets, n) and their derivatives by the free parameters, (sets, n, columns), by central differences.
 
-    residuals: function from shares (sets, k) to residuals (sets, n). shares: points at which to differentiate; differences do
-    not step beyond 0 and 1. columns: indices of the numbers to differentiate by, by default all.
+    residuals: function from shares (sets, k) to residuals (sets, n). shares: for each set, the positions of the k free
+    parameters between their ends, 0 to 1; differences do not step beyond the ends. columns: indices of the numbers to
+    differentiate by, by default all.
     """
     sets, k = shares.shape
     columns = range(k) if columns is None else columns
@@ -113,10 +116,11 @@ def jacobian(residuals: Residuals, shares: np.ndarray, columns: Sequence[int] | 
 
 
 def search(residuals: Residuals, start: np.ndarray, seed: int = 0) -> Best:
-    """Return the best fit by bounded least squares (Branch, Coleman & Li 1999).
+    """Return the best fit of k free parameters by bounded least squares (Branch, Coleman & Li 1999).
 
-    residuals: function from shares (sets, k) to residuals (sets, n). start: shares (k,). The search starts from the best of
-    three points after a few polishing steps; the points are chosen from `start` and Sobol points.
+    residuals: function from sets (sets, k) of positions of the numbers between their ends, 0 to 1, to residuals (sets, n).
+    start: positions (k,). The search starts from the best of three points after a few polishing steps; these points are chosen
+    from `start` and Sobol points.
     """
     from scipy.optimize import least_squares
 
@@ -143,11 +147,11 @@ def _drawn(k: int, seed: int) -> np.ndarray:
 
 
 def polished(residuals: Residuals, shares: np.ndarray, columns: Sequence[int]) -> tuple[np.ndarray, np.ndarray]:
-    """Minimise the sum of squared residuals over some of the free numbers, for many starting points at once.
+    """Minimise the sum of squared residuals over some of the free parameters, for many starting points at once.
 
-    residuals: function from shares (sets, k) to residuals (sets, n). shares (sets, k): starting points, 0 to 1. columns:
-    indices of the numbers that may change. Returns the improved shares (sets, k) and their sums of squares (sets,). Method:
-    Levenberg-Marquardt steps (Marquardt 1963), clipped between 0 and 1.
+    residuals: function from shares to residuals (sets, n). shares (sets, k): starting points, positions of the k numbers
+    between their ends, 0 to 1. columns: indices of the numbers that may change. Returns the improved shares (sets, k) and their
+    sums of squares (sets,). Method: Levenberg-Marquardt steps (Marquardt 1963), clipped between 0 and 1.
     """
     shares, columns = shares.copy(), list(columns)
     sums = (finite(residuals(shares)) ** 2).sum(axis=1)
@@ -173,10 +177,11 @@ def polished(residuals: Residuals, shares: np.ndarray, columns: Sequence[int]) -
 
 
 def _damped(values: np.ndarray, slopes: np.ndarray, damping: np.ndarray, at: np.ndarray) -> np.ndarray:
-    """Return Levenberg-Marquardt steps (sets, columns); 0 for a number at an end that would step beyond it.
+    """Return Levenberg-Marquardt steps (sets, columns), to be subtracted from positions of the free parameters.
 
-    values (sets, n): residuals. slopes (sets, n, columns): their derivatives. damping (sets,): Levenberg-Marquardt parameter.
-    at (sets, columns): shares, 0 to 1. The steps are to be subtracted from the shares.
+    The step is 0 for a number at an end that would step beyond it. values (sets, n): residuals. slopes (sets, n, columns):
+    their derivatives. damping (sets,): Levenberg-Marquardt parameter. at (sets, columns): positions of the numbers between
+    their ends, 0 to 1.
     """
     gradient = np.einsum("snk,sn->sk", slopes, values)
     held = ((at <= 0.0) & (gradient > 0.0)) | ((at >= 1.0) & (gradient < 0.0))
@@ -190,16 +195,16 @@ def _damped(values: np.ndarray, slopes: np.ndarray, damping: np.ndarray, at: np.
 
 
 def profiles(residuals: Residuals, best: Best, threshold: float) -> list[Profile]:
-    """Return the likelihood profile of each free number about the best fit.
+    """Return the likelihood profile of each free parameter about the best fit.
 
-    residuals: function from shares (sets, k) to residuals (sets, n). threshold: rise of chi square that marks the ends of an
-    interval.
+    residuals: function from sets (sets, k) of positions of the k numbers between their ends, 0 to 1, to residuals (sets, n).
+    threshold: rise of chi square that marks the ends of an interval.
     """
     return [_profile(residuals, best, at, threshold) for at in range(len(best.shares))]
 
 
 def _profile(residuals: Residuals, best: Best, at: int, threshold: float) -> Profile:
-    """Return the likelihood profile of the free number with index `at`, on a grid about the best fit.
+    """Return the likelihood profile of the free parameter with index `at`, on a grid about the best fit.
 
     threshold: rise of chi square that marks the ends of the interval. The grid is narrowed or widened until it resolves the
     interval.
@@ -227,10 +232,11 @@ def _profile(residuals: Residuals, best: Best, at: int, threshold: float) -> Pro
 
 
 def _narrowed(residuals: Residuals, best: Best, at: int, grid: np.ndarray, rise: np.ndarray, threshold: float) -> float:
-    """Return the share at which the rise of chi square reaches the threshold, after dividing the grid cell in which it does.
+    """Return the position of a free parameter, 0 to 1, at which the rise of chi square reaches the threshold.
 
-    at: index of the free number. grid, rise: shares (m,) outwards from the best fit, and the rise there. The square root of the
-    rise has a kink where another number reaches its end, so that interpolation in the original cell is not enough.
+    at: index of the number. grid, rise: positions (m,) outwards from the best fit, and the rise there. The grid cell in which
+    the threshold is reached is divided further, because the square root of the rise may have a kink there, where another number
+    reaches its end.
     """
     for _ in range(_NARROWINGS):
         over = int(np.argmax(rise >= threshold))
@@ -245,11 +251,11 @@ def _narrowed(residuals: Residuals, best: Best, at: int, grid: np.ndarray, rise:
 
 
 def _wanted(found: float, reach: float, is_open: bool, more: bool) -> float:
-    """Return how far the grid of a profile should reach on one side of the best fit, as a difference of shares.
+    """Return how far the grid of a profile should reach on one side of the best fit.
 
-    found: half-width of the interval on this side. reach: present half-width of the grid. is_open: whether the interval ends
-    beyond the grid. more: whether the grid can still be widened. The grid is narrowed if the interval is less than a quarter of
-    the grid.
+    All lengths are differences of positions, 0 to 1, of the free parameter between its ends. found: half-width of the interval
+    on this side. reach: present half-width of the grid. is_open: whether the interval ends beyond the grid. more: whether the
+    grid can still be widened. The grid is narrowed if the interval is less than a quarter of the grid.
     """
     if is_open:
         return 4.0 * reach if more else reach
@@ -257,9 +263,10 @@ def _wanted(found: float, reach: float, is_open: bool, more: bool) -> float:
 
 
 def _along(residuals: Residuals, best: Best, at: int, grid: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the best shares (m, k) with the free number `at` fixed at each grid value (m,), and the rise of chi square (m,).
+    """Return the best fit with one free parameter fixed at each grid value, and the rise of chi square above the overall best.
 
-    at: index of the number.
+    at: index of the fixed parameter. grid (m,): its positions between its ends, 0 to 1. The results are positions of all k
+    parameters (m, k) and the rise (m,).
     """
     slope = best.bounded[:, at] / best.bounded[at, at]
     sets = np.clip(best.shares + slope * (grid - best.shares[at])[:, None], 0.0, 1.0)
@@ -280,10 +287,11 @@ def _along(residuals: Residuals, best: Best, at: int, grid: np.ndarray) -> tuple
 
 
 def _crossing(grid: np.ndarray, rise: np.ndarray, threshold: float) -> tuple[float, bool]:
-    """Return the share at which the rise of chi square first reaches the threshold, and whether it never does.
+    """Return the grid position at which the rise of chi square first reaches the threshold, and whether it never does.
 
-    grid, rise: shares (m,) outwards from the best fit, and the rise there. The square root of the rise, which is almost linear,
-    is interpolated. If the threshold is never reached, the last share of the grid is returned.
+    grid, rise: positions (m,), 0 to 1, of a free parameter outwards from the best fit, and the rise there. The square root of
+    the rise, which is almost linear, is interpolated. If the threshold is never reached, the last position of the grid is
+    returned.
     """
     over = np.flatnonzero(rise >= threshold)
     if not over.size:

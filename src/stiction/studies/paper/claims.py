@@ -79,7 +79,7 @@ class Surfaces:
     films: Curves
 
     def ratio(self, over_reference: float, quantity: int) -> np.ndarray:
-        """Return a result of the coated surface over that of the uncoated one, both at the same load, (n, n_E, n_H, tau).
+        """Return a result of the coated surface over the same result of the uncoated one at equal load, (n, n_E, n_H, tau).
 
         over_reference: the load over the reference load, which the uncoated surface carries at h = -4. quantity: 0 for contact
         area, 1 for friction force, whose ratio is also the ratio of friction coefficients.

@@ -184,9 +184,9 @@ def _answers(sampled: SampledCase, choice: Choice) -> bool:
 def _law(sampled: SampledCase, choice: Choice, weight: float) -> AreaLaw:
     """Return the area of all samples by one model, with its errors on benchmark surfaces.
 
-    weight: weight of the model. A model may refuse those of many contacts whose product of asperity density, radius and height
-    deviation is too small for a Gaussian surface; at these its weight is 0. Raises InputError or ArithmeticError if the model
-    refuses all contacts.
+    choice: the model. weight: its weight. Of many contacts, the model may refuse those whose product of asperity density,
+    radius and height deviation is too small for a Gaussian surface; there the weight is 0. Raises InputError or ArithmeticError
+    if the model refuses all contacts.
     """
     try:
         points, tables = _solved(sampled, choice)
@@ -269,7 +269,7 @@ def _known(errors: MeasuredErrors, few: float | None) -> tuple[np.ndarray, np.nd
 
 
 def _yields_at(sampled: SampledCase, over_below: np.ndarray | None, places: np.ndarray, area: np.ndarray) -> np.ndarray:
-    """Return the mean pressure of plastic contact spots [Pa], (n or 1, m), for n samples at m points.
+    """Return the mean pressure of plastic contact spots [Pa], (n or 1, m), for n samples at m points (contacts at a load).
 
     It is the hardness of each sample, or the smaller pressure at which the body below a hard film yields. over_below: pressure
     divided by that smaller pressure at the solved points; None without a film. places: index of the solved point for each point

@@ -26,8 +26,8 @@ def friction_table(contact: Any, *, load: Any = None, level: float = 0.5) -> "xa
     contact : Contact, Case, dict or path
         One contact, as for `predict`.
     load : number, text or sequence, optional
-        Normal load [N]; by default the loads of the case. The table covers the range of several loads, or two decades below and
-        above a single one.
+        Normal load [N]; by default the loads of the case. The table covers the range of two or more loads, or two decades below
+        and above a single one.
     level : float
         Quantile of mu, between 0 and 1: 0.5 for the median, 0.05 for a lower bound.
 

@@ -58,7 +58,7 @@ def draw_levels(inputs: int, count: int, seed: int) -> Levels:
     Parameters
     ----------
     inputs : int
-        Number of sample dimensions of the case: uncertain numbers, of which those sampled together count once.
+        Number of sample dimensions of the case: its uncertain numbers, but numbers that are sampled together count once.
     count : int
         Number of samples, a power of two.
     seed : int

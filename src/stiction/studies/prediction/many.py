@@ -64,7 +64,7 @@ def predict_many(
     count : int
         Number of samples, the same for every contact.
     along : sequence of str, optional
-        Dimensions along which batches may be split; by default all, including that of the loads.
+        Dimensions along which batches may be split; by default all, including the loads.
 
     Returns
     -------
@@ -99,7 +99,7 @@ def predict_many(
 
 
 def _apart(value: Any) -> Any:
-    """Return a labelled array with its dimension `sample` renamed, because the samples of a prediction need that name.
+    """Return a labelled array (xarray) with its dimension `sample` renamed, because the samples of a prediction need that name.
 
     Other values are returned unchanged.
     """
@@ -125,8 +125,9 @@ def _together(
 ) -> tuple[Case, BatchResult]:
     """Return the case with these numbers, and its predictions for all contacts at once.
 
-    numbers: number or labelled array by address. load: labelled array [N]. uncertain: numbers to sample. level: coverage
-    probability of the intervals. count: number of samples. Raises InputError or ArithmeticError if any contact is refused.
+    numbers: number or labelled array (xarray) by address (tuple of keys). load: labelled array [N]. uncertain: numbers to
+    sample. level: coverage probability of the intervals. count: number of samples. Raises InputError or ArithmeticError if any
+    contact is refused.
     """
     with np.errstate(all="ignore"):
         numbers = _one_finish(case, numbers)
@@ -153,8 +154,8 @@ def _together(
 def _one_finish(case: Case, numbers: Mapping) -> dict[tuple[str, ...], Any]:
     """Return the numbers, with an array of length one of a roughness height replaced by a float if the surface has a finish.
 
-    numbers: number or labelled array by address. `with_finish` samples one surface only, and so refuses arrays of heights. The
-    caller then divides the contacts until each batch has a single height.
+    numbers: number or labelled array (xarray) by address (tuple of keys). `with_finish` samples one surface only, and so
+    refuses arrays of heights. The caller then divides the contacts until each batch has a single height.
     """
     finished = isinstance(case.subject, Contact) and case.subject.roughness.unknowns
     rows = dict(numbers)

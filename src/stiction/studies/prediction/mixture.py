@@ -28,10 +28,10 @@ _MOST_SCATTER = 1.0  # largest standard deviation of ln(area), reached if hardly
 class Samples:
     """Store the results of n samples at m loads, arrays (n, m); NaN for an impossible sample.
 
-    force: friction force [N]. area: real contact area [m2]. pull: factor by which adhesion and menisci enlarge the area.
-    growth: factor by which junction growth under shear enlarges it. strength: shear strength of the interface [Pa], (n, m or
-    1). pressure: mean pressure of contact spots over the hardness, before shear. efficiency: friction force over the sum of the
-    strengths of all spots, 1 unless strength falls with slip.
+    force: friction force [N]. area: real contact area [m2]. pull: factor of the area by adhesion and menisci. growth: factor of
+    the area by growth of junctions under shear. strength: shear strength of the interface [Pa], (n, m or 1). pressure: mean
+    pressure of contact spots over the hardness, before shear. efficiency: friction force over the sum of the strengths of all
+    spots, 1 unless strength falls with slip.
     """
 
     force: np.ndarray
@@ -211,7 +211,10 @@ class Mixture:
 
 
 def _most_load(sampled: SampledCase) -> np.ndarray:
-    """Return the largest load [N] that the hardness bears on the nominal area, at each point (m,), or (1,) for all points."""
+    """Return the largest load [N] that the hardness bears on the nominal area, at each of m points, (m,) or (1,).
+
+    A point is a contact at a load.
+    """
     most: np.ndarray = np.median(sampled.bodies.hardest, axis=0) * np.mean(sampled.column(sampled.drawn.nominal_area), axis=0)
     return most
 

@@ -47,11 +47,11 @@ class MapSpots:
 
 @dataclass(frozen=True)
 class Onset:
-    """Store the inputs of the onset of sliding, arrays (n or 1, m or 1) over samples and points.
+    """Store the inputs of the onset of sliding, arrays (n or 1, m or 1) over n samples and m points (contacts at a load).
 
-    slip: weakening slip [m]. residual: residual strength (fraction). deviation, radius [m], density [1/m2]: height deviation,
-    radius and density of asperities. side: side of the nominal area [m]. compliance: tangential compliance [1/Pa] of the
-    touching surfaces, and of the bodies below them. unlike: magnitude of Dundurs' beta of the touching surfaces. thickness:
+    slip: weakening slip [m]. residual: residual strength (fraction). deviation [m], radius [m], density [1/m2]: height
+    deviation, radius and density of asperities. side: side of the nominal area [m]. compliance: tangential compliance [1/Pa] of
+    the touching surfaces, and of the bodies below them. unlike: magnitude of Dundurs' beta of the touching surfaces. thickness:
     film thickness [m], 0 without a film. spots: spots of a solved map; None without a map.
     """
 

@@ -75,7 +75,7 @@ def predict(
         numbers, and `verdict` names those that the measurement does not determine.
 
         With swept numbers there are no samples, and the attributes are `level`, `draws` (samples per contact) and `refused`
-        (number of contacts without an answer).
+        (number of points, each a contact at a load, without an answer).
 
     Raises
     ------

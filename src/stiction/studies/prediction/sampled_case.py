@@ -39,10 +39,11 @@ _INTERFACE = (
 
 @dataclass(frozen=True)
 class Bodies:
-    """Store strengths and stiffness of the touching surfaces in Pa, arrays (n or 1, m or 1) over samples and points.
+    """Store strengths and stiffness of the touching surfaces in Pa, arrays (n or 1, m or 1).
 
-    hardness, shear_strength, shear_modulus: of the softer surface. hardest: the largest pressure that a contact spot can bear,
-    which is the hardness of the softer surface, or of the softer body if that is harder.
+    The arrays run over n samples and m points (contacts at a load). hardness, shear_strength, shear_modulus: of the softer
+    surface. hardest: the largest pressure that a contact spot can bear, which is the hardness of the softer surface, or of the
+    softer body if that is harder.
     """
 
     hardness: np.ndarray
@@ -55,9 +56,9 @@ class Bodies:
 class SampledCase:
     """Store a case at its loads, with n samples of its uncertain numbers.
 
-    load: loads above 0 in N, an array (m,) or a labelled array along dimensions of the contacts. levels: quantile levels (n,
-    k), one column for each of the k sample dimensions of the case. A point is a contact at a load: if numbers of the case are
-    swept, the m points are all combinations of these numbers and the loads, in the order of `dims`.
+    load: loads above 0 in N, an array (m,) or a labelled array (xarray) along dimensions of the contacts. levels: quantile
+    levels (n, k), one column for each of the k sample dimensions of the case. A point is a contact at a load: if numbers of the
+    case are swept, the m points are all combinations of these numbers and the loads, in the order of `dims`.
     """
 
     case: Case
@@ -98,9 +99,9 @@ class SampledCase:
         return contacts
 
     def places(self, dims: Mapping[str, int]) -> np.ndarray:
-        """Return, for each of the m points, its index in flattened results with fewer dimensions, (m,).
+        """Return, for each of the m points (contacts at a load), its index in flattened results, (m,).
 
-        dims: dimensions of these results and their lengths, some of those in `self.dims`.
+        dims: dimensions of the results and their lengths. They are some or all of those in `self.dims`.
         """
         numbers = np.arange(math.prod(dims.values())).reshape(tuple(dims.values()))
         return np.broadcast_to(arranged(numbers, list(dims), self.dims), tuple(self.dims.values())).reshape(-1)
@@ -131,7 +132,7 @@ class SampledCase:
 
     @cached_property
     def is_gaussian(self) -> np.ndarray:
-        """Return a mask (m,) of the points at which N R sigma is large enough for a Gaussian surface.
+        """Return a mask (m,) of the points (contacts at a load) at which N R sigma is large enough for a Gaussian surface.
 
         N, R and sigma are density, radius and height deviation of asperities.
         """
@@ -168,17 +169,18 @@ class SampledCase:
 
     @property
     def metallic(self) -> np.ndarray:
-        """Return a mask (1 or m,) of the points at which contact spots are metal junctions, which grow under shear.
+        """Return a mask (1 or m,) of the points (contacts at a load) at which contact spots are metal junctions.
 
-        They are, if the softer of the two touching surfaces, bodies or films, is a metal.
+        Metal junctions grow under shear. The spots are such junctions if the softer of the two touching surfaces, bodies or
+        films, is a metal.
         """
         first, second = (class_of(body) in ("metal", "soft metal") for body in self.contact.touching)
         return np.where(self._first_is_softer(self.contact), first, second)
 
     def _first_is_softer(self, contact: Contact) -> np.ndarray:
-        """Return a mask (1 or m,) of the points at which the first touching surface is not harder than the second.
+        """Return a mask (1 or m,) of the points (contacts at a load) at which the first surface is not harder than the second.
 
-        Hardness is averaged over the samples.
+        The surfaces are the two that touch, bodies or films. Hardness is averaged over the samples.
         """
         first, second = (self.column(body.hardness).mean(axis=0) for body in contact.touching)
         return first <= second
@@ -190,7 +192,10 @@ class SampledCase:
 
     @cached_property
     def bodies(self) -> Bodies:
-        """Return hardness, shear strength and shear modulus [Pa] of the touching surfaces for all samples and points."""
+        """Return hardness, shear strength and shear modulus [Pa] of the touching surfaces for all samples and points.
+
+        A point is a contact at a load.
+        """
         contact = self.drawn
         radius = contact.roughness.asperity_radius
         pair = Pair(*(at_radius(body, radius) for body in contact.touching))
@@ -203,7 +208,7 @@ class SampledCase:
         return Bodies(hardness, shear_strength, modulus, np.maximum(hardness, body_below))
 
     def column(self, value: Any) -> np.ndarray:
-        """Return a number of the sampled contact as an array (n or 1, m or 1) over samples and points.
+        """Return a number of the sampled contact as an array (n or 1, m or 1) over n samples and m points (contacts at a load).
 
         value: a number, or an array along `sample` and dimensions in `dims`.
         """

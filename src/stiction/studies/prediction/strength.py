@@ -20,7 +20,7 @@ _NEAR_BODY = 0.5
 
 
 class Strength:
-    """Describe the distribution of the shear strength of an interface over n samples and m points.
+    """Describe the distribution of the shear strength of an interface over n samples and m points (contacts at a load).
 
     states: states of the interface with weights that sum to 1; empty if tau_0 is stated. stated: tau_0 [Pa], or None.
     coefficient: stated pressure coefficient, 0 if none. takes_states: whether the state supplies the pressure coefficient
@@ -56,7 +56,7 @@ class Strength:
 
     @property
     def has_coefficient(self) -> bool:
-        """Return whether a pressure coefficient, stated or that of a state, adds to friction."""
+        """Return whether a pressure coefficient, stated or supplied by a state of the interface, adds to friction."""
         return self.grows_with_pressure or bool(np.any(self.coefficient > 0.0))
 
     def is_relative_to(self, name: str) -> bool:
@@ -130,9 +130,9 @@ class Strength:
 def _capped(tau: np.ndarray, shear: np.ndarray, level: np.ndarray, metallic: np.ndarray) -> np.ndarray:
     """Return the shear strength tau_0 [Pa] of the interface, limited by the shear strength of the weaker body.
 
-    tau, shear: tau_0 before and shear strength of the body [Pa]. level: quantile levels (n, 1). metallic: mask of points with
+    tau: tau_0 before [Pa]. shear: shear strength of the body [Pa]. level: quantile levels (n, 1). metallic: mask of points with
     metal junctions. For metals the limit is the von Mises value. For other materials the quantile level selects a limit between
-    the values of Tresca and von Mises. This range opens as tau_0 rises from the body's strength to twice that.
+    the values of Tresca and von Mises. This range opens as tau_0 rises from the body's strength to twice that strength.
     """
     with np.errstate(divide="ignore"):
         beyond = np.clip(np.log2(tau / shear), 0.0, 1.0)

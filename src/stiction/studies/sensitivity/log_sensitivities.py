@@ -79,7 +79,7 @@ def numbers_of(case: Case) -> dict[str, list[Uncertain]]:
 
 
 def _numbers(record: Input, path: Address) -> Iterator[tuple[Address, float]]:
-    """Yield the address and the value of each stated number above 0 in a record and its nested records.
+    """Yield the address (tuple of keys) and the value of each stated number above 0 in a record and its nested records.
 
     path: address of the record, with which all addresses begin.
     """

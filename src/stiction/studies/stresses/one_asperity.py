@@ -2,8 +2,8 @@
 
 The asperity is a non-adhesive paraboloid with contact radius a, stated as x = a/(R sigma)^(1/2). Without a film it is Hertz's
 contact with Hamilton's stresses, with a film the layered solid of `solvers.layered`. K, sigma and R are as in theory.md,
-theory 1. E_P is the dimensionless load of the layered contact, and n_E the modulus of the film over that of the body; without a
-film both are 1. The load and mean pressure are
+theory 1. E_P is the dimensionless load of the layered contact, and n_E the modulus of the film over the modulus of the body;
+without a film both are 1. The load and mean pressure are
 
     W = n_E E_P x^3 K R^(1/2) sigma^(3/2),    p_m/H = n_E E_P x/eta,    eta = pi H R^(1/2)/(K sigma^(1/2)),
 

@@ -31,10 +31,11 @@ class Plan:
     """Describe a checked sweep, cut into blocks of contacts.
 
     Any process can compute any block, in any order, and gets the same bits. case: the case with the first value of each array
-    parameter. swept: array parameters by address. sweep: the table [sweep]. dims: number of contacts along each dimension.
-    tile: number of contacts in one block along each dimension. points: number of loads or separations of each contact. load:
-    loads [N], None if separations are stated. uncertain: numbers that a prediction samples for every contact. scans: attributes
-    that describe measured roughness. maps: one map for each contact, in a sweep over maps. Use `make_plan` to build a plan.
+    parameter. swept: array parameters by address (tuple of keys). sweep: the table [sweep]. dims: number of contacts along each
+    dimension. tile: number of contacts in one block along each dimension. points: number of loads or separations of each
+    contact. load: loads [N], None if separations are stated. uncertain: numbers that a prediction samples for every contact.
+    scans: attributes that describe measured roughness. maps: one map for each contact, in a sweep over maps. Use `make_plan` to
+    build a plan.
     """
 
     case: Case
@@ -84,9 +85,9 @@ class Plan:
         return self.case.at({("contact", "roughness"): self.maps[region[PLACE].start].roughness()})
 
     def arrays(self, region: Mapping[str, slice]) -> dict[Address, Any]:
-        """Return the array parameters of a region of contacts as labelled arrays by address, in SI units.
+        """Return the array parameters of a region of contacts, in SI units by address (tuple of keys).
 
-        region: slice by dimension.
+        Each is a labelled array (xarray). region: slice by dimension.
         """
         if self.maps:
             return {}
@@ -100,9 +101,10 @@ class Plan:
         return found
 
     def _drawn(self, some: slice) -> dict[Address, Any]:
-        """Return the array parameters of the sampled contacts in the slice `some` as labelled arrays by address.
+        """Return the array parameters of the sampled contacts in the slice `some`, by address (tuple of keys).
 
-        Parameters with the same dimension name are sampled at the same position, so that they vary together.
+        Each is a labelled array (xarray). Parameters with the same dimension name are sampled at the same position, so that
+        they vary together.
         """
         columns = list(dict.fromkeys(one.dimension for one in self.swept.values()))
         shares = _shares(self.sweep.sample, len(columns), some)
