@@ -61,8 +61,8 @@ def _between(path: tuple[str, ...], low: float, high: float, spacing: str) -> di
 def fitted_case(given: Any, case: Case, found: "xarray.Dataset", out: Path) -> str:
     """Return the text of a case file in which the uncertain numbers have their fitted intervals.
 
-    given: path or tables of the original case. case, found: the case and the prediction that `fit_prediction` returned. out:
-    folder to which the text will be written.
+    given: path of the original case file. case, found: the case and the prediction that `fit_prediction` returned. out: folder
+    to which the text will be written.
     """
     numbers = {}
     for one in case.uncertain:

@@ -17,9 +17,9 @@ _LEVELS = 4
 def points_of_indices(columns: int, count: int, seed: int) -> np.ndarray:
     """Return sample points for Sobol indices in the unit cube, (parts, columns + 2, count / parts, columns).
 
-    columns: number of inputs. count: number of points, a power of two. Along the second dimension are sample A, sample B, and
-    for each input a copy of A with this input from B. Source: Saltelli et al. 2010, section 3: a sequence of twice the columns
-    gives A and B.
+    columns: number of inputs. count: number of points, a power of two, divided among `parts` independently scrambled sequences.
+    Along the second dimension are sample A, sample B, and for each input a copy of A with this input from B. Source: Saltelli
+    et al. 2010, section 3: a sequence of twice the columns gives A and B.
     """
     both = scrambled(2 * columns, count, seed, PARTS)
     first, second = both[..., :columns], both[..., columns:]
@@ -32,12 +32,12 @@ def points_of_indices(columns: int, count: int, seed: int) -> np.ndarray:
 def sobol_indices(values: np.ndarray) -> dict[str, np.ndarray]:
     """Return Sobol indices of k inputs from values (parts, k + 2, n) of a function at the points of `points_of_indices`.
 
-    The result has the arrays (k,) first_order and total_order, each with the ends of its 95 % interval, _low and _high; NaN if
-    less than half of the values are known; and points, the number of sample points used.
+    The parts are independently scrambled sequences of n points. The result has the arrays (k,) first_order and total_order,
+    each with the ends of its 95 % interval, _low and _high, NaN if less than half of the values are known. It also has points,
+    the number of sample points used.
 
     Source: Saltelli et al. 2010, table 2: (b) for the first-order and (f), Jansen 1999, for the total index. The interval is
-    Student's t interval over the parts, which are scrambled independently. Points with NaN are excluded, and then so many
-    others that a power of two remains.
+    Student's t interval over the parts. Points with NaN are excluded, and then so many others that a power of two remains.
     """
     columns = values.shape[1] - 2
     known = np.isfinite(values).all(axis=1)

@@ -53,11 +53,11 @@ def film_stresses(
     separation, load : float, str with a unit, or array, optional
         Exactly one of them, as in `solve`: mean separation [m] or normal load [N].
     model : str, optional
-        As in `solve`.
+        Key of a rough-surface model (`st.models()`), as in `solve`.
     heights : Heights or str, optional
-        As in `solve`.
+        Height distribution, or its name; by default that of the contact, or Gaussian.
     **laws : str, optional
-        As in `solve`; the film law is "layered".
+        Laws and options of the model by keyword, as in `solve`; the film law is "layered".
 
     Returns
     -------

@@ -1,4 +1,7 @@
-"""Solve one block of contacts of a sweep, and compute and merge statistics of blocks."""
+"""Solve one block of contacts of a sweep, and compute and merge statistics of blocks.
+
+A block is a part of the contacts whose results are stored at once.
+"""
 
 import math
 from collections.abc import Iterable, Iterator, Mapping
@@ -21,11 +24,11 @@ from stiction.studies.sweep.table import MOMENTS
 def solve_block(
     plan: Plan, choice: Choice, block: int, dims: Mapping[str, tuple[str, ...]], sizes: Mapping[str, int]
 ) -> tuple[dict[str, np.ndarray], np.ndarray]:
-    """Solve the contacts of one block; return results by name, and validity warnings as an array of bits.
+    """Solve the contacts of one block of a sweep; return results by name, and validity warnings as an array of bits.
 
-    choice: the model. block: number of the block. dims: dimensions of each result to store, by name. sizes: number of loads or
-    separations, by dimension. All arrays run over the contacts of the block and the loads or separations. The results of a
-    contact that the model refuses are NaN, and the reason is among its bits.
+    choice: the model. block: number of the block, a part of the contacts that is stored at once. dims: dimensions of each
+    result to store, by name. sizes: number of loads or separations, by dimension. All arrays run over the contacts of the block
+    and the loads or separations. The results of a contact that the model refuses are NaN, and the reason is among its bits.
     """
     shape = {dim: some.stop - some.start for dim, some in plan.region(block).items()} | dict(sizes)
     results = {name: np.full([shape[dim] for dim in of], np.nan) for name, of in dims.items()}

@@ -36,9 +36,9 @@ FileMaps: Any = create_model(
 class Realisations(Input):
     """Define periodic random maps with one self-affine spectrum, which differ by their seed.
 
-    hurst: Hurst exponent. rolloff, shortest: wavelengths at which the spectrum levels off and ends, with units. deviation:
-    standard deviation of the heights, with unit. size: side of the map, with unit. points: number of points along a side.
-    realisations: number of maps. seed: seed of the first map. skewness, kurtosis: of the heights, both or neither.
+    hurst: Hurst exponent. rolloff, shortest: wavelengths at which the spectrum levels off and ends, as text with units.
+    deviation: standard deviation of the heights, size: side of the map, both as text with units. points: number of points along
+    a side. realisations: number of maps. seed: seed of the first map. skewness, kurtosis: of the heights, both or neither.
     """
 
     hurst: float

@@ -28,7 +28,7 @@ _BITS = 32  # bits of the coordinates of Sobol points, the most with which point
 
 @dataclass(frozen=True)
 class Plan:
-    """Describe a checked sweep, cut into blocks of contacts.
+    """Describe a checked sweep, cut into blocks: parts of its contacts that are solved and stored at once.
 
     Any process can compute any block, in any order, and gets the same bits. case: the case with the first value of each array
     parameter. swept: array parameters by address (tuple of keys). sweep: the table [sweep]. dims: number of contacts along each
