@@ -28,7 +28,7 @@ _HEAD = re.compile(r"\s*([\w.]+)\s*(?:\[\s*(.*?)\s*\])?\s*")
 _ERROR = "_error"
 _SAMPLE, _NOTES = "sample", ("note", "source")
 _LARGEST_FILE, _MOST_ROWS = 10**7, 20_000
-_LEAST_ERROR = 1e-10  # of the largest value
+_LEAST_ERROR = 1e-10  # smallest standard error, relative to the largest value of the quantity
 _DECIMAL_COMMA = re.compile(r"\s*[+-]?\d*,\d+([eE][+-]?\d+)?\s*")
 _FORM = 'a CSV table whose first line names the columns, e.g. "load [mN],friction_coefficient,friction_coefficient_error"'
 

@@ -16,7 +16,7 @@ from stiction.case.uncertain import read_distribution
 from stiction.quantities.quantity import in_degrees
 from stiction.quantities.table import QUANTITIES
 
-_TABLES = ("contact", "indices", "materials")  # in which numbers may be values from a file
+_TABLES = ("contact", "indices", "materials")  # tables whose numbers may be samples in a file
 
 
 def with_written(content: Mapping, numbers: Mapping[Address, float]) -> dict[str, Any]:

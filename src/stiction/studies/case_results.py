@@ -182,7 +182,7 @@ def choice_of_case(case: Case, choice: Choice) -> Choice:
     laws = {law: key for law, key in choice.laws().items() if law != "model"}
     if choice.model != case.choice.model:
         model = find(choice_of(choice.model, {}, case.subject).model_key, RoughSurface)
-        if not model.asperity:  # it uses its own laws and none that the case names
+        if not model.asperity:  # a theory in closed form has its own laws
             laws = {law: key for law, key in laws.items() if key != case.choice.laws()[law]}
     return choice_of(choice.model, laws | dict(choice.options), case.subject)
 

@@ -112,7 +112,7 @@ def _compared(contact: Subject, load: Any, separations: Any, progress: Steps) ->
     h = SEPARATIONS if separations is None else _separations(separations)
     target = None if load is None else _compressive_load(contact, load, "load")
     groups, _ = Groups.of(contact.indices())
-    plain = problem_of(groups.substrate(), Choice("greenwood_williamson_1966", beside={"meniscus": "none"}))  # which never pull
+    plain = problem_of(groups.substrate(), Choice("greenwood_williamson_1966", beside={"meniscus": "none"}))  # no tensile load
     loads = plain.loads_on_grid(h) * contact.scales().factors()["N"]
     answers = [_solve_candidate(contact, candidate, h, loads, target) for candidate in progress(candidates(contact))]
     return _dataset(contact, answers, target)
@@ -194,7 +194,7 @@ class _Answer:
             return f"no answer: {self.why_not}"
         dry = ", without the liquid" if self.dry else ""
         of_chance = [warning.in_brief for warning in self.outside if warning.kind == "statistics"]
-        if len(of_chance) == len(self.outside):  # whatever the model
+        if len(of_chance) == len(self.outside):  # these hold for any model
             return "; ".join((f"fits{dry}", *of_chance))
         worst = [warning for warning in self.outside if warning.kind == "impossible"]
         texts = list(dict.fromkeys(warning.in_brief for warning in worst or self.outside))

@@ -58,7 +58,7 @@ def make_fit_plan(content: Mapping[str, Any], data: Any, folder: Path = Path()) 
     require_names(content)
     given = dict(content)
     fit = read_fit(given)
-    plain, uncertain = with_single_numbers(given, folder, "arrays go under [fit.predict]")  # nominal values stand for errors
+    plain, uncertain = with_single_numbers(given, folder, "arrays go under [fit.predict]")  # uncertain ones are nominal
     plain = as_numbers(plain)
     free = free_numbers(fit, plain)
     measured = read_measurements(data, plain)
