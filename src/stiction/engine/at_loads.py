@@ -1,12 +1,11 @@
 """Find starting values of the separation at a given load, for Gaussian heights.
 
-Under Gaussian heights the load at a separation h is a sum over nodes of a weight times exp(-(h + w)^2 / 2), where w is the
-displacement at the node. The nodes therefore do not depend on h and are placed once. On an even grid of separations, the term
-of a node at the next h is its term at the last h times a constant factor (a recurrence). Between grid points, the slope and
-curvature of the load need no exponentials beyond those of the load itself.
+Under Gaussian heights the load at a separation h is a sum over integration nodes of a weight times exp(-(h + w)^2 / 2), where w
+is the displacement at the node; h and w are over sigma. The nodes therefore do not depend on h and are placed once. On an even
+grid of separations, the term of a node at the next h is its term at the last h times a constant factor (a recurrence). Between
+grid points, the slope and curvature of the load need no exponentials beyond those of the load itself.
 
-The results are starting values. The caller refines them with the sums of `summation`, which place new nodes at each
-separation.
+The results are starting values. The caller refines them with the sums of `summation`, which place new nodes at each separation.
 """
 
 import math
@@ -24,29 +23,32 @@ from stiction.engine.summation import _COUNTS, _RULES
 from stiction.engine.tiers import ENGINE, specialised
 from stiction.engine.vectorised import exponential
 
-# Separations of the way, even: beyond either end next to nothing touches, or no model claims anything.
+# Evenly spaced separations over sigma. Above 10 almost nothing touches, and below -8 no model is valid.
 WAY = np.linspace(10.0, -8.0, 73)
 _STEP = float(WAY[0] - WAY[1])
 
-# Displacements with a part in the load anywhere on the way.
+# Range of the displacements, over sigma, that contribute to the load at any of these separations.
 _LOWEST, _TOP = -3.0 * math.sqrt(2.0 * NEGLIGIBLE) - WAY[0], 2.5 + math.sqrt(2.0 * NEGLIGIBLE) - WAY[-1]
 _BLOCK = 256  # laws at a time: their nodes stay in the processor's cache
 
-# A step of Halley's method shorter than this, cubed, is nothing; and one of Newton's, squared.
+# Iterations end with a step below these. The error left is of the order of the step cubed for Halley's method, and of the
+# step squared for Newton's.
 _NEAR, _NEARER = 1e-5, 1e-7
-# Out of touch: less than this share of the largest load. No tension: less than this share, as of heights beyond nine sigma.
+# Loads below the first fraction of the largest load count as no contact. Tensions below the second count as no tension: heights
+# beyond nine sigma cause them.
 NOTHING, NO_TENSION = 1e-12, 1e-20
 _MOST_STEPS = 60
-# So many pairs of a law and a separation take the interpreter as long as the starting values of one law (see `tiers.ENGINE`).
+# Number of sums that take plain Python as long as the starting values of one law (see `tiers.ENGINE`).
 _PAIRS = 8
 
 
 @engine_kernel
 def _sample(way, w_top, nodes):
-    """Fill `loads` and `slopes` (n laws, H) with the load and its derivative by the separation h.
+    """Compute the load and its derivative by the separation of n laws (parameter sets) on an even grid of separations.
 
-    way: tuple (h, loads, slopes), where h (H,) is an even, falling grid of separations. w_top: displacement at which the
-    recurrence factors are scaled to 1, to avoid overflow. nodes: displacements, weights and number of nodes of each law.
+    way: tuple (h, loads, slopes). h (H,): the grid, falling, over sigma. loads, slopes (n, H): filled with the load and its
+    derivative by h. w_top: displacement at which the recurrence factors are scaled to 1, to avoid overflow. nodes:
+    displacements (n, room), weights (n, room) and number (n,) of integration nodes.
     """
     h, loads, slopes = way
     place, weights, used = nodes
@@ -75,8 +77,8 @@ def _sample(way, w_top, nodes):
 def _sums(h, place, weights, count):
     """Return the load of one law at the separation h, its first and second derivative by h, and its size.
 
-    The size is the sum of the absolute terms of the load. place, weights: displacements of the integration nodes and their
-    weights (one array each). count: number of nodes.
+    The size is the sum of the absolute terms of the load, a measure of its round-off. h: over sigma. place, weights:
+    displacements of the integration nodes and their weights (one array each). count: number of nodes.
     """
     total = first = second = size = 0.0
     for node in range(8 * (count // 8)):
@@ -91,9 +93,10 @@ def _sums(h, place, weights, count):
 
 @engine_kernel
 def _turning_point(far, near, slope_far, slope_near, place, weights, count):
-    """Return the separation between `far` and `near` at which the slope of the load is zero.
+    """Return the separation between `far` and `near` at which the slope of the load by the separation is zero.
 
-    The slopes at `far` and `near` must have opposite signs.
+    The slopes at `far` (the larger separation) and `near` must have opposite signs. place, weights, count: displacements,
+    weights and number of the integration nodes of the law.
     """
     x = far - (far - near) * (slope_far / (slope_far - slope_near) if slope_far != 0.0 else 0.5)
     for _ in range(_MOST_STEPS):
@@ -113,11 +116,12 @@ def _turning_point(far, near, slope_far, slope_near, place, weights, count):
 
 @engine_kernel
 def _find_lowest(way, lowest, nodes):
-    """Fill the arrays of `lowest` with the largest tension (negative load) of each law on the grid of separations.
+    """Find the largest tension (negative load) of each law on a grid of separations, and fill the arrays of `lowest` with it.
 
-    way: (h, loads, slopes), as in `_sample`. lowest: (tension, where, nearer), each (n,). tension: largest tension, 0 if the
-    load is never negative. where: separation of the largest tension, else NaN. nearer: index of the first grid point of h that
-    is smaller than `where`.
+    way: (h, loads, slopes), a falling grid (H,) of separations over sigma, and loads and their derivatives by h (n, H) there.
+    nodes: displacements, weights and numbers of the integration nodes of the laws. lowest: (tension, where, nearer), each (n,).
+    tension: largest tension, 0 if the load is never negative. where: separation of the largest tension, else NaN. nearer: index
+    of the first grid point of h that is smaller than `where`.
     """
     h, loads, slopes = way
     tension, where, nearer = lowest
@@ -143,9 +147,10 @@ def _find_lowest(way, lowest, nodes):
 
 @formula
 def _between(target, far, near, load_far, load_near, slope_far, slope_near):
-    """Return the separation between `far` and `near` at which the interpolated load equals the target.
+    """Return the separation between `far` and `near` at which the interpolated load equals `target`.
 
-    A cubic is fitted to the loads and slopes at both ends; to the logarithm of the load if the loads are compressive.
+    far, near: neighbouring separations over sigma, far the larger. A cubic is fitted to the loads and their slopes by the
+    separation at both ends; to the logarithm of the load if the loads are compressive.
     """
     span = far - near
     if load_far > 0.0:
@@ -153,7 +158,7 @@ def _between(target, far, near, load_far, load_near, slope_far, slope_near):
         rise, wanted = math.log(load_near / load_far), math.log(target / load_far)
     else:
         rise, wanted = load_near - load_far, target - load_far
-    a, b = -span * slope_far, -span * slope_near  # slopes by the share t of the way from far to near
+    a, b = -span * slope_far, -span * slope_near  # slopes by t, which rises from 0 at far to 1 at near
     square, cube = 3.0 * rise - 2.0 * a - b, a + b - 2.0 * rise
     low, high, t = 0.0, 1.0, wanted / rise
     for _ in range(30):
@@ -175,7 +180,9 @@ def _between(target, far, near, load_far, load_near, slope_far, slope_near):
 def _root(target, far, near, x, place, weights, count):
     """Find the separation at which the load equals `target`; return it with the slope and the size of the load there.
 
-    Halley's method starts at the separation x and stays between the separations `far` and `near`. size: as in `_sums`.
+    Halley's method starts at the separation x and stays between the separations `far` and `near`, all over sigma. slope:
+    derivative of the load by the separation. size: sum of the absolute terms of the load. place, weights, count: displacements,
+    weights and number of the integration nodes of the law.
     """
     slope = size = 0.0
     for _ in range(_MOST_STEPS):
@@ -199,9 +206,10 @@ def _root(target, far, near, x, place, weights, count):
 def _carried(h, loads, slopes, start, first, most, could, odd):
     """Fill `most`, `could` and `odd` (H,) with bounds of the load on approach, from grid point `start` on.
 
-    most: largest load at the grid points so far. could: upper bound of the load so far, between grid points too. odd: True if
-    the load rises on approach at both ends of an interval, but the cubic between them is not certainly monotonic (circle of
-    Fritsch & Carlson 1980). first: (separation, load, slope) before grid point `start`.
+    h, loads, slopes (H,): falling separations over sigma, loads and their derivatives by h there. first: (separation, load,
+    slope) before grid point `start`. most: largest load at the grid points so far. could: upper bound of the load so far,
+    between grid points too. odd: True if the load rises on approach at both ends of an interval, but the cubic between them is
+    not certainly monotonic (circle of Fritsch & Carlson 1980).
     """
     most[:start], could[:start] = -np.inf, -np.inf
     for k in range(start, h.size):
@@ -216,7 +224,7 @@ def _carried(h, loads, slopes, start, first, most, could, odd):
 
 @formula
 def _first_not_below(ascending, value):
-    """Return the index of the first value of `ascending` that is not below `value`.
+    """Return the index of the first element of `ascending` that is not below `value`; its length if all are below.
 
     This replaces `searchsorted`, which takes about a second to compile.
     """
@@ -232,11 +240,12 @@ def _first_not_below(ascending, value):
 
 @engine_kernel
 def _find_roots(way, lowest, targets, nodes, roots):
-    """Fill roots[i, k] with (separation, slope, size) of law i at the load targets[i, k].
+    """Find the separation at which each law i carries the load targets[i, k], and store it in roots[i, k].
 
-    The entries are NaN if the load is not reached on the grid, or if several separations may be too close together for the
-    grid to tell them apart. Of several separations the first on approach is taken. The approach starts at the largest tension,
-    where[i], or at the far end of the grid if the law has no tension. way, lowest, nodes: as in `_find_lowest` and `_sample`.
+    roots[i, k] receives separation over sigma, derivative of the load by the separation, and sum of the absolute terms of the
+    load. They are NaN if the load is not reached on the grid, or if several separations may be too close together for the grid
+    to tell them apart. Of several separations the first on approach is taken. The approach starts at the separation of the
+    largest tension, or at the far end of the grid if the law has no tension. way, lowest, nodes: as in `_find_lowest`.
     """
     h, loads, slopes = way
     tension, where, nearer = lowest
@@ -255,7 +264,8 @@ def _find_roots(way, lowest, targets, nodes, roots):
             if sooner == h.size or not target >= first[1] - _NEARER * tension[i]:
                 continue
             near, load_near, slope_near = 0.0, -np.inf, 0.0
-            while sooner < index and load_near < target and not odd[sooner]:  # a peak between two that carry less
+            # The load may reach the target at a peak between two grid points at which it is smaller.
+            while sooner < index and load_near < target and not odd[sooner]:
                 far, slope = (first[0], first[2]) if sooner == start else (h[sooner - 1], slopes[i, sooner - 1])
                 if slopes[i, sooner] > 0.0 >= slope:
                     near = _turning_point(far, h[sooner], slope, slopes[i, sooner], place[i], weights[i], used[i])
@@ -277,11 +287,12 @@ def _find_roots(way, lowest, targets, nodes, roots):
 
 @dataclass(frozen=True)
 class Starts:
-    """Store starting values of the separation for n laws at m loads each; NaN if no value was found.
+    """Store starting values of the separation for n laws (parameter sets) at m loads each; NaN if no value was found.
 
     tension (n,): largest tension, 0 without tension. where (n,): separation of the largest tension. h (n, m): separations at
-    the loads. slope, size (n, m): derivative of the load by h, and sum of the absolute terms of the load, at h. plain (n,):
-    True if the grid of separations covers the whole approach (see `_plain`).
+    the loads. All separations are over sigma. slope, size (n, m): derivative of the load by h, and sum of the absolute terms of
+    the load, at h. plain (n,): True if the grid of separations covers the whole approach: from no load to at least the largest
+    tension in compression.
     """
 
     tension: np.ndarray
@@ -293,10 +304,10 @@ class Starts:
 
 
 class Approach:
-    """Find the separations at which n laws carry given loads; heights are Gaussian, and nodes are placed once.
+    """Find the separations at which n laws (parameter sets) carry given loads under Gaussian heights.
 
-    regimes: of the n laws. The loads on the grid of separations do not depend on the requested loads; those of a
-    few laws are kept.
+    regimes: smooth parts of an asperity law, each for the n laws. The loads on a grid of separations are computed before the
+    requested loads are known; with few laws they are reused in later calls.
     """
 
     def __init__(self, regimes: Sequence[Regime]):
@@ -305,16 +316,19 @@ class Approach:
 
     @property
     def lowest(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Return largest tension, its separation and `plain` of each law, as in `Starts`."""
+        """Return three arrays (n,): largest tension, its separation over sigma, and whether the grid covers the whole approach.
+
+        Without tension the tension is 0 and its separation NaN.
+        """
         if self._lowest is None:
             self.starts(np.empty((self._laws, 0)))
         assert self._lowest is not None
         return self._lowest
 
     def starts(self, targets: np.ndarray) -> Starts:
-        """Return the largest tensions of the laws and the separations at the loads `targets` (n, m).
+        """Return the largest tensions of the n laws and the separations at which they carry the loads `targets` (n, m).
 
-        Separations are accurate to about 1e-9 (over sigma).
+        Separations are over sigma and accurate to about 1e-9; NaN if none was found.
         """
         targets = np.ascontiguousarray(targets)
         tension, where = np.empty((2, self._laws))
@@ -331,9 +345,10 @@ class Approach:
         return block
 
     def _blocks(self) -> Iterator[tuple]:
-        """Yield each block of laws, a slice, with its nodes, loads on the way and largest tensions, as the kernels take them.
+        """Compute the load on the grid of separations for one block of laws after the other, and yield each block.
 
-        The next block overwrites the arrays.
+        Yields the slice of the laws; their integration nodes; the grid with loads and slopes (see `_sample`); and their largest
+        tensions (see `_find_lowest`). The next block overwrites the arrays.
         """
         w_low = max(min(regime.lowest for regime in self._regimes), _LOWEST)
         ENGINE.take(_PAIRS * len(self._regimes) * self._laws)
@@ -360,7 +375,8 @@ def _plain(loads: np.ndarray, tension: np.ndarray) -> np.ndarray:
     """Return for each law (n,) whether the grid of separations covers the whole approach.
 
     Three conditions must hold: the load at the far end is negligible, the largest tension is not at the far end, and the load
-    at the near end is at least the largest tension. loads: (n, H).
+    at the near end is at least the largest tension. loads (n, H): loads on the grid, far end first. tension (n,): largest
+    tension.
     """
     lowest = loads.min(axis=1)
     size, farthest = np.maximum(loads.max(axis=1), -lowest), loads[:, 0]

@@ -1,4 +1,4 @@
-"""Build bisection formulas that compiled kernels can call, one for each condition."""
+"""Build bisection formulas that compiled loops can call, one formula for each condition."""
 
 import math
 from collections.abc import Callable
@@ -12,8 +12,8 @@ from stiction.engine.compiled import formula
 def halving(holds: Callable) -> Any:
     """Return a formula (low, high, arguments) -> u that finds by bisection where the condition `holds` becomes false.
 
-    holds(u, arguments): a formula that is true at low and false at high and changes once in between. arguments: a tuple of its
-    further arguments. u is the smallest number found at which `holds` is false, exact to machine precision.
+    holds(u, arguments): a formula that is true at low and false at high and changes once in between. arguments: the tuple that
+    is passed on to `holds`. u is the smallest number found at which `holds` is false, exact to machine precision.
     """
 
     @formula
@@ -33,10 +33,11 @@ def halving(holds: Callable) -> Any:
 
 @cache
 def up_to(holds: Callable) -> Any:
-    """Return a formula (low, last, step, farthest, arguments) -> u: the condition `holds` is true from low up to u.
+    """Return a formula (low, last, step, farthest, arguments) -> u that finds how far above `low` a condition stays true.
 
-    u is low if `holds` is false at low, and last if `holds` is true at last. holds: as in `halving`. If last is infinite, an
-    upper bound is searched first: the step starts at `step` and grows fourfold, up to `farthest`.
+    holds(u, arguments): a formula, the condition; it may change once, from true to false. u is the place of this change, found
+    by bisection; low if the condition is false at low; last if it is still true at last. If last is infinite, the search tries
+    low + step with a step that grows fourfold up to `farthest`, until the condition is false.
     """
     halve = halving(holds)
 

@@ -1,9 +1,9 @@
-"""Compile formulas and kernels with Numba and cache compiled kernels on disk.
+"""Compile formulas (functions of numbers) and kernels (loops that call them) with Numba; cache compiled kernels on disk.
 
 A kernel that works for any law is made by a factory: a plain function that takes the formulas of the law and returns a kernel
-that calls them. Numba then compiles the kernel as if the formulas were written inside it. The file name of a compiled kernel
-is a hash of the code of the kernel and of everything that this code refers to. A kernel is therefore compiled anew if, and
-only if, some of that code changes. `numba_internals` explains why Numba's own cache cannot do this.
+that calls them. Numba then compiles the kernel as if the formulas were written inside it. The file name of a compiled kernel is
+a hash of the code of the kernel and of everything that this code refers to. A kernel is therefore compiled anew if, and only
+if, some of that code changes. `numba_internals` explains why Numba's own cache cannot do this.
 
 Plain Python runs the kernels at first. Numba is imported when the first kernel is compiled or loaded from the cache, because
 this takes longer than the answer for one contact.
@@ -20,35 +20,41 @@ import numpy as np
 
 from stiction.engine.tiers import ENGINE, Allowance, interpreted
 
-# `contract` (fused multiply-add) is safe in every formula. Sums may also be reordered, which is what lets them vectorise;
-# formulas may not: a reordered range reduction in the exponential loses half its digits. A formula that is called, and not
-# taken in, keeps a loop from being vectorised: hence `forceinline`.
+# `contract` (fused multiply-add) is safe in every formula. Sums may also be reordered, because only then can the compiler
+# vectorise them. Formulas may not: a reordered range reduction in the exponential loses half its digits. `forceinline` is
+# needed because a loop that calls a formula instead of inlining it is not vectorised.
 FORMULA: dict[str, Any] = {"fastmath": {"contract"}, "error_model": "numpy", "nogil": True}
 KERNEL: dict[str, Any] = {"fastmath": {"contract", "reassoc", "nsz"}, "error_model": "numpy", "nogil": True}
 
 
 def unpack(row, length):
-    """Return the first `length` numbers of an array as a tuple; in kernels `length` must be a constant.
+    """Return the first `length` numbers of a one-dimensional array as a tuple; in compiled code `length` must be a constant.
 
     In plain Python the tuple holds Python floats, with which formulas run three times as fast as with NumPy scalars.
     """
     return tuple(row[:length].tolist())
 
 
-# What the compiler knows by itself: their names say enough, and the version of the compiler, which the cache asks for.
+# Functions of these modules are described by name alone; the version of Numba is part of the name of a cache file.
 _KNOWN = ("numpy", "numba", "math")
-# Marked formulas that Numba was not told of yet.
+# Marked functions that are not yet registered with Numba.
 _waiting: list[Any] = []
 _registering = Lock()
 
 
 def formula(function: Callable) -> Any:
-    """Mark a function of scalars so that kernels inline it; called from Python it runs uncompiled and accepts arrays."""
+    """Mark a function of scalars so that compiled loops inline it, and return it.
+
+    Called from Python, the function runs uncompiled and accepts arrays.
+    """
     return _inlined(function, FORMULA)
 
 
 def loop(function: Callable) -> Any:
-    """Mark a loop so that kernels inline it; the compiler may reorder its sums."""
+    """Mark a function that contains a loop so that compiled loops inline it, and return it.
+
+    The compiler may reorder its sums.
+    """
     return _inlined(function, KERNEL)
 
 
@@ -62,8 +68,8 @@ def _inlined(function: Any, options: dict[str, Any]) -> Any:
 class Kernel:
     """Run a loop over many inputs in plain Python at first, and compiled as soon as this saves time.
 
-    allowance: work that plain Python may do, None if the kernel is always compiled. size: function of the last argument that
-    returns the work of one call.
+    function: the loop. allowance: work that plain Python may do, None if the kernel is always compiled. size: function of the
+    last argument that returns the work of one call.
 
     If plain Python raises an arithmetic error where compiled code would not (a division by zero that the formula handles
     later), the compiled kernel repeats the whole call. A kernel with an allowance must therefore overwrite its output arrays,
@@ -99,7 +105,7 @@ class Kernel:
 
 
 def kernel(function: Callable) -> Any:
-    """Compile a loop over many inputs and cache the result on disk.
+    """Return the loop `function` as a kernel that is compiled at its first call and cached on disk.
 
     The function may be a closure over formulas and constants.
     """
@@ -107,24 +113,24 @@ def kernel(function: Callable) -> Any:
 
 
 def engine_kernel(function: Callable) -> Any:
-    """Return a kernel that is compiled when all engine kernels together have done enough work in plain Python.
+    """Return the loop `function` as a kernel that is compiled when all engine kernels together have done enough work.
 
-    The amount of work is `tiers.ENGINE`.
+    Until then plain Python runs it. The amount of work is `tiers.ENGINE`.
     """
     return Kernel(function, ENGINE)
 
 
 def lazy_kernel(worth: int) -> Callable:
-    """Return a decorator for kernels that are compiled when they have done enough work in plain Python.
+    """Return a decorator for loops that plain Python runs until they have done enough work, and compiled code from then on.
 
-    worth: number of elements of the last argument, summed over all calls, after which the kernel is compiled.
+    worth: number of elements of the last argument, summed over all calls, after which the loop is compiled.
     """
     return lambda function: Kernel(function, Allowance(worth), lambda last: getattr(last, "size", 1))
 
 
 @cache
 def _prepare_numba() -> None:
-    """Register with Numba how compiled kernels call other kernels and the function `unpack`."""
+    """Register with Numba how compiled kernels call other kernels and the function `unpack`; done once per process."""
     import numba
     from numba.extending import overload, typeof_impl
 
@@ -140,7 +146,7 @@ def _prepare_numba() -> None:
 
 
 def _register_formulas() -> None:
-    """Register with Numba all functions that were marked by `formula` since the last call."""
+    """Register with Numba all functions marked by `formula` or `loop` since the last call."""
     if not _waiting:  # the list is cleared when all are registered
         return
     from numba.extending import register_jitable
@@ -152,7 +158,10 @@ def _register_formulas() -> None:
 
 
 def digest(function: Callable) -> str:
-    """Return a hash of everything that determines the compiled code of a function."""
+    """Return a hash, as hexadecimal text, of everything that determines the compiled code of a function.
+
+    That is its own code and, recursively, the code and values of everything it refers to.
+    """
     return hashlib.sha256(_decides(function, []).encode()).hexdigest()
 
 
@@ -166,7 +175,7 @@ def _decides(value: Any, seen: list[Callable]) -> str:
     if isinstance(value, tuple):
         return f"({', '.join(_decides(item, seen) for item in value)})"
     if isinstance(value, np.ndarray):
-        return f"{value.dtype} {value.shape} {value.tobytes()!r}"  # the text of a long array leaves out its middle
+        return f"{value.dtype} {value.shape} {value.tobytes()!r}"  # str() of a long array omits its middle
     if isinstance(value, type):
         return f"{value.__module__}.{value.__qualname__} {getattr(value, '_fields', '')}"
     if not isinstance(function, types.FunctionType):
@@ -195,7 +204,7 @@ def _code(code: types.CodeType, doc: str | None = None) -> str:
 
 
 def _named(function: types.FunctionType) -> dict[str, Any]:
-    """Return the values, by name, that a function takes from its closure, its module and imported modules."""
+    """Return the values, by name, to which a function refers in its closure, its module and imported modules."""
     codes, names = [function.__code__], set()
     for code in codes:
         names |= {*code.co_names}
@@ -204,7 +213,7 @@ def _named(function: types.FunctionType) -> dict[str, Any]:
     for name, cell in zip(function.__code__.co_freevars, function.__closure__ or (), strict=True):
         named[name] = cell.cell_contents
     modules = [item for item in named.values() if isinstance(item, types.ModuleType)]
-    for module in modules:  # those in modules join at the end
+    for module in modules:  # the list grows in the loop by modules that are imported in modules
         if not _known(module.__name__):
             inside = {f"{module.__name__}.{name}": getattr(module, name) for name in names if hasattr(module, name)}
             modules += [item for item in inside.values() if isinstance(item, types.ModuleType) and item not in modules]

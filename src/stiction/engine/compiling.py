@@ -1,13 +1,16 @@
-"""Report the compilation of kernels: the first use of a model on a computer takes some seconds longer than later uses."""
+"""Report the compilation of loops: the first use of a model on a computer takes some seconds longer than later uses."""
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
-Tell = Callable[[int, str], None]  # from the number of kernels compiled so far, and the name of the kernel
+Tell = Callable[[int, str], None]  # takes the number of kernels compiled so far and the name of the current kernel
 
 
 class _Listener:
-    """Count the kernels compiled since the listener was installed."""
+    """Store a callback and the number of kernels (compiled loops) compiled since the callback was installed.
+
+    tell: callback that takes this number and the name of a kernel.
+    """
 
     def __init__(self, tell: Tell):
         self.tell, self.done = tell, 0
@@ -18,10 +21,10 @@ _listeners: list[_Listener] = []
 
 @contextmanager
 def telling(tell: Tell) -> Iterator[None]:
-    """Within the context, call tell(count, name) whenever a kernel starts or finishes compiling.
+    """Within the context, call tell(count, name) whenever a kernel (a compiled loop) starts or finishes compiling.
 
-    count: number of kernels compiled so far. name: key of the law whose formulas are in the kernel, or name of a kernel that
-    all laws share. `tell` is not called for kernels that are loaded from the cache.
+    count: number of kernels compiled since the context was entered. name: key of the law whose formulas are in the kernel, or
+    the name of a kernel that all laws share. `tell` is not called for kernels that are loaded from the disk cache.
     """
     listener = _Listener(tell)
     _listeners.append(listener)
@@ -32,7 +35,7 @@ def telling(tell: Tell) -> Iterator[None]:
 
 
 def report(finished: int, name: str) -> None:
-    """Tell all listeners that the kernel of this name starts compiling or has been compiled.
+    """Call all installed listeners because the kernel of this name starts or finishes compiling.
 
     finished: 0 if it starts, 1 if it has been compiled.
     """

@@ -1,4 +1,4 @@
-"""Build kernels that find the sign changes of a formula by sampling and refining."""
+"""Build compiled loops that find where a formula changes sign, by sampling and refining."""
 
 from collections.abc import Callable
 from functools import cache
@@ -6,18 +6,19 @@ from typing import Any
 
 from stiction.engine.compiled import formula, lazy_kernel, unpack
 
-SAMPLES, MOST = 24, 6  # on a segment; crossings that are looked for
-_STEPS, _SECANTS = 80, 24  # of a bracket: in all, and how many of them may be secants, each third of which halves
-_CLOSE = 1e-15  # two steps nearer to each other than this, relative, are one place
+SAMPLES, MOST = 24, 6  # samples on a segment; largest number of sign changes that callers look for
+_STEPS, _SECANTS = 80, 24  # largest number of steps; secants are tried in the first 24 steps, every third of which bisects
+_CLOSE = 1e-15  # the search ends when two successive places differ by less than this, relative to their size
 
 
 @cache
 def narrowing(excess: Callable) -> Any:
     @formula
     def narrow(left, right, at_left, at_right, row):
-        """Return the place between `left` and `right` at which `excess` changes sign.
+        """Return the place between `left` and `right` at which the formula excess(place, row) changes sign.
 
-        Secant steps (Illinois variant) alternate with bisection steps. Only bisection converges if the sign changes by a jump.
+        at_left, at_right: values of the formula at both ends, of opposite sign. row: its parameters. Secant steps (Illinois
+        variant) alternate with bisection steps. Only bisection converges if the sign changes by a jump.
         """
         rises, last = at_right > 0.0, left
         for step in range(_STEPS):
@@ -39,18 +40,19 @@ def narrowing(excess: Callable) -> Any:
 
 @cache
 def crossing(excess: Callable, parameters: int, samples: int = SAMPLES) -> Any:
-    """Return a kernel that finds the sign changes of excess(u, row) between its edges, the ends and kinks of the function.
+    """Return a compiled loop that finds the sign changes of the formula excess(u, row) between given values of u.
 
-    row: tuple of `parameters` numbers. samples: number of samples between two neighbouring edges.
+    row: tuple of `parameters` numbers. samples: number of samples between two neighbouring edges, which are the ends and kinks
+    of the formula; two sign changes between neighbouring samples are missed.
     """
     narrow = narrowing(excess)
 
     @lazy_kernel(worth=300)
     def fill_crossings(table, edges, out):
-        """Fill out[i] with the sign changes between the edges of law i, in ascending order.
+        """Fill out[i] with the places, in ascending order, at which a formula changes sign for the parameters table[i].
 
-        table (n, p): parameters of each law. edges (n, m): finite ends and kinks. out (n, k): room for k sign changes; unused
-        entries hold the first edge.
+        table (n, p): parameters of n formulas. edges (n, m): ends and kinks of each formula, finite and ascending; sign changes
+        are searched between them. out (n, k): the first k sign changes; unused entries hold the first edge.
         """
         for i in range(edges.shape[0]):
             row, count = unpack(table[i], parameters), 0

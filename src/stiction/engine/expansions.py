@@ -1,8 +1,9 @@
-"""Sum laws at many separations from Taylor series about a few of them; heights are Gaussian.
+"""Sum asperity laws at many separations from Taylor series about a few separations; heights are Gaussian.
 
-With z = h + w, the density at a separation h + d is exp(-(z + d)^2/2) = exp(-z^2/2) exp(-d z) exp(-d^2/2). The sum of a law at
-h + d is therefore exp(-d^2/2) times a power series in d, whose coefficients are sums at h of the values of the law times
-(-z)^k/k!. They are summed once, at the nodes that the law has at h, for all separations within half a step of h.
+An asperity at the displacement w touches at the mean separation h if its height is z = h + w (all over sigma). The height
+density at a separation h + d is exp(-(z + d)^2/2) = exp(-z^2/2) exp(-d z) exp(-d^2/2), up to a constant. The sum of a law at h
++ d is therefore exp(-d^2/2) times a power series in d, whose coefficients are sums at h of the values of the law times
+(-z)^k/k!. These coefficients are summed once for all separations within half a step of h, at the integration nodes for h.
 """
 
 import math
@@ -13,18 +14,19 @@ from stiction.engine.compiled import engine_kernel
 from stiction.engine.heights import gaussian_density
 from stiction.engine.sum_kernels import LONGEST
 
-# Between the separations of the series, and terms of a series: |d z| is 13/8 at most, 36 below the largest density at h = 10,
-# and the first term left out is below 1e-16 of the sum.
+# Distance of neighbouring series, and terms of a series. |d z| is at most 13/8 where the density is not negligible (h up to
+# 10), and the first omitted term is below 1e-16 of the sum.
 STEP, TERMS = 0.25, 22
 _FARTHEST = 10.0
-# So many pairs of a law and a separation, and so many times the number of series, take longer one by one.
+# Series save time from _MANY sums on, if each series serves at least _EACH sums on average.
 _MANY, _EACH = 1000, 10
 
 
 def series_for(h: np.ndarray, law: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray] | None:
-    """Return the places of Taylor series for pairs (m,) of a separation and a law; None where single sums take less time.
+    """Choose the separations about which Taylor series are made for m sums; return None if single sums take less time.
 
-    Returns the separations (s,) and the laws (s,) of the series, and the index of the series of each pair (m,).
+    h (m,): mean separation of each sum, over sigma. law (m,): index of the law (parameter set) that is summed. Returns the
+    separations (s,) and law indices (s,) of s series, and for each sum the index (m,) of its series.
     """
     if h.size < _MANY or not np.abs(h).max() <= _FARTHEST:
         return None
@@ -44,9 +46,10 @@ def series_for(h: np.ndarray, law: np.ndarray) -> tuple[np.ndarray, np.ndarray, 
 
 @engine_kernel
 def expand(h, shape, evaluated, out):
-    """Fill out (s, TERMS, 5) with the coefficients of s Taylor series, each about its separation h (s,).
+    """Fill out (s, TERMS, 5) with the coefficients of s Taylor series, each about its mean separation h (s,), over sigma.
 
-    h, shape, evaluated: as for the kernel of `nodes.adding`.
+    The last axis holds the number of touching asperities, load, area, slip-limited and yield-limited resistance. shape:
+    parameters of the height density. evaluated: the fields of `nodes.Evaluated`, the values of the laws at integration nodes.
     """
     owner, counts, weights, states = evaluated
     out[:] = 0.0
@@ -68,9 +71,11 @@ def expand(h, shape, evaluated, out):
 
 @engine_kernel
 def read_series(d, number, coefficients, out):
-    """Fill out (m, 5) with the values of Taylor series at the distances d (m,) from their separations.
+    """Fill out (m, 5) with the values of Taylor series at the distances d (m,) from the separations of the series.
 
-    number (m,): index of the series. coefficients: of all series, from `expand`.
+    d: separation minus separation of the series, over sigma. number (m,): index of the series. coefficients (s, TERMS, 5):
+    coefficients that `expand` computed. The five values are number of touching asperities, load, area, slip-limited and
+    yield-limited resistance.
     """
     for i in range(d.size):
         series, x = coefficients[number[i]], d[i]

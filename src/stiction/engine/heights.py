@@ -1,7 +1,8 @@
 """Provide distributions of asperity heights, standardised to mean 0 and standard deviation 1.
 
-Heights are in units of sigma. To add a distribution, write a density, a window and a constructor, and add it to DISTRIBUTIONS.
-Heights that are listed one by one have no density: sums over them have as many terms as there are heights.
+Heights are in units of sigma, their standard deviation. To add a distribution, write a density, a window and a constructor, and
+add it to DISTRIBUTIONS. Heights that are listed one by one have no density: sums over them have as many terms as there are
+heights.
 """
 
 import math
@@ -20,12 +21,12 @@ from stiction.quantities.keywords import with_keywords
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
-# Where the density has fallen by exp(-NEGLIGIBLE) below its largest value on a segment, the rest of the segment is left out.
+# Integration stops where the density has fallen to exp(-NEGLIGIBLE) of its largest value on a segment.
 NEGLIGIBLE = 36.0
 
 _INV_SQRT_2PI = 0.3989422804014327
-_NO_DENSITY = 745.0  # exp of less than minus this is 0
-_ALIKE = 1e-12  # deviation over height, below which listed heights differ by rounding alone
+_NO_DENSITY = 745.0  # exp(-x) is 0 in double precision for larger x
+_ALIKE = 1e-12  # listed heights with a smaller ratio of standard deviation to largest height differ by rounding alone
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,7 +53,7 @@ class Heights:
 
 @formula
 def gaussian_density(z, shape):
-    """Return the standard normal density exp(-z^2/2) / sqrt(2 pi)."""
+    """Return the standard normal density exp(-z^2/2) / sqrt(2 pi) at the height z; `shape` is not used."""
     return _INV_SQRT_2PI * exponential(-0.5 * z * z)
 
 
@@ -71,7 +72,7 @@ def gaussian() -> Heights:
 
 @formula
 def exponential_density(z, shape):
-    """Return exp(-(z + 1)) for z >= -1, else 0."""
+    """Return the exponential density exp(-(z + 1)) at the height z >= -1, else 0; `shape` is not used."""
     return exponential(-(z + 1.0)) if z >= -1.0 else 0.0
 
 
@@ -89,7 +90,7 @@ def exponential_heights() -> Heights:
 
 @formula
 def weibull_density(z, shape):
-    """Return the standardised Weibull density at z.
+    """Return the Weibull density with mean 0 and standard deviation 1 at the height z.
 
     shape: (exponent, mean, deviation) of the Weibull variable y = mean + deviation z with scale 1.
     """
@@ -108,16 +109,16 @@ def weibull_window(z_left, z_right, shape):
     nearest = max(mean + deviation * low, 0.0) ** exponent
     if nearest > _NO_DENSITY:
         return low, low
-    # 5 more than NEGLIGIBLE makes up for the factor y^(exponent-1), left out here.
+    # The 5 added to NEGLIGIBLE compensates for the omitted factor y^(exponent-1) of the density.
     high = (nearest + NEGLIGIBLE + 5.0) ** (1.0 / exponent)
     return low, min(z_right, (high - mean) / deviation)
 
 
 @cache
 def weibull(exponent: float) -> Heights:
-    """Return Weibull heights with the given shape parameter, 1 (exponential) to 100; 3.6 is nearly Gaussian.
+    """Return Weibull heights with the shape parameter `exponent`, 1 (exponential) to 100; 3.6 is nearly Gaussian.
 
-    Parameters below 1 raise an InputError, because the density has a pole.
+    Values outside this range raise an InputError; below 1 the density would be infinite at its lower end.
     """
     if not 1.0 <= exponent <= 100.0:
         raise InputError("height_distribution.exponent", exponent, "1 to 100")
@@ -129,7 +130,10 @@ def weibull(exponent: float) -> Heights:
 
 @formula
 def empirical_density(z, shape):
-    """Return the density at z by linear interpolation; shape: (first knot, spacing, density at each knot ...)."""
+    """Return the density at the height z by linear interpolation between equally spaced knots, and 0 outside them.
+
+    shape: first knot, spacing, then the density at each knot.
+    """
     position = (z - shape[0]) / shape[1]
     last = shape.size - 3
     if position < 0.0 or position > last:
@@ -171,9 +175,9 @@ def empirical(samples: np.ndarray, cells: int | None = None) -> Heights:
 
 
 def discrete(samples: np.ndarray) -> Heights:
-    """Return the heights of single asperities, scaled to mean 0 and standard deviation 1 (that of the list, over n).
+    """Return the heights of single asperities, scaled to mean 0 and standard deviation 1 (divisor n).
 
-    samples: 2 or more heights in any unit. Asperities are summed one by one, without a density (Aymard et al. 2024).
+    samples: 2 or more heights in any unit. Sums run over these asperities one by one, without a density (Aymard et al. 2024).
     """
     samples = np.sort(np.asarray(samples, dtype=float).ravel())
     if samples.size < 2 or not np.all(np.isfinite(samples)) or samples[0] == samples[-1]:
@@ -198,7 +202,10 @@ DISTRIBUTIONS: dict[str, Callable[..., Heights]] = {
 
 
 class HeightParameters(TypedDict, total=False):
-    """Name the parameters of the height distributions and their types."""
+    """Name the parameters of the height distributions and their types.
+
+    exponent: of "weibull". samples: heights for "empirical" and "discrete". cells: number of histogram cells of "empirical".
+    """
 
     exponent: float
     samples: "ArrayLike"

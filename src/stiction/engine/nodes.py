@@ -1,12 +1,12 @@
 """Place integration nodes, evaluate a law there and sum, in separate stages that compile quickly.
 
-Only two short loops are compiled for each regime, by `evaluating` and `inverting`. The other stages work for every law:
-`cutting` finds the parts of segments that contribute, `place_nodes` puts Gauss-Legendre nodes on them, and `adding` sums the
-values of the law. `placing` does the same for many separations at once. The single loop of `sum_kernels.scattering` runs
-faster but takes six times as long to compile.
+Only two short loops are compiled for each regime (a smooth part of an asperity law), by `evaluating` and `inverting`. The other
+stages work for every law: `cutting` finds the parts of segments that contribute, `place_nodes` puts Gauss-Legendre nodes on
+them, and `adding` sums the values of the law. `placing` does the same for many separations at once. The single loop of
+`sum_kernels.scattering` runs faster but takes six times as long to compile.
 
-A "law" is one parameter set of a regime, a "segment" is the range between two neighbouring edges of a regime. Kernels take
-`parts` as the plain tuple of arrays of `Parts`.
+A "law" is one parameter set of a regime, a "segment" is the range between two neighbouring edges of a regime. Compiled loops
+take `parts` as the plain tuple of arrays of `Parts`.
 """
 
 import math
@@ -21,15 +21,16 @@ from stiction.engine.regime import Regime, columns
 from stiction.engine.sum_kernels import LONGEST, SHORT, clipping, map_segment
 
 _BLOCK = 1024  # laws at a time: their values stay in the processor's cache
-# Nodes and weights (rules, 2, longest) on [0, 1], and how many of them (rules,).
+# Nodes and weights (rules, 2, longest) on [0, 1] of each integration rule, and their number (rules,).
 Rules = tuple[np.ndarray, np.ndarray]
 
 
 class Laws(NamedTuple):
-    """Store the arrays of a regime for n laws as the kernels take them.
+    """Store the arrays of a regime (a smooth part of an asperity law) for n parameter sets, as compiled loops take them.
 
-    table (n, p): parameters. edges (n, m + 1): ends of the segments. branch (n, b): branch points of `Regime`. two_sided: True
-    if a segment may also end at a branch point.
+    table (n, p): parameters. edges (n, m + 1): coordinates of the ends of the segments. branch (n, b): coordinates at which the
+    resistance behaves like a square root. two_sided: True if a segment may end at a branch point, False if it may only begin
+    there.
     """
 
     table: np.ndarray
@@ -39,24 +40,24 @@ class Laws(NamedTuple):
 
     @classmethod
     def of(cls, regime: Regime) -> "Laws":
-        """Return the arrays of a regime; without branch points `branch` is -inf."""
+        """Return the arrays of a regime; if the regime has no branch points, `branch` is -inf."""
         edges = np.ascontiguousarray(regime.edges)
         branch = np.full(len(edges), -np.inf) if regime.branch is None else np.ascontiguousarray(regime.branch)
         two_sided = branch.ndim == 2
         return cls(columns(regime.parameters, len(edges)), edges, branch if two_sided else branch[:, None], two_sided)
 
     def some(self, rows: slice) -> "Laws":
-        """Return the arrays of some of the laws."""
+        """Return the arrays of the parameter sets in the slice `rows`."""
         return Laws(self.table[rows], self.edges[rows], self.branch[rows], self.two_sided)
 
 
 class Parts(NamedTuple):
     """Store k integration intervals; each lies within one segment of a regime and gets its own nodes.
 
-    law (k,): index of the law. owner (k,): index of the sum to which the interval contributes. ends (k, 2): ends in the
-    coordinate u of the law. end_w (k, 2): displacement at each end, from which `ends` is computed later; NaN if the end of the
-    segment applies. rule (k,): index of the integration rule. at_knot (k,): True if the interval starts at a knot of the height
-    density.
+    law (k,): index of the parameter set of the regime. owner (k,): index of the sum to which the interval contributes. ends (k,
+    2): ends in the coordinate u of the law. end_w (k, 2): displacement at each end, from which `ends` is computed later; NaN if
+    the interval ends where the segment ends. rule (k,): index of the integration rule. at_knot (k,): True if the interval
+    starts at a knot of the height density, a height at which the density is not smooth.
     """
 
     law: np.ndarray
@@ -78,7 +79,8 @@ class Evaluated(NamedTuple):
     """Store the values of a law at integration nodes, in r rows of at most LONGEST nodes.
 
     owner (r,): index of the sum to which the row is added. counts (r,): number of nodes. weights (r, LONGEST): integration
-    weights. states (r, 6 LONGEST): the six values that `Regime.along` returns, LONGEST places for each value.
+    weights. states (r, 6 LONGEST): displacement, its derivative by the coordinate, load, area, slip-limited and yield-limited
+    resistance, LONGEST places for each.
     """
 
     owner: np.ndarray
@@ -89,18 +91,19 @@ class Evaluated(NamedTuple):
 
 @cache
 def evaluating(along: Callable, parameters: int, values: int = 6) -> Any:
-    """Return the kernel that evaluates a law at integration nodes.
+    """Return a compiled loop that evaluates an asperity law at integration nodes.
 
-    along: formula of the law, as in `Regime`. parameters: number of parameters of the law. values: number of values to store,
-    the first 4 or all 6 that `along` returns.
+    along: formula of the law, along(u, *parameters) -> six values at the coordinate u, as in `Regime`. parameters: number of
+    parameters of the law. values: how many of the six values are stored, the first 4 or all.
     """
 
     @lazy_kernel(worth=400_000)
     def evaluate(u, law, count, table, out):
-        """Fill out[i] with the values of the law law[i] at the coordinates u[i, :count[i]]; counts are multiples of eight.
+        """Fill out[i] with the values of the law law[i] at the coordinates u[i, :count[i]].
 
-        Each value occupies LONGEST places of the row. With this fixed distance the compiler can prove that the stores do not
-        overlap, and vectorises the loop.
+        law (r,): index of the parameter set, a row of `table`. count (r,): number of coordinates; only the largest multiple of
+        eight in it is evaluated. Each value occupies LONGEST places of the row out[i]. With this fixed distance the compiler
+        can prove that the stores do not overlap, and vectorises the loop.
         """
         for i in range(law.size):
             places, row, filled = u[i], unpack(table[law[i]], parameters), out[i]
@@ -119,9 +122,9 @@ def evaluating(along: Callable, parameters: int, values: int = 6) -> Any:
 
 @cache
 def inverting(coordinate: Callable, parameters: int) -> Any:
-    """Return the kernel that computes the coordinates u of a law at given displacements.
+    """Return a compiled loop that computes the coordinates u of a law at given displacements.
 
-    coordinate: formula u(displacement, *parameters), as in `Regime`. parameters: number of parameters of the law.
+    coordinate: formula coordinate(displacement, *parameters) -> u, as in `Regime`. parameters: number of parameters of the law.
     """
 
     @lazy_kernel(worth=10_000)
@@ -133,12 +136,16 @@ def inverting(coordinate: Callable, parameters: int) -> Any:
 
 
 def displacements(regime: Regime, laws: Laws) -> np.ndarray:
-    """Return the displacements (n, m + 1) at the edges of a regime."""
+    """Return the displacements (n, m + 1), over sigma, at the edges of a regime with n parameter sets."""
     return np.ascontiguousarray(values_at(regime.along, laws.table, laws.edges)[:, 0])
 
 
 def values_at(along: Callable, table: np.ndarray, u: np.ndarray, values: int = 6) -> np.ndarray:
-    """Return the values (n, values, k) of n laws at the coordinates u (n, k)."""
+    """Return the values (n, values, k) of n laws (parameter sets) at the coordinates u (n, k).
+
+    along: formula of the law; the first 4 or all 6 of its values are returned: displacement, its derivative by u, load, area,
+    slip-limited and yield-limited resistance. table (n, p): parameters.
+    """
     evaluate, result = evaluating(along, table.shape[1], values), np.empty((len(u), values, u.shape[1]))
     out, eight = np.empty((min(len(u), _BLOCK), values * LONGEST)), np.empty((min(len(u), _BLOCK), 8))
     law, count = np.arange(len(out)), np.full(len(out), 8)
@@ -148,7 +155,7 @@ def values_at(along: Callable, table: np.ndarray, u: np.ndarray, values: int = 6
             some = u[rows, first : first + 8]
             laws, columns = some.shape
             eight[:laws, :columns] = some
-            eight[:laws, columns:] = some[:, -1:]  # the loop takes eight at a time
+            eight[:laws, columns:] = some[:, -1:]  # padded, because the loop evaluates eight at a time
             evaluate(eight[:laws], law[:laws], count, table[rows], out)
             result[rows, :, first : first + columns] = out[:laws].reshape(-1, values, LONGEST)[:, :, :columns]
     return result
@@ -156,15 +163,20 @@ def values_at(along: Callable, table: np.ndarray, u: np.ndarray, values: int = 6
 
 @cache
 def cutting(window: Callable) -> Any:
-    """Return the kernel that finds, for each separation, the parts of segments where the height density is not negligible."""
+    """Return a compiled loop that finds, for each separation, the parts of segments where the height density is not negligible.
+
+    window: formula that limits an interval to heights that are not negligible, as in `Heights`.
+    """
 
     clip = clipping(window)
 
     @engine_kernel
     def cut(h, law, heights, laws, parts):
-        """Fill `parts` for the law law[i] at the separation h[i], with owner i, and return the number of parts.
+        """Fill `parts` with the integration intervals of the law law[i] at the separation h[i], and return their number.
 
-        laws: (edges, displacements at the edges), both (n, m + 1).
+        h, law (m,): separation over sigma and index of the parameter set of each sum. heights: parameters of the density, and
+        heights at which it is not smooth. laws: (edges, displacements at the edges), both (n, m + 1). parts: fields of `Parts`;
+        the owner of an interval is i.
         """
         (_, knots), (edges, displaced), (laws_of, owner, ends, end_w, rule, at_knot) = heights, laws, parts
         used = 0
@@ -194,7 +206,11 @@ def cutting(window: Callable) -> Any:
 
 @engine_kernel
 def place_nodes(parts, branch, two_sided, rules, nodes):
-    """Fill the rows of `nodes` with coordinates and weights of all parts, and return the number of rows."""
+    """Fill `nodes` with the coordinates and weights of all integration intervals, and return the number of filled rows.
+
+    parts: fields of `Parts`, the intervals. branch, two_sided: as in `Laws`; near a branch point the nodes are denser. rules:
+    nodes and weights on [0, 1], and their numbers. nodes: fields of `Rows`.
+    """
     (law, owner, ends, _, rule, at_knot), (rule_table, counts) = parts, rules
     u, weights, row_law, row_owner, row_count, _ = nodes
     used = 0
@@ -217,10 +233,11 @@ def place_nodes(parts, branch, two_sided, rules, nodes):
 
 
 class Rows(NamedTuple):
-    """Store r rows of integration nodes, which `place_nodes` and `evaluating` fill.
+    """Store r rows of at most LONGEST integration nodes, which `place_nodes` and `evaluating` fill.
 
-    u, weights (r, LONGEST): coordinates and weights. law, owner, counts (r,): index of the law, index of the sum, number of
-    nodes. states (r, 6 LONGEST): as in `Evaluated`.
+    u, weights (r, LONGEST): coordinates and integration weights. law, owner, counts (r,): index of the parameter set, index of
+    the sum to which the row is added, number of nodes. states (r, 6 LONGEST): the six values of the law, LONGEST places for
+    each.
     """
 
     u: np.ndarray
@@ -232,7 +249,7 @@ class Rows(NamedTuple):
 
     @classmethod
     def room(cls, parts: int, rules: Rules) -> "Rows":
-        """Return empty arrays with room for the nodes of `parts` parts."""
+        """Return uninitialised arrays with enough rows for the nodes of `parts` integration intervals."""
         rows = parts * -(-int(rules[1].max()) // LONGEST)
         u, weights = np.empty((2, rows, LONGEST))
         law, owner, count = np.empty((3, rows), dtype=np.int64)
@@ -240,9 +257,10 @@ class Rows(NamedTuple):
 
 
 def evaluate_parts(regime: Regime, laws: Laws, parts: Parts, used: int, rules: Rules, rows: Rows) -> Evaluated:
-    """Evaluate a regime at the nodes of the first `used` parts.
+    """Evaluate a regime at the integration nodes of the first `used` intervals in `parts`, and return the values.
 
-    rows: work arrays; the result refers to their memory.
+    regime: a smooth part of an asperity law. laws: its arrays. rules: nodes and weights on [0, 1], and their numbers. rows:
+    work arrays; the result refers to their memory.
     """
     parts = Parts(*(array[:used] for array in parts))
     _settle(regime, laws, parts)
@@ -253,7 +271,7 @@ def evaluate_parts(regime: Regime, laws: Laws, parts: Parts, used: int, rules: R
 
 
 def _settle(regime: Regime, laws: Laws, parts: Parts) -> None:
-    """Compute the interval ends that are given as displacements, and store their coordinates u in `parts.ends`."""
+    """Compute those interval ends that are given as displacements, and store their coordinates u in `parts.ends`."""
     w, coordinates = np.empty((2, parts.end_w.size))
     law, place = np.empty((2, parts.end_w.size), dtype=np.int64)
     count = list_end_displacements(tuple(parts), w, law, place)
@@ -263,10 +281,10 @@ def _settle(regime: Regime, laws: Laws, parts: Parts) -> None:
 
 @engine_kernel
 def list_end_displacements(parts, w, law, place):
-    """List the interval ends that are given as displacements (`Parts.end_w`), and return how many there are.
+    """List the interval ends that are given as displacements (not NaN in `Parts.end_w`), and return how many there are.
 
-    For each such end the output arrays receive: w: displacement; law: index of the law; place: 2 i for the start of interval
-    i, 2 i + 1 for its end.
+    parts: fields of `Parts`. For each such end the output arrays receive: w: displacement over sigma; law: index of the
+    parameter set; place: 2 i for the start of interval i, 2 i + 1 for its end.
     """
     law_of, _, _, end_w, _, _ = parts
     used = 0
@@ -280,7 +298,11 @@ def list_end_displacements(parts, w, law, place):
 
 @engine_kernel
 def put_ends(coordinates, place, ends):
-    """Store the computed `coordinates` in `ends`, clipped to the segment; place: as in `list_end_displacements`."""
+    """Store the computed `coordinates` (k,) as ends of integration intervals, clipped to the segments of the intervals.
+
+    place (k,): where each coordinate belongs: 2 i for the start of interval i, 2 i + 1 for its end. ends (intervals, 2): holds
+    the ends of the segments before, and those of the intervals afterwards.
+    """
     for j in range(place.size):
         i, end = place[j] // 2, place[j] % 2
         ends[i, end] = max(ends[i, 0], coordinates[j]) if end == 0 else min(ends[i, 1], coordinates[j])
@@ -288,14 +310,19 @@ def put_ends(coordinates, place, ends):
 
 @cache
 def adding(density: Callable) -> Any:
-    """Return the kernel that sums the values of laws at integration nodes, weighted by a height density.
+    """Return a compiled loop that sums the values of laws at integration nodes, weighted by a height density.
 
-    Each sum, an owner of nodes, has one separation.
+    density: formula density(z, shape) of the height z over sigma.
     """
 
     @engine_kernel
     def add(h, shape, evaluated, out):
-        """Fill out (m, 5) with the five sums of each owner, in the order of `summation.QUANTITIES`."""
+        """Fill out (m, 5) with m sums: number touching, load, area, slip-limited and yield-limited resistance.
+
+        h (m,): mean separation of each sum over sigma. shape: parameters of the density. evaluated: fields of `Evaluated`, the
+        values of the laws at nodes; each row of nodes is added to the sum that is its owner. Sums are averages over all
+        asperities.
+        """
         owner, counts, weights, states = evaluated
         out[:] = 0.0
         for row in range(owner.size):

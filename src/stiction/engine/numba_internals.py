@@ -1,8 +1,9 @@
 """Contain all uses of Numba that are not part of its public interface; tests fail if a Numba release breaks them.
 
-Numba's own cache (`cache=True`) cannot serve kernels, for three reasons. It hashes a closure by the identities of the compiled
-functions in it, which differ in every process. It notices edits only in the kernel's own file. Processes that compile the same
-kernel for different input types at the same time can mix up each other's files, because all types share one index file.
+Numba's own cache (`cache=True`) cannot serve the loops that are compiled here, for three reasons. It hashes a closure by the
+identities of the compiled functions in it, which differ in every process. It notices edits only in the loop's own file.
+Processes that compile the same loop for different input types at the same time can mix up each other's files, because all types
+share one index file.
 """
 
 import hashlib
@@ -24,23 +25,24 @@ from stiction.engine.compiling import report
 from stiction.quantities.cache import cache_folder, is_private, keep_file
 from stiction.quantities.notices import notice
 
-_MOST = 500_000_000  # bytes of all kernels: those of every model take a third of it
-# Bytes at the end of a file of the cache, by which it is known to be whole.
+_MOST = 500_000_000  # bytes, largest size of the cache; the kernels of all models take a third of it
+# Number of bytes of the checksum at the end of a cache file, which shows that the file is complete.
 _CHECKSUM = hashlib.sha256().digest_size
 
 
 def keep_on_disk(compiled: Any, digest: Callable[[Any], str]) -> None:
     """Give a compiled kernel a cache on disk.
 
-    The name of a file contains a hash of the code digest, the input types, the versions of Numba and Python, and the processor.
+    compiled: the function that Numba returned. digest: function that returns a hash of all code that `compiled` depends on. The
+    name of a cache file contains a hash of this digest, the input types, the versions of Numba and Python, and the processor.
     """
     compiled._cache = _KernelCache(compiled, digest)
 
 
 class _KernelCache(NullCache):
-    """Cache one kernel on disk, in one file for each combination of input types and processor.
+    """Cache one kernel (compiled loop) on disk, in one file for each combination of input types and processor.
 
-    Each file is replaced as a whole, so that processes that compile at the same time do not mix up their files.
+    Each file is replaced in one step, so that processes that compile at the same time do not mix up their files.
     """
 
     def __init__(self, compiled: Any, digest: Callable[[Any], str]):
@@ -54,10 +56,11 @@ class _KernelCache(NullCache):
     def load_overload(self, sig: Any, target_context: Any) -> Any:
         """Return the compiled kernel for inputs of the types `sig`; None if it is not in the cache.
 
-        The digest is computed here, at the first call: only then are all functions defined to which the kernel refers.
+        sig, target_context: signature and compilation target, as Numba passes them. The hash of the kernel's code is computed
+        here, at the first call, because only then are all functions defined to which the kernel refers.
         """
         if not self._digest:
-            # In its name too: two that are loaded into one process must not be taken for each other by the linker.
+            # The hash is part of the function's name too, because the linker would mix up two versions loaded in one process.
             self._digest = self._digest_of(self._compiled)
             self._compiled.py_func.__qualname__ += f"_{self._digest[:16]}"
         target_context.refresh()
@@ -70,15 +73,15 @@ class _KernelCache(NullCache):
         file = self._file(sig, target_context.codegen())
         try:
             content = file.read_bytes()
-            os.utime(file)  # what is used is deleted last
+            os.utime(file)  # marks the file as used; files unused for longest are deleted first
         except OSError:
             return None
         made, checksum = content[:-_CHECKSUM], content[-_CHECKSUM:]
-        if not made or hashlib.sha256(made).digest() != checksum:  # cut short or changed: what is in it could do anything
+        if not made or hashlib.sha256(made).digest() != checksum:  # truncated or changed: unpickling could run any code
             return None
         try:
             return CompileResult._rebuild(target_context, *pickle.loads(made))
-        except ImportError:  # the same code, compiled when a part of it stood in a module that is no more
+        except ImportError:  # compiled from the same code when part of it was in a module that no longer exists
             return None
 
     def save_overload(self, sig: Any, data: Any) -> None:
@@ -97,7 +100,7 @@ class _KernelCache(NullCache):
 
 
 def _laws_of(function: Any) -> Iterator[str]:
-    """Yield the keys of the laws whose formulas are in the closure of a kernel or formula."""
+    """Yield the keys of the laws whose formulas a compiled loop or formula contains (in its closure, searched recursively)."""
     *folders, name = function.__module__.split(".")
     if folders[:2] == ["stiction", "laws"] and len(folders) == 3:
         yield name
@@ -107,7 +110,7 @@ def _laws_of(function: Any) -> Iterator[str]:
 
 
 def _is_trusted() -> bool:
-    """Return whether only this user can write to the kernel cache.
+    """Return whether only this user can write to the folder of cached kernels; print a notice if others can.
 
     Compiled kernels are loaded by unpickling, which runs code from the file; files by others must not be loaded.
     """

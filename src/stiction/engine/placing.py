@@ -1,4 +1,7 @@
-"""Place integration nodes once for many separations, by shared loops or by one loop compiled for the regime."""
+"""Place integration nodes once for many separations, by shared loops or by one loop compiled for the regime.
+
+A regime is one smooth part of an asperity law, for several parameter sets ("laws").
+"""
 
 import math
 from collections.abc import Callable
@@ -16,15 +19,20 @@ from stiction.engine.sum_kernels import LONGEST, WIDEST, placing, reaching
 
 @cache
 def spanning(window: Callable) -> Any:
-    """Return the kernel that finds the parts of segments that contribute at any of many separations."""
+    """Return a compiled loop that finds which displacements of an asperity contribute to a sum at any of many separations.
+
+    window: formula of the height distribution, as in `Heights`, that limits an interval to heights that are not negligible.
+    """
 
     parts_of = reaching(window)
 
     @engine_kernel
     def span(reach, shape, laws, parts):
-        """Fill `parts` for every law, with the index of the law as owner, and return the number of parts.
+        """Fill `parts` with the integration intervals of every law (parameter set), and return their number.
 
-        reach: as in `sum_kernels.reaching`. laws: as in `nodes.cutting`.
+        reach: lowest and highest displacement that is integrated and smallest separation, all over sigma. shape: parameters of
+        the height distribution. laws: (edges, displacements at the edges), both (n, m + 1); each pair of neighbouring edges
+        bounds a segment. parts: fields of `nodes.Parts`; the owner of an interval is the index of its law.
         """
         edges, displaced = laws
         laws_of, owner, ends, end_w, rule, at_knot = parts
@@ -58,9 +66,10 @@ def _copy(state, count, out):
 
 @loop
 def _weigh(weight, state, count, quantity, out):
-    """Fill `out` with the summand of one quantity at each node: weight times value times dw/du.
+    """Fill `out` with weight * value * dw/du at each node, for one quantity (w: displacement; u: coordinate of the law).
 
-    w: displacement; u: coordinate of the law.
+    weight: integration weights. state: values of the law at the nodes, LONGEST places each; dw/du is the second. count: number
+    of nodes. quantity: index of the value in `state`.
     """
     for node in range(8 * (count // 8)):
         out[node] = weight[node] * state[LONGEST + node] * state[quantity * LONGEST + node]
@@ -68,10 +77,11 @@ def _weigh(weight, state, count, quantity, out):
 
 @engine_kernel
 def append_nodes(evaluated, nodes):
-    """Append evaluated nodes to the table of nodes of each law.
+    """Append evaluated integration nodes to the table of nodes of each law (parameter set).
 
-    nodes: (displacements, values, used) as described in `sum_kernels`. values (n, rows, room) has one row for the load alone,
-    three for load, area and total resistance, or five for all QUANTITIES.
+    evaluated: fields of `nodes.Evaluated`. nodes: displacements (n, room) of the nodes of n laws, weights times summed values
+    (n, rows, room), and number (n,) of nodes so far. rows: one for the load alone; three for load, area and total resistance;
+    or five for number touching, load, area, slip-limited and yield-limited resistance.
     """
     (owner, counts, weights, states), (places, values, used) = evaluated, nodes
     rows = values.shape[1]
@@ -98,9 +108,10 @@ def append_nodes(evaluated, nodes):
 class Placing:
     """Describe how the integration nodes of one regime are placed once for many separations.
 
-    window: window of the height distribution. parts: largest number of intervals of one law. displaced (n, m + 1):
-    displacements at the edges, None if the loop compiled for the regime is used. rows: number of summed values, as in
-    `append_nodes`.
+    window: formula that limits an interval to heights that are not negligible, as in `Heights`. parts: largest number of
+    integration intervals of one law (parameter set). displaced (n, m + 1): displacements at the edges over sigma, None if a
+    loop compiled for the regime is used. rows: number of summed values: 1 (load), 3 (load, area, total resistance) or 5 (number
+    touching, load, area, slip-limited and yield-limited resistance).
     """
 
     regime: Regime
@@ -112,9 +123,10 @@ class Placing:
 
     @classmethod
     def of(cls, regime: Regime, window: Callable, widest: float, rows: int, specialised: bool) -> "Placing":
-        """Return the description of a regime under heights with this window.
+        """Return the description of how the nodes of a regime are placed.
 
-        widest: largest span of displacements in which nodes are placed. specialised: whether to use a loop compiled for the
+        window: window formula of the height distribution, as in `Heights`. widest: largest range of displacements, over sigma,
+        in which nodes are placed. rows: number of summed values: 1, 3 or 5. specialised: whether to use a loop compiled for the
         regime.
         """
         laws = Laws.of(regime)
@@ -124,15 +136,16 @@ class Placing:
 
     @property
     def room(self) -> int:
-        """Return the largest number of nodes of one law."""
+        """Return the largest number of integration nodes that one law (parameter set) can have."""
         return self.parts * LONGEST
 
     def on(self, laws: int, rules: Rules) -> Callable:
-        """Return append(reach, shape, block, nodes), which adds the integration nodes of a block of laws to `nodes`.
+        """Return append(reach, shape, block, nodes), which adds the integration nodes of a block of laws to the table `nodes`.
 
-        laws: largest number of laws in a block. rules: nodes and weights of the integration rules. reach: as in
-        `sum_kernels.reaching`. shape: parameters of the height distribution. block: slice of the laws. nodes: table of
-        nodes, as described in `sum_kernels`.
+        laws: largest number of laws (parameter sets) in a block. rules: nodes and weights of the integration rules. The
+        arguments of append: reach: lowest and highest displacement that is integrated and smallest separation, over sigma.
+        shape: parameters of the height distribution. block: slice of the laws. nodes: (displacements, weights times values,
+        numbers of nodes), one row for each law of the block.
         """
         regime, displaced = self.regime, self.displaced
         if displaced is None:

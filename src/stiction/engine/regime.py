@@ -1,11 +1,11 @@
-"""Describe one smooth part of an asperity's behaviour (a regime) as data for the summation engine."""
+"""Describe one smooth part of an asperity's behaviour (a regime) as data for the sums over asperity heights."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
-# The state of a regime that is no solid: what it pulls with is counted by itself.
+# State of a regime that describes liquid bridges, not solid contact: its load is reported separately.
 MENISCUS = "meniscus"
 
 
@@ -13,10 +13,10 @@ MENISCUS = "meniscus"
 class Regime:
     """Describe one smooth part of an asperity's behaviour, for n parameter sets ("laws") at once.
 
-    along(u, *parameters) returns for one asperity at the coordinate u: displacement, derivative of the displacement by u,
-    load, contact area, and the slip-limited and the yield-limited part of its tangential resistance. coordinate(displacement,
+    along(u, *parameters) returns for one asperity at the coordinate u: displacement, derivative of the displacement by u, load,
+    contact area, and the slip-limited and the yield-limited part of its tangential resistance. coordinate(displacement,
     *parameters) -> u is the inverse of the displacement. Both are scalar formulas (`compiled.formula`). Displacements are in
-    units of sigma; loads, areas and resistances are in the units of the model.
+    units of sigma, the standard deviation of the heights; loads, areas and resistances are in the units of the model.
 
     parameters: arrays (n,) or numbers, in the order in which `along` takes them.
     edges: array (n, m + 1) of coordinates. The regime reaches from the first to the last edge; the edges in between are kinks,
@@ -29,7 +29,8 @@ class Regime:
     state: state of the asperity, such as "elastic" or "plastic". body: "bare", "film" or "substrate", the body that deforms.
         Results are reported by state and body.
     touching: whether asperities here count as touching (False avoids counting an asperity on film and substrate twice).
-    in_half_space: False if the asperity is pressed in deeper than the film's half-space law is valid.
+    in_half_space: False if the asperity is pressed in deeper than a coating law allows that treats the film as infinitely
+        thick.
     yields_by_degrees: True if part of the contact flows plastically, and only the rest contributes to the resistance.
     """
 
@@ -47,7 +48,10 @@ class Regime:
 
 
 def columns(parameters: Sequence[np.ndarray | float], laws: int) -> np.ndarray:
-    """Return the parameters as a table (n, p) for the kernels; each parameter is an array (n,) or a number, and p may be 0."""
+    """Return the parameters of a law as one table (n, p), a column for each parameter; p may be 0.
+
+    parameters: p arrays (n,) or numbers. laws: n, the number of parameter sets.
+    """
     table = np.empty((laws, len(parameters)))
     for column, values in enumerate(parameters):
         table[:, column] = values

@@ -1,9 +1,9 @@
 """Extend sums at a few separations to many, by a matrix that depends only on the heights and the separations.
 
 For a law that is a single spike at the displacement w, the sum at the separation h is the height density at h + w. These
-functions of h are so similar that their values at a few separations (the skeleton) determine all others. The matrix is the
-least-squares best for all spikes, and therefore for every law. Sums that may have lost digits in the product are marked, and
-are then computed directly.
+functions of h are so similar that their values at a few separations (the skeleton) determine all others. The matrix is fitted
+by least squares to spikes at 300 displacements, and therefore serves every law. Sums that may have lost digits in the product
+are marked, and are then computed directly.
 """
 
 import math
@@ -15,18 +15,21 @@ import numpy as np
 from stiction.engine.compiled import kernel, loop
 from stiction.engine.heights import Heights
 
-# Numbers of separations in a skeleton; multiples of four, so many terms of the product are taken at a time.
+# Numbers of separations in a skeleton; multiples of four, because the product adds four terms at a time.
 _SKELETONS = (16, 20, 24, 28, 32, 40, 48, 64)
-# Separations farther apart than this, over sigma, have no skeleton of 64, and are taken in parts.
+# Separations over a wider range, over sigma, would need more than 64 in the skeleton, and are divided into groups.
 _SPAN = 14.0
-# The matrix is good to this; far out the density itself is not, whose exponent h^2/2 is rounded.
+# Largest error of the matrix. It grows with h^2, because the exponent h^2/2 of the density itself is rounded.
 _RESIDUAL, _ROUNDING = 5e-15, 2.3e-16
-# A sum that may have lost more than this (see `carry_over`) is doubtful.
+# A sum whose relative error may exceed this (see `carry_over`) is marked.
 _LOST = 8e-11
 
 
 def near_each_other(h: np.ndarray) -> list[np.ndarray]:
-    """Divide the separations h (H,) into groups that each span at most _SPAN; return the indices of each group."""
+    """Divide the separations h (H,) into groups; return the indices of each group.
+
+    h is in units of sigma, the standard deviation of the heights. Each group spans at most 14 sigma.
+    """
     if not h.size or np.ptp(h) <= _SPAN:
         return [np.arange(h.size)]
     order = np.argsort(h, kind="stable")
@@ -37,13 +40,14 @@ def near_each_other(h: np.ndarray) -> list[np.ndarray]:
 
 @lru_cache(maxsize=64)
 def skeleton(h_bytes: bytes, w_low: float, w_high: float, heights: Heights) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return a few separations, an extension matrix and an accuracy threshold for the separations h.
+    """Return a few separations, and the matrix that extends sums at these to the separations h, with its accuracy.
 
-    h_bytes: bytes of the array h (H,). w_low, w_high: range of the displacements.
+    h_bytes: bytes of the array h (H,), separations over sigma. w_low, w_high: range of the displacements over sigma. heights:
+    distribution of the heights.
 
-    Returns the few separations (L,), the matrix (L, H) in tiles that maps sums there to sums at h, and the threshold (H,). A
-    positive sum may have lost digits if it is below threshold times size, where the size is the sum without the height
-    density. The first two arrays are empty if no matrix is accurate enough.
+    Returns the few separations (L,), the matrix (L, H) cut into tiles, and a threshold (H,). A positive sum may have lost
+    digits if it is below threshold times size, where the size is the same sum without the height density. The first two arrays
+    are empty if no matrix is accurate enough.
     """
     h = np.frombuffer(h_bytes)
     spikes = w_low + (w_high - w_low) * (1.0 - np.cos(np.linspace(0.0, math.pi, 300))) / 2.0
@@ -65,13 +69,14 @@ def skeleton(h_bytes: bytes, w_low: float, w_high: float, heights: Heights) -> t
 def _spike_sums(h: np.ndarray, spikes: np.ndarray, heights: Heights) -> tuple[np.ndarray, np.ndarray]:
     """Return the height density at h + w for each spike w, divided by its maximum at each h, and this maximum.
 
-    The shapes are (H, spikes) and (H,). A spike is a single displacement at which all asperities would be summed.
+    h (H,), spikes: separations and displacements over sigma. The returned shapes are (H, spikes) and (H,). A spike is a single
+    displacement at which all asperities would be summed.
     """
     z = np.add.outer(h, spikes)
     density = np.empty(z.size)
     _densities(heights.density)(z.ravel(), heights.shape, density)
     table = density.reshape(z.shape)
-    largest = np.maximum(table.max(axis=1), 1e-300)  # there may be no height in reach
+    largest = np.maximum(table.max(axis=1), 1e-300)  # the density may be 0 at all spikes
     return table / largest[:, None], largest
 
 
@@ -90,7 +95,10 @@ _TILE = 128
 
 
 def _tiled(carry: np.ndarray) -> np.ndarray:
-    """Return a matrix (L, H) as tiles (tiles, L, width); width is a multiple of eight, the last tile is padded with zeros."""
+    """Return a matrix (L, H) cut into tiles of columns, as an array (tiles, L, width).
+
+    width is at most 128 and a multiple of eight; the last tile is padded with zeros.
+    """
     tiles = -(-carry.shape[1] // _TILE)
     width = 8 * -(-carry.shape[1] // (8 * tiles))
     padded = np.zeros((len(carry), tiles * width))
@@ -102,8 +110,9 @@ def _tiled(carry: np.ndarray) -> np.ndarray:
 def _add_four(few, row, column, tile, product):
     """Add four terms of the matrix product of four rows of `few` and one tile to `product`.
 
-    `product` stores one row every _TILE places. With this fixed distance the compiler can prove that the rows do not overlap,
-    and vectorises the loop. Each value of the tile is loaded once for the four rows.
+    few: (rows, L), left factor. row, column: indices of the first of the four rows and of the four terms. tile (L, width):
+    columns of the right factor. `product` stores one row every 128 places. With this fixed distance the compiler can prove that
+    the rows do not overlap, and vectorises the loop. Each value of the tile is loaded once for the four rows.
     """
     a0, a1, a2, a3 = few[row, column], few[row, column + 1], few[row, column + 2], few[row, column + 3]
     b0, b1, b2, b3 = few[row + 1, column], few[row + 1, column + 1], few[row + 1, column + 2], few[row + 1, column + 3]
@@ -119,10 +128,10 @@ def _add_four(few, row, column, tile, product):
 
 @loop
 def _store(product, sums, size, doubtful_below, doubtful):
-    """Copy one row of the matrix product to `sums`, and mark inaccurate sums in `doubtful`.
+    """Copy one row of the matrix product to `sums`, and mark inaccurate sums as True in `doubtful`.
 
-    A sum is marked if it is below doubtful_below times size (the same sum without the height density), because cancellation
-    may then have cost digits of the product.
+    A sum is marked if it is below doubtful_below times size (the same sum without the height density), because cancellation may
+    then have cost digits of the product.
     """
     for to in range(sums.size):
         sums[to] = product[to]
@@ -131,12 +140,14 @@ def _store(product, sums, size, doubtful_below, doubtful):
 
 @kernel
 def carry_over(few, tiles, doubtful_below, nodes, signed, sums, doubtful):
-    """Fill sums[i, row] = few[i * rows + row] @ matrix, mark inaccurate sums in `doubtful`, and return whether there are any.
+    """Extend sums at a few separations to many by a matrix, mark inaccurate ones, and return whether there are any.
 
-    A sum of positive terms is marked if it is far below its size, the same sum without the height density, because cancellation
-    may then have cost digits. few: (multiple of four, L). tiles: the matrix, from `skeleton`. nodes: as in `sum_kernels`.
-    signed: index of the row that holds the load; it changes sign and is not checked, because it is as accurate as the area. The
-    product is written as a loop here, because a threaded library would compete with the threads of the caller.
+    few (rows of all laws, rounded up to a multiple of four, L): sums at the L separations of the skeleton. tiles: the matrix
+    (L, H), cut into tiles by `skeleton`. sums (n, rows, H): filled with the product. doubtful (n, H): set to True where
+    cancellation may have cost digits, which holds for a sum of positive terms that is below doubtful_below (H,) times its size,
+    the same sum without the height density. nodes: (displacements, weights times values, numbers of nodes) from which `few` was
+    summed. signed: index of the row that holds the load; it changes sign and is not checked, because it is as accurate as the
+    area. The product is written as a loop here, because a threaded library would compete with the threads of the caller.
     """
     _, values, used = nodes
     laws, rows, separations = sums.shape

@@ -1,11 +1,11 @@
-"""Sort a few numbers inside a kernel; NumPy's general sort takes two seconds to compile."""
+"""Sort a few numbers inside a compiled loop; compiling NumPy's general sort there would take two seconds."""
 
 from stiction.engine.compiled import formula
 
 
 @formula
 def sort_few(values):
-    """Sort a short array in place, by insertion."""
+    """Sort a short one-dimensional array in place, in ascending order, by insertion."""
     for i in range(1, values.size):
         value, place = values[i], i
         while place > 0 and values[place - 1] > value:

@@ -1,12 +1,13 @@
-"""Build the loops of the summation engine for a height distribution and, for some of them, for a regime.
+"""Build the compiled loops of the sums over heights, for a height distribution and, for some of them, for a regime.
 
-Arguments of the kernels are tuples, because kernels accept these directly:
+A regime is a smooth part of an asperity law; a law is one parameter set of a regime. Arguments of the loops are tuples, because
+compiled loops accept these directly:
 
 - heights: (shape, knots) of a `Heights`.
 - laws: the fields of `nodes.Laws`: parameters (n, p), edges (n, m), branch points (n, b), two_sided.
 - rules: nodes and weights (rules, 2, longest) on [0, 1], and number of nodes (rules,).
-- nodes: displacements (n, room), weights times summed values (n, rows, room), number of nodes used (n,). `nodes.append_nodes`
-  and `placing` fill them for one block of laws.
+- nodes: displacements (n, room), weights times summed values (n, rows, room), number of nodes used (n,). `placing.append_nodes`
+  and the loop of `placing` below fill them for one block of laws.
 """
 
 import math
@@ -18,11 +19,11 @@ import numpy as np
 
 from stiction.engine.compiled import engine_kernel, formula, kernel, loop, unpack
 
-# A segment that is shorter than this, over sigma, has the nodes of the first rule, any other those of the second.
+# Segments up to this length, over sigma, use the first integration rule, longer segments the second.
 SHORT = 1.0
-# A segment that is longer, over sigma, is cut: that of asperities that hold on below w = 0 is, seen from many separations.
+# Segments longer than this, over sigma, are divided. Adhering asperities that are stretched have such segments.
 WIDEST = 17.0
-# Nodes in one row of a table of nodes, and the most that a segment has on a grid.
+# Number of places in one row of a table of nodes, and largest number of nodes of a segment part on a grid.
 LONGEST = 56
 
 
@@ -30,9 +31,9 @@ LONGEST = 56
 def map_segment(low, high, origins, two_sided):
     """Return the coefficients `linear` and `square` of the map u = low + linear t + square t^2 from t in [0, 1] to [low, high].
 
-    The map is linear, unless a square-root branch point of the integrand lies at or slightly below `low` (if two_sided, also
-    at or slightly above `high`). Then t is linear in the square root of the distance to that point. origins: the branch
-    points.
+    The map is linear, unless a square-root branch point of the integrand lies at or slightly below `low` (if two_sided, also at
+    or slightly above `high`). Then t is linear in the square root of the distance to that point. origins: coordinates of the
+    branch points.
     """
     nearest, origin = 0.1 * (high - low), math.inf
     for i in range(origins.size):
@@ -50,10 +51,11 @@ def map_segment(low, high, origins, two_sided):
 
 @cache
 def clipping(window: Callable) -> Any:
-    """Return a formula that clips a segment to the heights at which the density is not negligible.
+    """Return a formula that clips an interval of heights to the part in which the density is not negligible.
 
-    The formula maps (z_left, z_right, heights) to (z_low, z_high, first, last): the clipped range, and the indices first to
-    last - 1 of the knots inside it. The segment contributes nothing if z_low >= z_high.
+    window: window formula of the height distribution, as in `Heights`. The returned formula maps (z_left, z_right, heights),
+    with heights = (shape, knots), to (z_low, z_high, first, last): the clipped interval, and the indices first to last - 1 of
+    the knots inside it. The interval contributes nothing if z_low >= z_high.
     """
 
     @formula
@@ -75,9 +77,11 @@ def clipping(window: Callable) -> Any:
 def _adding(along: Callable, density: Callable) -> Any:
     @loop
     def add(sums, h, shape, row, mapped, rule, count):
-        """Return the five sums with the nodes of one segment added: touching, load, area, slip- and yield-limited force.
+        """Add one integration interval to five sums and return them.
 
-        mapped: (low, linear, square) of the change of variable u = low + linear t + square t^2.
+        sums: number touching, load, area, slip-limited and yield-limited resistance. h: mean separation over sigma. shape:
+        parameters of the height density. row: parameters of the law. mapped: (low, linear, square) of the change of variable u
+        = low + linear t + square t^2. rule (2, count): nodes t and weights on [0, 1].
         """
         touching, load, area, slip_limited, yield_limited = sums
         low, linear, square = mapped
@@ -98,15 +102,20 @@ def _adding(along: Callable, density: Callable) -> Any:
 
 @cache
 def scattering(along: Callable, coordinate: Callable, density: Callable, window: Callable, parameters: int) -> Any:
-    """Return the kernel that sums one regime at pairs of a law and a separation.
+    """Return a compiled loop that sums one regime at pairs of a law (parameter set) and a separation.
 
-    parameters: number of parameters of the law.
+    along, coordinate: formulas of the regime, as in `Regime`. density, window: formulas of the heights, as in `Heights`.
+    parameters: number of parameters of a law.
     """
     clip, add = clipping(window), _adding(along, density)
 
     @kernel
     def scatter(h, law, heights, laws, rules, out):
-        """Fill out[i] with the five QUANTITIES, summed over asperities at separation h[i], for row law[i] of the laws."""
+        """Fill out (m, 5) with the sums of the laws law[i] at the mean separations h[i], over sigma.
+
+        The five sums are averages over all asperities: number touching, load, area, slip-limited and yield-limited resistance.
+        heights, laws, rules: tuples, as described at the top of this module.
+        """
         (shape, knots), (table, edges, branch, two_sided), (rule_table, counts) = heights, laws, rules
         for i in range(h.size):
             row = unpack(table[law[i]], parameters)
@@ -137,14 +146,18 @@ def scattering(along: Callable, coordinate: Callable, density: Callable, window:
 
 @cache
 def listing(along: Callable, coordinate: Callable, parameters: int) -> Any:
-    """Return the kernel that averages one regime over heights that are listed one by one.
+    """Return a compiled loop that averages one regime over heights that are listed one by one.
 
-    parameters: number of parameters of the law.
+    along, coordinate: formulas of the regime, as in `Regime`. parameters: number of parameters of a law.
     """
 
     @engine_kernel
     def average(h, law, listed, laws, out):
-        """Fill out[i] with the five QUANTITIES of the law law[i] at the separation h[i], over ascending heights `listed`."""
+        """Fill out (m, 5) with the averages of the laws law[i] over the heights `listed` at the mean separations h[i].
+
+        Heights and separations are over sigma; `listed` ascends. The five averages: number touching, load, area, slip-limited
+        and yield-limited resistance. laws: the fields of `nodes.Laws`.
+        """
         table, edges, _, _ = laws
         for i in range(h.size):
             row = unpack(table[law[i]], parameters)
@@ -155,10 +168,10 @@ def listing(along: Callable, coordinate: Callable, parameters: int) -> Any:
                     continue
                 lowest, end = along(left, *row)[0], along(right, *row)[0]
                 for place in range(listed.size):
-                    displacement = listed[listed.size - 1 - place] - h[i]  # the highest first
+                    displacement = listed[listed.size - 1 - place] - h[i]  # the highest asperity comes first
                     if displacement < lowest:
                         break
-                    if displacement < end:  # a height between two pieces counts once
+                    if displacement < end:  # strictly, so that a height on the border of two segments counts once
                         state = along(min(max(coordinate(displacement, *row), left), right), *row)
                         touching += 1.0
                         load += state[2]
@@ -174,10 +187,11 @@ def listing(along: Callable, coordinate: Callable, parameters: int) -> Any:
 def _putting(along: Callable, rows: int) -> Any:
     @formula
     def put(mapped, row, rule, count, scratch):
-        """Fill `scratch` with the displacements and the weights times summed values at the nodes of one segment.
+        """Fill `scratch` with the displacements and the weights times summed values at the nodes of one integration interval.
 
-        Each quantity occupies LONGEST places. With this fixed distance the compiler can prove that the stores do not overlap,
-        and vectorises the loop.
+        mapped: (low, linear, square) of the change of variable u = low + linear t + square t^2. row: parameters of the law.
+        rule: nodes t and weights on [0, 1], of which the first `count` are used. Each quantity occupies LONGEST places. With
+        this fixed distance the compiler can prove that the stores do not overlap, and vectorises the loop.
         """
         low, linear, square = mapped
         for node in range(count):
@@ -205,11 +219,11 @@ def _putting(along: Callable, rows: int) -> Any:
 def reaching(window: Callable) -> Any:
     """Return a formula that cuts a segment to the displacements that contribute at any separation, and divides it into parts.
 
-    The formula maps (w_left, w_right, reach, shape) to: displacement at the start, step to the end of each part, number of
-    parts (0 if nothing contributes), displacement at the end, index of the integration rule. reach: (w_low, w_top, nearest),
-    the displacements between which nodes are placed and the smallest separation. The segment ends where the density at the
-    smallest separation has become negligible against the density at the start; at larger separations it is then negligible
-    too.
+    window: window formula of the height distribution, as in `Heights`. The returned formula maps (w_left, w_right, reach,
+    shape) to: displacement at the start, step to the end of each part, number of parts (0 if nothing contributes), displacement
+    at the end, index of the integration rule. reach: (w_low, w_top, nearest), the displacements between which nodes are placed
+    and the smallest separation, over sigma. The segment ends where the density at the smallest separation has become negligible
+    against the density at the start; at larger separations it is then negligible too.
     """
 
     @formula
@@ -227,15 +241,21 @@ def reaching(window: Callable) -> Any:
 
 @cache
 def placing(along: Callable, coordinate: Callable, window: Callable, parameters: int, rows: int) -> Any:
-    """Return the kernel that places the nodes of one regime and stores the values to be summed there.
+    """Return a compiled loop that places the integration nodes of one regime and stores the values to be summed there.
 
-    rows = 1: the load. rows = 3: load, area and total resistance. rows = 5: all QUANTITIES.
+    along, coordinate, window: formulas as in `Regime` and `Heights`. parameters: number of parameters of a law. rows = 1: the
+    load. rows = 3: load, area and total resistance. rows = 5: number touching, load, area, slip-limited and yield-limited
+    resistance.
     """
     put, parts_of = _putting(along, rows), reaching(window)
 
     @kernel
     def place(reach, shape, laws, rules, nodes):
-        """Append the nodes of the regime to the table of nodes of each law; reach: as in `reaching`."""
+        """Append the integration nodes of the regime to the table of nodes of each law (parameter set).
+
+        reach: lowest and highest displacement that is integrated and smallest separation, over sigma. shape: parameters of the
+        height density. laws, rules, nodes: tuples, as described at the top of this module.
+        """
         (table, edges, branch, two_sided), (rule_table, counts), (places, values, used) = laws, rules, nodes
         scratch = np.empty(6 * LONGEST)
         for i in range(edges.shape[0]):
@@ -266,28 +286,29 @@ def placing(along: Callable, coordinate: Callable, window: Callable, parameters:
 
 @cache
 def summing(density: Callable, totals: bool) -> Any:
-    """Return the kernel that sums stored integration nodes, times the density of heights, at many separations.
+    """Return a compiled loop that sums stored integration nodes, times the density of heights, at many separations.
 
-    totals: True for load, area and total resistance; False for the number touching, load, area, slip-limited and
-    yield-limited resistance.
+    density: formula density(z, shape), as in `Heights`. totals: True for load, area and total resistance; False for number
+    touching, load, area, slip-limited and yield-limited resistance.
     """
 
     @kernel
     def sum_rows(h, reach, shape, nodes, wanted, out):
-        """Fill out[i, row, k] with the sum of law i at the separation h[k], wherever wanted[i, k] is True.
+        """Fill out[i, row, k] with the sum of law i at the mean separation h[k], over sigma, wherever wanted[i, k] is True.
 
-        reach[k]: displacement beyond which nodes are skipped at h[k].
+        nodes: displacements, weights times summed values, and numbers of nodes of the laws. shape: parameters of the height
+        density. reach[k]: displacement beyond which nodes are skipped at h[k].
         """
         places, values, used = nodes
         last = values.shape[1] - 1
         for i in range(used.size):
             x, a, b, c = places[i], values[i, 0], values[i, 1], values[i, 2]
-            d, e = values[i, min(3, last)], values[i, last]  # not there, nor read, with totals
+            d, e = values[i, min(3, last)], values[i, last]  # these rows do not exist with totals, and are then not read
             for k in range(h.size):
                 if not wanted[i, k]:
                     continue
                 eights = used[i] // 8
-                while eights > 0 and x[8 * eights - 8] > reach[k]:  # the nodes of a segment ascend
+                while eights > 0 and x[8 * eights - 8] > reach[k]:  # works because the nodes of a segment ascend
                     eights -= 1
                 sum_a = sum_b = sum_c = sum_d = sum_e = 0.0
                 for node in range(8 * eights):

@@ -1,14 +1,13 @@
 """Sum any asperity law over any distribution of heights; all integration over heights happens here.
 
-For mean separation h (in units of sigma) and heights with density phi, a regime contributes
+For mean separation h (in units of sigma) and heights with density phi, a regime (a smooth part of an asperity law) contributes
     Integral f(u) phi(h + w(u)) w'(u) du        (Greenwood & Williamson 1966, in the regime's own coordinate u)
-for f = 1 (number of asperities), load, area, slip-limited and yield-limited resistance. Every segment between two kinks is
-    smooth
-and is integrated by a Gauss-Legendre rule. The engine contains no law.
+for f = 1 (number of asperities), load, area, slip-limited and yield-limited resistance; w is the displacement of the asperity
+over sigma. Every segment between two kinks is smooth and is integrated by a Gauss-Legendre rule. The engine contains no law.
 
-There are two ways. `scattered` takes one separation for each law. `on_grid` takes many separations that all laws share: it
-sums every law at a few separations, with nodes placed once, and extends these sums to all separations by one matrix
-(`skeleton`). The loops are in `sum_kernels` and `nodes`.
+There are two ways. `scattered` takes one separation for each law (one parameter set). `on_grid` takes many separations that all
+laws share: it sums every law at a few separations, with nodes placed once, and extends these sums to all separations by one
+matrix (`skeleton`). The loops are in `sum_kernels` and `nodes`.
 """
 
 from collections import deque
@@ -32,19 +31,19 @@ from stiction.quantities.errors import InputError
 QUANTITIES = ("touching", "load", "area", "slip_limited", "yield_limited")
 _TOTALS = ("load", "area", "resistance")
 
-# Separations beyond this, over sigma, have no meaning, and their squares no digits.
+# Largest separation, over sigma. Larger ones have no physical meaning, and their squares lose all digits to rounding.
 FARTHEST = 1e6
 # Nodes on a segment that is short or long against sigma. Errors are below 1e-10 over all inputs the package is made for, with
 # and without a film: docs/measure_accuracy.py measures them, docs/explanation/numerics.md shows them.
-# Multiples of eight, which the loops over nodes spell out: the compiler then leaves out its loop over a remainder.
+# Multiples of eight, which the loops over nodes make explicit, so that the compiler needs no loop over a remainder.
 _COUNTS = np.array([24, LONGEST])
 
 
 def _make_rules(counts: np.ndarray) -> np.ndarray:
-    """Return integration nodes and weights (rules, 2, longest) on [0, 1], one rule for each number of nodes.
+    """Return integration nodes and weights (rules, 2, longest) on [0, 1], one rule for each number of nodes in `counts`.
 
-    Gauss-Legendre nodes t are moved right, to t + 0.3 t (1 - t), and the weights with them. The choice rests on measured
-    errors (docs/measure_accuracy.py).
+    Gauss-Legendre nodes t are moved to t + 0.3 t (1 - t), and their weights are multiplied by the derivative of this map. The
+    factor 0.3 was chosen by measured errors (docs/measure_accuracy.py).
     """
     rules = np.zeros((len(counts), 2, max(counts)))
     for rule, count in zip(rules, counts, strict=True):
@@ -64,14 +63,17 @@ def check_threads(threads: object) -> None:
 
 
 def in_threads(work: Callable, parts: Iterable, threads: int) -> None:
-    """Call `work` for every part, on up to `threads` threads; kernels release the global interpreter lock."""
+    """Call `work` for every part, on up to `threads` threads, and wait until all are done.
+
+    Threads run in parallel because compiled loops release the global interpreter lock.
+    """
     if threads == 1:
         for part in parts:
             work(part)
         return
     with ThreadPoolExecutor(threads) as pool:
         under_way: deque = deque()
-        for part in parts:  # made one by one, and few at a time: they take memory
+        for part in parts:  # few parts exist at a time, because each takes memory
             under_way.append(pool.submit(work, part))
             if len(under_way) > 2 * threads:
                 under_way.popleft().result()
@@ -90,20 +92,29 @@ def scattered(
 ) -> np.ndarray:
     """Return the sums of every regime at m pairs of a law and a mean separation.
 
-    regimes: each describes n laws. h: array (m,) in units of sigma. law: array (m,) of indices of laws; by default h[i]
-    belongs to law i, and m = n. Returns an array (regimes, m, 5) of averages over all asperities, in the order of QUANTITIES.
+    regimes: smooth parts of an asperity law, each for n laws (parameter sets). h: array (m,) in units of sigma. heights:
+    distribution of the heights. law: array (m,) of indices of laws; by default h[i] belongs to law i, and m = n. Returns an
+    array (regimes, m, 5) of averages over all asperities: number touching, load, area, slip-limited and yield-limited
+    resistance.
     """
     return Scattered(regimes, heights)(h, np.arange(np.size(h)) if law is None else law, threads)
 
 
 class Scattered:
-    """Sum regimes at pairs of a law and a separation; calculations that do not depend on the separations are done once."""
+    """Sum regimes at pairs of a law and a separation; calculations that do not depend on the separations are done once.
+
+    regimes: smooth parts of an asperity law, each for n laws (parameter sets). heights: distribution of the heights.
+    """
 
     def __init__(self, regimes: Sequence[Regime], heights: Heights):
         self._regimes, self._heights = regimes, heights
 
     def __call__(self, h: np.ndarray, law: np.ndarray, threads: int = 1) -> np.ndarray:
-        """Return the sums (regimes, m, 5) at the separations h (m,) of the laws law (m,), as `scattered` does."""
+        """Return the sums (regimes, m, 5) at the separations h (m,), over sigma, of the laws with the indices law (m,).
+
+        The five values are averages over all asperities: number touching, load, area, slip-limited and yield-limited
+        resistance.
+        """
         h, law = np.ascontiguousarray(h, dtype=float), np.ascontiguousarray(law)
         out = np.empty((len(self._regimes), h.size, len(QUANTITIES)))
         ENGINE.take(len(self._regimes) * h.size)
@@ -119,7 +130,11 @@ class Scattered:
         return out
 
     def _fill_by_series(self, h: np.ndarray, about: np.ndarray, law: np.ndarray, number: np.ndarray, out: np.ndarray) -> None:
-        """Fill out (regimes, m, 5) from series about few separations; arguments as `expansions.series_for` returns them."""
+        """Fill out (regimes, m, 5) with sums computed from Taylor series about a few separations.
+
+        h (m,): separations over sigma. about, law (s,): separation and law index of each series. number (m,): index of the
+        series of each sum.
+        """
         for fill, sums in zip(self._expanded, out, strict=True):
             coefficients = np.empty((about.size, TERMS, len(QUANTITIES)))
             fill(about, law, coefficients)
@@ -149,7 +164,10 @@ class Scattered:
 
 
 def _summing_listed(regime: Regime, heights: Heights) -> Callable:
-    """Return a function fill(h, law, sums), as `_summing_alone` does, that averages over heights listed one by one."""
+    """Return a function fill(h, law, sums) that averages one regime over heights listed one by one.
+
+    fill writes the sums at the separations h (m,), each for the law (parameter set) with the index law[i], into `sums` (m, 5).
+    """
     average, laws = listing(regime.along, regime.coordinate, len(regime.parameters)), tuple(Laws.of(regime))
     return lambda h, law, sums: average(h, law, heights.listed, laws, sums)
 
@@ -157,7 +175,7 @@ def _summing_listed(regime: Regime, heights: Heights) -> Callable:
 def _summing_alone(regime: Regime, heights: Heights) -> Callable:
     """Return a function fill(h, law, sums) that sums one regime over heights, in one loop compiled for this regime.
 
-    fill writes the sums at the separations h (m,), each for the law with the index law[i], into `sums` (m, 5).
+    fill writes the sums at the separations h (m,), each for the law (parameter set) with the index law[i], into `sums` (m, 5).
     """
     compiled = scattering(regime.along, regime.coordinate, heights.density, heights.window, len(regime.parameters))
     arguments = (heights.shape, heights.knots), tuple(Laws.of(regime)), (_RULES, _COUNTS)
@@ -167,8 +185,9 @@ def _summing_alone(regime: Regime, heights: Heights) -> Callable:
 def _summing_in_stages(regime: Regime, heights: Heights, add: Callable) -> Callable:
     """Return a function fill(h, law, sums) that sums one regime over heights, mostly in loops that all regimes share.
 
-    Only two short loops are compiled for the regime. add: the last of the stages, which fills `sums`. Other arguments: as in
-    `_summing_alone`.
+    Only two short loops are compiled for the regime. add: the last of the stages, a compiled loop that fills `sums`, as
+    `nodes.adding` and `expansions` have them. fill writes the sums at the separations h (m,), each for the law (parameter set)
+    with the index law[i], into `sums`, (m, 5) or as `add` requires.
     """
     laws = Laws.of(regime)
     at_edges = laws.edges, displacements(regime, laws)
@@ -188,16 +207,17 @@ def _summing_in_stages(regime: Regime, heights: Heights, add: Callable) -> Calla
     return fill
 
 
-_PARTS = 4096  # parts of segments at a time, of which most separations use a quarter: bounds the memory
-# Less than this many pairs of a law and a separation are cheaper one by one than the matrix.
+_PARTS = 4096  # most integration intervals at a time, to bound the memory; most separations use a quarter of them
+# Fewer pairs of a law and a separation are summed one by one, which then takes less time than the matrix.
 _MANY = 4000
 _BLOCK = 128  # laws at a time: their nodes stay in the processor's cache
 
 
 def on_grid(regimes: Sequence[Regime], h: np.ndarray, heights: Heights, threads: int = 1) -> np.ndarray:
-    """Return the sums of every regime for n laws at H mean separations that all laws share.
+    """Return the sums of every regime for n laws (parameter sets) at H mean separations that all laws share.
 
-    h: array (H,) in units of sigma. Returns an array (regimes, n, 5, H), in the order of QUANTITIES.
+    regimes: smooth parts of an asperity law, each for n laws. h: array (H,) in units of sigma. Returns an array (regimes, n, 5,
+    H) of averages over all asperities: number touching, load, area, slip-limited and yield-limited resistance.
     """
     sums = np.empty((len(regimes), len(regimes[0].edges), len(QUANTITIES), np.size(h)))
     for regime, out in zip(regimes, sums, strict=True):
@@ -208,9 +228,10 @@ def on_grid(regimes: Sequence[Regime], h: np.ndarray, heights: Heights, threads:
 def totals_on_grid(
     regimes: Sequence[Regime], h: np.ndarray, heights: Heights, out: np.ndarray | None = None, threads: int = 1
 ) -> np.ndarray:
-    """Return load, area and resistance (n, 3, H), summed over all regimes, of n laws at H separations that all laws share.
+    """Return load, area and resistance (n, 3, H) of n laws at H mean separations that all laws share, summed over all regimes.
 
-    out: array (n, 3, H) for the result, if given.
+    regimes: smooth parts of an asperity law, each for n laws (parameter sets). h (H,): separations in units of sigma. out:
+    array (n, 3, H) for the result, if given.
     """
     sums = np.empty((len(regimes[0].edges), len(_TOTALS), np.size(h))) if out is None else out
     _on_grid(regimes, h, heights, sums, threads)
@@ -218,7 +239,10 @@ def totals_on_grid(
 
 
 def _on_grid(regimes, h, heights, sums, threads) -> None:
-    """Fill sums (n, 5 or 3, H) with the QUANTITIES or the totals, summed over the regimes."""
+    """Fill sums (n, 5 or 3, H) with the sums of n laws at H separations, added over the regimes.
+
+    With 5 rows: number touching, load, area, slip-limited and yield-limited resistance. With 3 rows: load, area, resistance.
+    """
     h = np.ascontiguousarray(h, dtype=float)
     laws = len(sums)
     single = []
@@ -240,8 +264,13 @@ def _on_grid(regimes, h, heights, sums, threads) -> None:
 
 
 def _by_skeleton(regimes, h, heights, sums, threads) -> bool:
-    """Fill `sums` as `_on_grid` does, by a skeleton; return False if no skeleton is accurate enough for these separations."""
-    # What is negligible beside all that touches need not be so for one quantity: down to densities of exp(-9 NEGLIGIBLE).
+    """Fill `sums` (n, 5 or 3, H) by extending sums at a few separations to all by a matrix; return whether this was possible.
+
+    The rows are those of `_on_grid`. False is returned, and `sums` stays as it is, if no matrix is accurate enough for these
+    separations.
+    """
+    # Heights that are negligible in the total may matter for one quantity, so the window is three times as wide as usual,
+    # down to densities of exp(-9 NEGLIGIBLE).
     lowest = 3.0 * heights.window(-np.inf, np.inf, heights.shape)[0] - h.max()
     w_low = max(min(regime.lowest for regime in regimes), lowest)
     nearest = h.min()

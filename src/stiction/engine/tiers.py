@@ -12,19 +12,22 @@ from stiction.quantities.errors import InputError
 
 TIERS = ("auto", "interpreted", "shared", "specialised")
 VARIABLE = "STICTION_LOOPS"
-# So many pairs of a law and a separation are worth a loop of their own: it takes a second to compile and runs twice as fast.
+# From this number of sums on, a loop compiled for one regime pays: compiling takes a second, and the loop runs twice as fast.
 _WORTH_COMPILING = 100_000
-_PAIRS_OF_A_LAW = 8  # at least: a law is summed more than once until its load is found
+_PAIRS_OF_A_LAW = 8  # least number of sums of one law: the separation at a load is found by iteration
 
 
 class Allowance:
-    """Count down the amount of work that plain Python may do in this process before compiled code pays."""
+    """Count down the amount of work that plain Python may do in this process before compiled code takes over.
+
+    worth: amount of work that is allowed, in units that the caller chooses.
+    """
 
     def __init__(self, worth: int):
         self._left = worth
 
     def take(self, work: int) -> bool:
-        """Subtract `work` from what is left, and return whether plain Python may still do this work."""
+        """Subtract `work` from the remaining allowance, and return whether plain Python may still do this work."""
         self._left -= work
         return self._left >= 0
 
@@ -32,7 +35,7 @@ class Allowance:
         self._left = -1
 
 
-# Pairs of a law and a separation, of one regime: Python sums them in the time in which Numba and compiled loops are loaded.
+# Number of sums of one regime that plain Python computes in the time that loading Numba and the compiled loops would take.
 ENGINE = Allowance(400)
 
 _compiled = ContextVar("compiled", default=False)
@@ -40,9 +43,9 @@ _compiled = ContextVar("compiled", default=False)
 
 @contextmanager
 def all_compiled() -> Iterator[None]:
-    """Within the context, compile lazy kernels at their first call.
+    """Within the context, run loops as compiled code from their first call on, never as plain Python.
 
-    Results then have the same bits in every process.
+    Results then have the same bits in every process. STICTION_LOOPS = interpreted overrides this.
     """
     before = _compiled.set(True)
     try:
@@ -55,7 +58,8 @@ def all_compiled() -> Iterator[None]:
 def tier() -> str:
     """Return the value of the environment variable STICTION_LOOPS, by default "auto".
 
-    It is read once, because every call of a kernel needs it. Raises an InputError for a value that is not in TIERS.
+    The variable is read once per process, because every call of a compiled loop needs its value. Raises an InputError for a
+    value other than "auto", "interpreted", "shared" and "specialised".
     """
     wanted = os.environ.get(VARIABLE, TIERS[0])
     if wanted not in TIERS:
@@ -64,37 +68,39 @@ def tier() -> str:
 
 
 def specialised(laws: int, pairs: int = 0) -> bool:
-    """Return whether it pays to compile a loop of its own for a regime.
+    """Return whether compiling a loop for this one regime (a smooth part of an asperity law) saves time over the shared loops.
 
-    laws: number of parameter sets. pairs: number of pairs of a law and a separation that will be summed, if known. The
-    environment variable STICTION_LOOPS can force the answer.
+    laws: number of parameter sets. pairs: number of sums (parameter set and separation) that will be computed, 0 if unknown. A
+    value of STICTION_LOOPS other than "auto" decides instead.
     """
     wanted = tier()
     return max(pairs, _PAIRS_OF_A_LAW * laws) >= _WORTH_COMPILING if wanted == TIERS[0] else wanted == TIERS[-1]
 
 
 def interpreted(little: bool) -> bool:
-    """Return whether plain Python, not compiled code, runs a lazy kernel.
+    """Return whether plain Python, not compiled code, runs a loop that is compiled only when this saves time.
 
-    little: whether the kernel has had little work so far. STICTION_LOOPS and `all_compiled` can force the answer.
+    little: whether the loop has done so little work so far that compiling it would not pay. `all_compiled` and a value of
+    STICTION_LOOPS other than "auto" decide instead.
     """
     wanted = tier()
     return little and not _compiled.get() if wanted == TIERS[0] else wanted == TIERS[1]
 
 
 def show_config() -> dict[str, str]:
-    """Return how this process computes sums over asperities.
+    """Return the versions and settings with which this process computes sums over asperities.
 
     Returns
     -------
-    dict[str, str] `stiction`, `numba`: versions. `loops`: value of the environment variable STICTION_LOOPS, one of TIERS; with
-        `auto`, loops are compiled when that saves time. `compiler`: `on`, or `off` if NUMBA_DISABLE_JIT is set. `cache`:
-        folder of compiled loops.
+    dict[str, str]
+        `stiction`, `numba`: versions. `loops`: value of the environment variable STICTION_LOOPS: "auto", "interpreted",
+        "shared" or "specialised"; with "auto", loops are compiled when that saves time. `compiler`: "on", or "off" if
+        NUMBA_DISABLE_JIT is set. `cache`: folder of compiled loops.
 
     Raises
     ------
     InputError
-        STICTION_LOOPS is not one of TIERS.
+        STICTION_LOOPS has another value.
 
     Examples
     --------

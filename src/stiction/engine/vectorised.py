@@ -7,7 +7,7 @@ import numpy as np
 from stiction.engine.compiled import formula
 
 _LOG2E = 1.4426950408889634
-_ROUNDS = 1.5 * 2.0**52  # a number has no room for a fraction beside this
+_ROUNDS = 1.5 * 2.0**52  # adding this rounds to an integer, because the sum has no bits left for a fraction
 _LN2_HIGH = 6.93147180369123816490e-01  # ln 2 in two parts, so that k * high is exact (W. J. Cody and W. Waite 1980)
 _LN2_LOW = 1.90821492927058770002e-10
 _PI = math.pi
@@ -19,7 +19,7 @@ _SQRT_HALF_BITS = int(np.float64(math.sqrt(0.5)).view(np.int64))
 
 @formula
 def exponential(x):
-    """Return exp(x) for x <= 0, accurate to 2e-16; it is 0 below -708."""
+    """Return exp(x) for x <= 0, with a relative error of at most 2e-16; the result is 0 for x below -708."""
     shifted = x * _LOG2E + _ROUNDS  # its last digits are the whole number k next to x/ln 2
     k = shifted - _ROUNDS
     r = (x - k * _LN2_HIGH) - k * _LN2_LOW
@@ -42,7 +42,7 @@ def exponential(x):
 
 @formula
 def arctan(v):
-    """Return arctan v for v >= 0, accurate to 2e-16."""
+    """Return arctan v, in radians, for v >= 0, with a relative error of at most 2e-16."""
     r = 1.0 / v if v > 1.0 else v
     center = _FAR if r > _BORDER else _NEAR
     r = (r - center) / (1.0 + r * center)  # within tan(pi/16) of zero: the Taylor series needs 12 terms
@@ -65,7 +65,7 @@ def arctan(v):
 
 @formula
 def log_quotient(z):
-    """Return ln(1 + z)/z for z >= 0 (1 at z = 0), accurate to 4e-16."""
+    """Return ln(1 + z)/z for z >= 0 (1 at z = 0), with a relative error of at most 4e-16."""
     small = z < _SQRT2 - 1.0
     bits = np.float64(1.0 + z).view(np.int64)
     k = (bits - np.int64(_SQRT_HALF_BITS)) >> np.int64(52)
