@@ -1,4 +1,4 @@
 """Solve the contact of a height map point by point with the boundary element method.
 
-It is the reference for asperity models.
+The solutions are the reference by which asperity models are judged.
 """

@@ -1,4 +1,4 @@
-"""Adhesive contact of a periodic map: faces that attract each other over a stated range.
+"""Solve the adhesive contact of a periodic map, whose faces attract each other over a stated range.
 
 Faces at a gap g >= 0 have the energy -w e^(-g/rho) per area (w: work of adhesion, rho: range), and never overlap. This is the
 law of the contact-mechanics challenge (Mueser et al. 2017, Tribology Lett. 65, 118). Under the mean pressure P the gap is a
@@ -6,25 +6,26 @@ minimum of
 
     1/2 <u K u> - w <e^(-g/rho)> + P <g>,        u = g + h less its mean,  K = 1/C(k),        over all g >= 0             (1)
 
-(Pastewka & Robbins 2014, PNAS 111, 3298). `descent` finds it. The gradient of (1) is the contact pressure; it vanishes where
-g > 0. If rho is short compared with the deformation at the contact edge, this is the limit of Johnson, Kendall & Roberts. If
-rho is long, it is the limit of Derjaguin, Muller & Toporov.
+(Pastewka & Robbins 2014, PNAS 111, 3298), with the heights h, the displacement u, the compliance C(k) at the wavevector k, and
+<> the mean over the map. `descent` finds it. The gradient of (1) is the contact pressure; it vanishes where g > 0. If rho is
+short compared with the deformation at the contact edge, this is the limit of Johnson, Kendall & Roberts. If rho is long, it is
+the limit of Derjaguin, Muller & Toporov.
 
-Because of the attraction, (1) has more than one minimum. The solver finds the one downhill from its start. At the first load
-it starts from the contact without adhesion, and at every further load from the load before. Loads in falling order therefore
-describe a separation. Beyond the largest pull there is no contact: `detached`.
+Because of the attraction, (1) has more than one minimum. The solver finds the one downhill from its start. At the first load it
+starts from the contact without adhesion, and at every further load from the solution of the load before. Loads in falling order
+therefore describe a separation. Beyond the largest pull there is no contact: `detached`.
 
 The grid must resolve the contact edge, where e^(-g/rho) pulls over a length of about E* rho^2/w. With m points along this
 length the edge of a sphere catches on the points. Its largest pull (Tabor's parameter 3; 1.0276 times the value of Johnson,
-Kendall & Roberts, by an axisymmetric solution) is then too high by 5 % at m = .9, 2 % at 1.1, 1.5 % at 1.3, and .2 to .8 % at
-2 to 3. A map with m below 2 is also solved between its points, by interpolation with its waves, where that is accurate enough
-(m >= .8). Otherwise it has a warning. The pixels add c S d to the area, as in contacts without adhesion (see `measures`),
-with
+Kendall & Roberts, by an axisymmetric solution) is then too high by 5 % at m = .9, 2 % at 1.1, 1.5 % at 1.3, and .2 to .8 % at 2
+to 3. If m is below 2, the map is solved on a finer grid, to which its heights are interpolated by Fourier series, where that is
+accurate enough (m >= .8). Otherwise it has a warning. The contact area is corrected by c S d for the pixels at its edge, as in
+contacts without adhesion (S: length of the pixel sides at the edge, d: side of a pixel; see `measures`), with
 
     c = .100 + .085/m     (m >= 1)                                                                                        (2)
 
-This was measured on rough maps with 8 points in the shortest wave against the same maps with 32: c = .11 (m = 8), .12 (4),
-.14 (2), .19 (1), each +- .015 (standard deviation), for contact on 3 to 80 % of the map.
+This was measured on rough maps with 8 points in the shortest wave against the same maps with 32: c = .11 (m = 8), .12 (4), .14
+(2), .19 (1), each +- .015 (standard deviation), for contact on 3 to 80 % of the map.
 """
 
 import math
@@ -47,10 +48,10 @@ from stiction.solvers.boundary_elements.solve import usable_map
 from stiction.surfaces.heightmap import size_in_metres
 from stiction.surfaces.memory import require_memory
 
-_ARRAYS = 20  # as large as the map, of the descent
-_BETWEEN = 2.5  # a grid at most so many times as fine as the map
-_AT_EDGE = 0.085  # of (2)
-# Pressure left where faces do not touch, over the largest attraction, and over the tension: what is left of a tension would
+_ARRAYS = 20  # number of arrays as large as the map that the minimisation needs
+_BETWEEN = 2.5  # most times that the grid is finer than the map
+_AT_EDGE = 0.085  # in equation (2)
+# Largest pressure error where faces do not touch, over the largest attraction, and over the tension. A larger error would
 # hold faces together beyond the largest pull.
 _LEFT, _OF_TENSION = 0.1 * MOST_ATTRACTION_LEFT, 3e-3
 
@@ -61,10 +62,11 @@ class AdhesiveContact:
 
     load [N], > 0 if pressed together. area: contact area, corrected for pixel size [m2]. area_pixels: contact area without this
     correction [m2]. points: number of points in contact. perimeter: length of the contact edge [m]. mean_gap: mean distance of
-    the faces [m]. attraction: sum of the attractive forces at all points, also at those in contact [N]. detached: whether there
-    is no contact at this load; the area is then 0. residual: largest pressure error at points that do not touch, divided by
-    w/rho. points_at_edge: number of points along the length over which the contact edge is pulled. pressure: contact pressure
-    minus attraction [Pa], (rows, columns) of the solved grid, which is at least as fine as the map.
+    the faces [m], infinite if they have separated. attraction: sum of the attractive forces at all points, also at those in
+    contact [N]. detached: whether there is no contact at this load; the area is then 0. residual: largest pressure error at
+    points that are open or should open, divided by the largest attraction. points_at_edge: number of points along the length
+    over which the contact edge is pulled. validity_warnings: limits of the solver that this solution exceeds. pressure: contact
+    pressure minus attraction [Pa], (rows, columns) of the solved grid, which is at least as fine as the map.
     """
 
     load: float
@@ -85,11 +87,12 @@ def solve_adhesive(
     heights: np.ndarray, size: tuple[float, float], *, modulus: float, loads: Sequence[float], work: float, reach: float,
     film: Film | None = None,
 ) -> list[AdhesiveContact]:  # fmt: skip
-    """Solve the contact of a periodic map with a flat face at a series of loads.
+    """Solve the adhesive contact of a periodic map with a flat face at a series of loads, and return one contact per load.
 
-    loads [N]: solved in the order given, each from the solution before; negative loads pull. work: work of adhesion [J/m2], >
-    0. reach: range of attraction rho [m], > 0. heights, size, modulus, film: as in `solve_map`. Raises InputError for unusable
-    arguments, and if both the substrate of the film and the counterbody are rigid.
+    heights: (rows, columns) [m]. size: (y, x) of the map [m]. modulus: effective modulus E* [Pa] of the bodies without a film;
+    infinite if both are rigid. loads [N]: solved in the order given, each from the solution before; negative loads pull. work:
+    work of adhesion [J/m2], > 0. reach: range of attraction [m], > 0. film: elastic film on one body, or None. Raises
+    InputError for unusable arguments, and if both the substrate of the film and the counterbody are rigid.
     """
     loads = [float(load) for load in loads]
     if not loads or not np.isfinite(loads).all():
@@ -115,9 +118,10 @@ def solve_adhesive(
 
 
 def _descended(faces: Faces, gap: np.ndarray, pressure: float) -> DescentSearch:
-    """Return the descent from a starting gap to the next equilibrium under a mean pressure.
+    """Minimise the energy of attracting faces from a starting gap under a mean pressure, and return the finished search.
 
-    gap: divided by the range of attraction. pressure: divided by the largest attraction.
+    gap: starting gap (rows, columns), divided by the range of attraction. pressure: divided by the largest attraction, < 0 if
+    it pulls.
     """
     descent = DescentSearch(faces, gap, pressure)
     descent.run(min(_LEFT, -_OF_TENSION * pressure) if pressure < 0.0 else _LEFT)
@@ -128,8 +132,8 @@ def _descended(faces: Faces, gap: np.ndarray, pressure: float) -> DescentSearch:
 class AdhesiveState:
     """Store the adhesive contact of a map at one load, so that it can be solved again with less adhesion.
 
-    faces: heights and stiffness. gap: (rows, columns), divided by the range of attraction. grid: quantities that do not
-    depend on load. pressure: mean pressure, divided by the largest attraction w/rho.
+    faces: heights and stiffness. gap: solved gap (rows, columns), divided by the range of attraction. grid: quantities that do
+    not depend on load. pressure: mean pressure, divided by the largest attraction (work of adhesion over range).
     """
 
     faces: Faces
@@ -154,10 +158,10 @@ class AdhesiveState:
         return self.grid.area(int(np.count_nonzero(touching)), edges(touching, True).count) * self.pixel
 
     def with_share(self, share: np.ndarray | None) -> "AdhesiveState":
-        """Return the contact with only a fraction of the work of adhesion.
+        """Return the contact at the same load with only a fraction of the work of adhesion.
 
-        share: remaining fraction at every point (rows, columns); None for all of it. The energy is minimised from the present
-        gap.
+        share: remaining fraction at every point (rows, columns); None for all of it. The energy is minimised again, starting
+        from the present gap.
         """
         faces = replace(self.faces, share=share)
         return replace(self, faces=faces, gap=_descended(faces, self.gap, self.pressure).gap)
@@ -167,10 +171,11 @@ def adhesive_state(
     heights: np.ndarray, size: tuple[float, float], *, modulus: float, load: float, work: float, reach: float,
     film: Film | None = None, finer: bool = False,
 ) -> AdhesiveState:  # fmt: skip
-    """Return the adhesive contact of a periodic map at a load [N].
+    """Solve the adhesive contact of a periodic map at one load [N], and return its state.
 
-    heights, size, modulus, work, reach, film: as in `solve_adhesive`. finer: whether the grid is refined as there. Raises
-    InputError for an unusable map.
+    heights: (rows, columns) [m]. size: (y, x) of the map [m]. modulus: effective modulus E* [Pa]. work: work of adhesion
+    [J/m2]. reach: range of attraction [m]. film: elastic film on one body, or None. finer: whether to refine a grid that is too
+    coarse for the contact edge. Raises InputError for an unusable map.
     """
     if not math.isfinite(load):
         raise InputError("load", load, "finite, in N")
@@ -183,7 +188,11 @@ def adhesive_state(
 
 
 def _before_adhesion(heights, size, compliance, load, work, reach) -> AdhesiveState:
-    """Return the start of an adhesive solution: the gap of the same contact without adhesion, at a load [N]."""
+    """Return the starting state of an adhesive solution, whose gap is that of the same contact without adhesion.
+
+    heights: (rows, columns) [m]. size: (y, x) [m]. load [N]; a pulling load starts from a light contact. work: work of adhesion
+    [J/m2]. reach: range of attraction [m].
+    """
     points_at_edge = reach**2 / (compliance.near * work) / coarsest_pitch(heights.shape, size)
     grid = _Grid(size, work / reach, reach, points_at_edge)
     gap = _without_adhesion(heights, size, compliance, max(load, 0.0) / grid.nominal) / reach
@@ -194,8 +203,8 @@ def _before_adhesion(heights, size, compliance, load, work, reach) -> AdhesiveSt
 class _Grid:
     """Store the quantities of an adhesive map that are the same at all loads.
 
-    size: (y, x) [m]. largest: largest attraction w/rho [Pa]. reach: range of attraction rho [m]. points: number of points
-    along the length over which the contact edge is pulled.
+    size: (y, x) [m]. largest: largest attraction [Pa], work of adhesion over range. reach: range of attraction [m]. points:
+    number of points along the length over which the contact edge is pulled.
     """
 
     size: tuple[float, float]
@@ -209,11 +218,11 @@ class _Grid:
 
     @property
     def excess(self) -> float:
-        """Return the coefficient c of (2), by which the area is corrected for pixel size."""
+        """Return the coefficient c of (2): the counted area is too large by c pixels for each pixel side at the edge."""
         return PIXEL_EXCESS + _AT_EDGE / max(self.points, 1.0)
 
     def area(self, points: int, sides: int) -> float:
-        """Return the contact area in pixels, corrected for pixel size.
+        """Return the contact area, corrected for the pixels at its edge, in units of the pixel area.
 
         points: number of touching points. sides: number of pixel sides between contact and no contact.
         """
@@ -230,8 +239,8 @@ class _Grid:
 def _between_points(heights: np.ndarray, size: tuple[float, float], edge: float) -> np.ndarray:
     """Return the heights (rows, columns) [m] on a grid fine enough for the contact edge, by Fourier interpolation.
 
-    edge: length over which the contact edge is pulled [m]. The map is returned unchanged if it is fine enough, or if it would
-    need more than 2.5 times as many points along a side.
+    size: (y, x) of the map [m]. edge: length over which the contact edge is pulled [m]. The map is returned unchanged if it is
+    fine enough, or if it would need more than 2.5 times as many points along a side.
     """
     finer = LEAST_POINTS * coarsest_pitch(heights.shape, size) / edge
     if not 1.0 + 1e-9 < finer <= _BETWEEN:
@@ -256,7 +265,7 @@ def _faces(heights, size, compliance, work, reach) -> Faces:
 def _without_adhesion(heights, size, compliance, mean) -> np.ndarray:
     """Return the gap (rows, columns) [m] of the same contact without adhesion.
 
-    mean: mean pressure [Pa]; a small positive pressure replaces a smaller one.
+    mean: mean pressure [Pa]; if it is too small to be solved, a small positive pressure is used instead.
     """
     length = rms_step(heights)
     least = 1e-3 * length / (size[0] / heights.shape[0]) / compliance.near
@@ -266,7 +275,7 @@ def _without_adhesion(heights, size, compliance, mean) -> np.ndarray:
 
 
 def _contact(faces: Faces, descent: DescentSearch, load: float, grid: _Grid) -> AdhesiveContact:
-    """Return the AdhesiveContact of one load from the solved gap."""
+    """Return the AdhesiveContact of one load [N] from the finished minimisation `descent`."""
     gap, apart = descent.gap, descent.apart or (float(descent.gap.min()) > 0.5 * FAR)
     touch = gap <= 0.0
     pixel = grid.nominal / gap.size

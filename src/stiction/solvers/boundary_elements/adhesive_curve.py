@@ -1,8 +1,9 @@
 """Solve one adhesive periodic map, with results of the same type as without adhesion.
 
-The faces attract each other over a range rho (see `adhesive`). "atomic_range" is the range of atomic forces, which few maps
-resolve. "shortest_range" is the shortest range that the points of the map resolve: two points along the length E* rho^2/w
-over which the contact edge is pulled. The shorter the range, the closer the result is to Johnson, Kendall & Roberts.
+The faces attract each other over a range rho (see `adhesive`). The option "atomic_range" is the range of atomic forces, which
+few maps resolve. "shortest_range" is the shortest range that the points of the map resolve: two points along the length E*
+rho^2/w over which the contact edge is pulled (w: work of adhesion). The shorter the range, the closer the result is to Johnson,
+Kendall & Roberts.
 """
 
 import math
@@ -26,17 +27,18 @@ if TYPE_CHECKING:
 def shortest_range(surface: "HeightMap", bodies: Bodies, work: float) -> float:
     """Return the shortest range of attraction [m] that the points of a map resolve.
 
-    work: work of adhesion [J/m2].
+    bodies: elastic constants of both bodies. work: work of adhesion [J/m2].
     """
     near = Compliance(bodies.modulus, bodies.film, bodies.counter_film).near
     return math.sqrt(LEAST_POINTS * max(surface.pitch) * near * work)
 
 
 def adhesive_curve(surface: "HeightMap", bodies: Bodies, pressures: Sequence[float], *, work: float, reach: float) -> MapCurve:
-    """Solve an adhesive map at nominal pressures [Pa], in the given order.
+    """Solve an adhesive map at nominal pressures [Pa] in the given order, and return its contacts.
 
-    Negative pressures pull. Each solution starts from the one before. work: work of adhesion [J/m2]. reach: range of
-    attraction [m]. Raises InputError for a map that is not periodic, for plastic bodies, and for films on both bodies.
+    Negative pressures pull. Each solution starts from the one before. bodies: elastic constants of both bodies. work: work of
+    adhesion [J/m2]. reach: range of attraction [m]. Raises InputError for a map that is not periodic, for plastic bodies, and
+    for films on both bodies.
     """
     if not surface.periodic:
         raise InputError("adhesion", "on a map that is not periodic", "left_out, or a periodic map (periodic = true)")
@@ -57,8 +59,8 @@ def adhesive_curve(surface: "HeightMap", bodies: Bodies, pressures: Sequence[flo
 def _as_contact(one: AdhesiveContact, whole: float) -> MapContact:
     """Convert an adhesive contact to a MapContact without a pressure map.
 
-    The separation is infinite if the faces do not touch. The pressure map is omitted because adhesive tension also acts inside
-    the contact.
+    whole: nominal area [m2]. The separation is infinite if the faces do not touch. The pressure map is omitted because tension
+    also acts inside the contact, and other code takes every point with pressure as contact.
     """
     return MapContact(
         load=one.load, mean_pressure=one.load / whole, nominal_area=whole, area=one.area, area_pixels=one.area_pixels,

@@ -1,8 +1,8 @@
 """Estimate the elastic contact area of a map without solving it, from slopes or ranks of its points.
 
 These are formulas of this project, grade B: their evidence is solved maps. All start from Persson's theory (2001), A/A0 =
-erf(2^(1/2) p), where p is the mean pressure over E* h' and h' the rms gradient of the map. They widen it by (1) and (2) in
-surfaces.theory.widened_area:
+erf(2^(1/2) p), where A/A0 is the area fraction, p the mean pressure over E* h', and h' the rms gradient of the map. They widen
+it by (1) and (2) in surfaces.theory.widened_area:
 
     G(p, c) = erf(2^(1/2) p [1 + c (1 - erf(2^(1/2) p)^(1/2))])                                                           (1)
 
@@ -12,15 +12,14 @@ surfaces.theory.widened_area:
                     c = .655 - .071 ln alpha + .183 ln R
 
 alpha is Nayak's m0 m4/m2^2. R is the root of the ratio of the eigenvalues of the gradient tensor. Points are ranked from the
-highest, and r is the share of points above. F(A) is the rms gradient of the highest 2A of the map over that on the whole map.
-S(r) is [mean of s^m over ranks below r]^(1/m) with m = .783, where s(r) is the local gradient at rank r over h'; beyond r = 1
-it stays 1.
+highest, and r is the fraction of points above. F(A) is the rms gradient of the highest 2A of the map over that on the whole
+map. S(r) is [mean of s^m over ranks below r]^(1/m) with m = .783, where s(r) is the local gradient at rank r over h'; beyond r
+= 1 it stays 1.
 
-The constants were fitted to the surfaces of the benchmark set with seeds 1 and 2 (truth.md); (2) and (3) only to its
-Gaussian isotropic ones. Errors on the surfaces with seeds 3 and 4, in % rms (largest), for p = .002 to .3: Gaussian isotropic
-(2) 6.6 (37), 80 % of all within 5 %; (3) 3.1 (12), 91 %; (4) 3.2 (13). (4) on other surfaces: skewed 5.1 (18), peaked 7.4,
-flat 5.1, with a lay 5.1 (23), bimodal 3.8, periodic 10, worn 30 (96). At light loads (4) fails on worn plateaus that are
-rough again.
+The constants were fitted to the surfaces of the benchmark set with seeds 1 and 2 (truth.md); (2) and (3) only to its Gaussian
+isotropic ones. Errors on the surfaces with seeds 3 and 4, in % rms (largest), for p = .002 to .3: Gaussian isotropic (2) 6.6
+(37), 80 % of all within 5 %; (3) 3.1 (12), 91 %; (4) 3.2 (13). (4) on other surfaces: skewed 5.1 (18), peaked 7.4, flat 5.1,
+with a lay 5.1 (23), bimodal 3.8, periodic 10, worn 30 (96). At light loads (4) fails on worn plateaus that are rough again.
 """
 
 import math
@@ -57,17 +56,17 @@ class MapSlopes:
     def top(self, share: float) -> float:
         """Return the rms gradient of the highest points, divided by the rms gradient of the map.
 
-        share: fraction of all points that are averaged, from the highest down.
+        share: fraction (0 to 1) of all points that are averaged, from the highest down.
         """
         counts = np.diff(self.ranks, prepend=0.0)
         return math.sqrt(float(np.interp(share, self.ranks, np.cumsum(self.squares * counts) / self.ranks)))
 
 
 def map_slopes(heights: np.ndarray, size: tuple[float, float], periodic: bool = True) -> MapSlopes:
-    """Measure the slopes of a map.
+    """Measure the gradient of a map, its Nayak parameter and lay, and how the gradient varies with height.
 
-    heights: (rows, columns) [m], finite. size: (y, x) [m]. periodic: True takes the slopes from the spectrum, False from
-    finite differences.
+    heights: (rows, columns) [m], finite. size: (y, x) [m]. periodic: True computes the first three from the spectrum, False
+    from finite differences.
     """
     gradient, alpha, lay = _of_waves(heights, size) if periodic else _of_differences(heights, size)
     ranks, squares = _by_rank(heights, size, periodic)
@@ -75,7 +74,10 @@ def map_slopes(heights: np.ndarray, size: tuple[float, float], periodic: bool = 
 
 
 def _of_waves(heights, size):
-    """Return rms gradient, alpha and lay ratio of a periodic map, from its spectrum."""
+    """Return rms gradient [1], Nayak's alpha and lay ratio of a periodic map, from its spectrum.
+
+    heights: (rows, columns) [m]. size: (y, x) [m]. The lay ratio is the largest over the smallest rms slope of all directions.
+    """
     along_y, along_x = components(heights.shape, size)
     power = wave_power(heights - heights.mean()) / float(heights.size) ** 2
     xx, yy = float(np.sum(power * along_x**2)), float(np.sum(power * along_y**2))
@@ -85,10 +87,11 @@ def _of_waves(heights, size):
 
 
 def _of_differences(heights, size):
-    """Return rms gradient, alpha and lay ratio of a map that is not periodic, from finite differences of fourth order.
+    """Return rms gradient [1], Nayak's alpha and lay ratio of a map that is not periodic, from finite differences.
 
-    The mean square slopes are taken between points; heights, curvatures and the product of the two slopes are taken at
-    points. The lay ratio is the largest over the smallest rms slope of all directions.
+    heights: (rows, columns) [m]. size: (y, x) [m]. The lay ratio is the largest over the smallest rms slope of all directions.
+    The differences are of fourth order. Mean square slopes are evaluated between points; heights, curvatures and the product of
+    the two slopes at points.
     """
     pitch = size[0] / heights.shape[0], size[1] / heights.shape[1]
     yy, xx = (float(np.mean(np.square(_between(np.moveaxis(heights, axis, 0), pitch[axis])))) for axis in (0, 1))
@@ -103,14 +106,17 @@ def _of_differences(heights, size):
 
 
 def _between(rows, pitch):
-    """Return the derivative of an array (n, ...) along its first axis, midway between neighbouring points."""
+    """Return the derivative of an array (n, ...) along its first axis, midway between neighbouring points.
+
+    pitch: point spacing. The formula is of fourth order; the result has n - 3 rows.
+    """
     return (27.0 * (rows[2:-1] - rows[1:-2]) - (rows[3:] - rows[:-3])) / (24.0 * pitch)
 
 
 def _at_points(rows, unit, weights):
     """Return a derivative of an array (n, ...) along its first axis, at all points but the two outermost at each end.
 
-    unit: point spacing to the power of the derivative's order. weights: of five neighbouring points.
+    unit: point spacing to the power of the derivative's order. weights: finite-difference weights of five neighbouring points.
     """
     count = len(rows) - 4
     return sum(weight * rows[first : first + count] for first, weight in enumerate(weights)) / unit
@@ -122,15 +128,15 @@ def _lay(xx, yy, xy):
 
 
 def _by_rank(heights, size, periodic):
-    """Return two arrays (bins,): the rank at the end of each bin, and the relative mean square gradient in the bin.
+    """Return the mean square gradient of points of about equal height, from the highest to the lowest: two arrays (bins,).
 
-    Points are sorted from highest to lowest. A rank is a fraction of all points. Square gradients are divided by their mean
-    over the map.
+    All points are sorted from highest to lowest and divided into bins. The first array is the fraction of all points that lie
+    in the bins up to and including this one. The second is the mean square gradient in each bin, divided by that of the map.
     """
     square = np.zeros(heights.shape)
     for axis, length in enumerate(size):
         step = np.square((np.roll(heights, -1, axis) - heights) * (heights.shape[axis] / length))
-        if not periodic:  # the last point has no next one
+        if not periodic:  # the last point has no neighbour, so the step before it is used
             ends = np.moveaxis(step, axis, 0)
             ends[-1] = ends[-2]
         square += 0.5 * (step + np.roll(step, 1, axis))
@@ -142,9 +148,9 @@ def _by_rank(heights, size, periodic):
 
 
 def by_top_slopes(pressure: float, slopes: MapSlopes) -> float:
-    """Return the area fraction A/A0 of a Gaussian isotropic map by formula (3).
+    """Return the area fraction A/A0 of a Gaussian isotropic map by formula (3), from the gradient of its highest points.
 
-    pressure: mean pressure divided by E* h', > 0; h' is the rms gradient. slopes: slopes of the map.
+    pressure: mean pressure divided by E* h', > 0; h' is the rms gradient. slopes: measured by `map_slopes`.
     """
     c = 0.672 - 0.071 * math.log(slopes.alpha)
     ratio = np.sqrt(np.cumsum(slopes.squares) / np.arange(1, len(slopes.squares) + 1))
@@ -153,9 +159,9 @@ def by_top_slopes(pressure: float, slopes: MapSlopes) -> float:
 
 
 def by_ranks(pressure: float, slopes: MapSlopes) -> float:
-    """Return the area fraction A/A0 of any map by formula (4).
+    """Return the area fraction A/A0 of any map by formula (4), from the gradients of its points ranked by height.
 
-    pressure: mean pressure divided by E* h', > 0; h' is the rms gradient. slopes: slopes of the map.
+    pressure: mean pressure divided by E* h', > 0; h' is the rms gradient. slopes: measured by `map_slopes`.
     """
     c = 0.655 - 0.071 * math.log(slopes.alpha) + 0.183 * math.log(slopes.lay)
     count = np.arange(1, len(slopes.squares) + 1)
@@ -168,7 +174,7 @@ def by_ranks(pressure: float, slopes: MapSlopes) -> float:
 def first_crossing(area, wanted, beyond):
     """Return the value at which the array `area` first reaches the array `wanted`, by linear interpolation.
 
-    area, wanted: (n,). beyond: the value returned if `area` never reaches `wanted`.
+    area, wanted: (n,), compared element by element. beyond: the value returned if `area` never reaches `wanted`.
     """
     reached = np.flatnonzero(area >= wanted)
     if not len(reached):

@@ -1,10 +1,10 @@
-"""Array operations of the map solver that depend on the array library.
+"""Provide the array operations of the map solver that depend on the array library.
 
 The solver computes with NumPy. It also runs with a library that meets the array API standard (Consortium for Python Data API
-Standards 2024, https://data-apis.org/array-api), on a device of that library. Every function takes the library from its
+Standards 2024, https://data-apis.org/array-api), on a device of that library. Every function recognises the library by its
 argument. Slices must be views, so JAX cannot be used.
 
-NumPy has paths of its own: SciPy's transforms on two threads, and blocks of rows that stay in the processor's cache. For
+For NumPy, SciPy's transforms run on two threads, and loops run over blocks of rows that stay in the processor's cache. For
 other libraries a block is the whole map, because each call of a device takes time.
 """
 
@@ -18,15 +18,15 @@ from stiction.quantities.errors import InputError, InWords
 from stiction.quantities.extras import installed, require
 
 LIBRARIES = ("torch", "cupy", "array_api_strict")
-_THREADED = 2**19  # points from which on two threads are faster than one
-_BLOCK = 2**16  # points that are worked on together: their numbers stay in the processor's cache
+_THREADED = 2**19  # number of points from which two threads are faster than one
+_BLOCK = 2**16  # points of a block, so few that their values stay in the processor's cache
 
 
 def on_device(values: np.ndarray, device: str | None) -> np.ndarray:
-    """Return a map of double precision as array of another library.
+    """Return a map of double precision as an array of another library, on a device of that library.
 
-    device: name of the library, optionally with a device of it, such as "torch:cuda"; None for NumPy. Raises InputError for a
-    library or device that is not there.
+    device: name of the library, optionally followed by a device, such as "torch:cuda"; None returns the NumPy array itself.
+    Raises InputError for a library or device that is not available.
     """
     if device is None:
         return values
@@ -40,13 +40,13 @@ def on_device(values: np.ndarray, device: str | None) -> np.ndarray:
     try:
         xp = namespace(array)
         return xp.asarray(array, device=place) if place else array
-    except Exception as error:  # each library has errors of its own for a device that is not there
+    except Exception as error:  # each library raises other errors for a device that is not available
         reason = str(error).strip().splitlines()[:1]
         raise InputError("device", device, f"a device that {library} can use: {''.join(reason)}") from error
 
 
 def to_numpy(array: np.ndarray) -> np.ndarray:
-    """Return an array of any library as NumPy array."""
+    """Return an array of any library as a NumPy array in the memory of the processor."""
     if is_numpy(array):
         return array
     from array_api_compat import is_array_api_strict_namespace, to_device
@@ -69,7 +69,7 @@ def namespace(array: np.ndarray) -> Any:
 
 
 def like(values: np.ndarray, array: np.ndarray) -> np.ndarray:
-    """Return NumPy values as array with the library, device and precision of another array."""
+    """Return NumPy values as an array with the library, device and precision of the array `array`."""
     if is_numpy(array):
         return np.asarray(values, dtype=array.dtype)
     from array_api_compat import device
@@ -78,32 +78,35 @@ def like(values: np.ndarray, array: np.ndarray) -> np.ndarray:
 
 
 def forward(values: np.ndarray, grid: tuple[int, int]) -> np.ndarray:
-    """Return the real Fourier transform of a map, which is first padded with zeros to the grid."""
+    """Return the real two-dimensional Fourier transform of a map, which is first padded with zeros to the shape `grid`."""
     if is_numpy(values):
-        from scipy.fft import rfft2  # here, because records of models load this module
+        from scipy.fft import rfft2  # imported only here, because listing the models imports this module
 
         return rfft2(values, s=grid, workers=workers(grid[0] * grid[1]))
     return namespace(values).fft.rfftn(values, s=grid, axes=(0, 1))
 
 
 def backward(waves: np.ndarray, grid: tuple[int, int]) -> np.ndarray:
-    """Return the map of a real Fourier transform on the grid; the transform is overwritten."""
+    """Return the map, of the shape `grid`, whose real two-dimensional Fourier transform is `waves`; `waves` is overwritten."""
     if is_numpy(waves):
         from scipy.fft import ifft, irfft
 
         threads = workers(grid[0] * grid[1])
-        waves = ifft(waves, axis=0, workers=threads, overwrite_x=True)  # by itself: irfft2 would copy the waves
+        waves = ifft(waves, axis=0, workers=threads, overwrite_x=True)  # axis by axis, because irfft2 would copy the waves
         return irfft(waves, n=grid[1], axis=1, workers=threads)
     return namespace(waves).fft.irfftn(waves, s=grid, axes=(0, 1))
 
 
 def workers(points: int) -> int:
-    """Return the number of threads for a transform."""
+    """Return the number of threads for a Fourier transform of this many points: 1, or 2 for large maps."""
     return 1 if points < _THREADED else 2
 
 
 def blocks(array: np.ndarray) -> Iterator[tuple[slice, slice]]:
-    """Yield indices of blocks of rows that are small enough for the processor's cache; of other libraries, of all rows."""
+    """Yield the indices of blocks of whole rows that together cover a map.
+
+    The blocks of a NumPy array are small enough for the processor's cache; an array of another library is one block.
+    """
     rows, columns = array.shape
     step = max(1, _BLOCK // columns) if is_numpy(array) else rows
     for first in range(0, rows, step):
@@ -111,7 +114,10 @@ def blocks(array: np.ndarray) -> Iterator[tuple[slice, slice]]:
 
 
 def dot(first: np.ndarray, second: np.ndarray) -> float:
-    """Return the dot product of two maps, without BLAS threads, which start slowly."""
+    """Return the sum of the products of two maps, in which only the sum over rows is in double precision.
+
+    BLAS is not used, because its threads start slowly.
+    """
     if is_numpy(first):
         return float(np.einsum("ij,ij->i", first, second).sum(dtype=np.float64))
     xp = namespace(first)
@@ -119,12 +125,15 @@ def dot(first: np.ndarray, second: np.ndarray) -> float:
 
 
 def factor(mask: np.ndarray, values: np.ndarray) -> np.ndarray:
-    """Return a mask as factor of values. NumPy multiplies by the mask itself, which saves a copy."""
+    """Return a mask in a form by which an array like `values` can be multiplied.
+
+    For NumPy this is the mask itself, which saves a copy; for other libraries the mask as ones and zeros.
+    """
     return mask if is_numpy(mask) else namespace(mask).astype(mask, values.dtype)
 
 
 def clip_into(target: np.ndarray, values: np.ndarray, low: float, high: float) -> None:
-    """Write values into a target of the same shape, limited to the range from low to high."""
+    """Write `values` into the array `target` of the same shape, limited to the range from low to high."""
     if is_numpy(values):
         np.clip(values, low, high, out=target)
     else:
@@ -132,6 +141,6 @@ def clip_into(target: np.ndarray, values: np.ndarray, low: float, high: float) -
 
 
 def total(values: np.ndarray) -> float:
-    """Return the sum of a map, in double precision."""
+    """Return the sum of a map; the sums of the rows are added in double precision."""
     xp = namespace(values)
     return float(xp.sum(xp.sum(values, axis=1), dtype=xp.float64))

@@ -1,7 +1,7 @@
 """Store solutions of map contacts in a cache on disk, and read them again.
 
-There is one file for each load. Its name is a hash of the inputs and of the solver's code, so an interrupted curve
-continues where it stopped. When the cache is full, the files not used for longest are deleted.
+There is one file for each load. Its name is a hash of the inputs and of the solver's code, so a series of loads that was
+interrupted continues where it stopped. When the cache is full, the files not used for longest are deleted.
 """
 
 import ast
@@ -23,20 +23,20 @@ from stiction.solvers.boundary_elements.map_warnings import warnings_of_map
 from stiction.solvers.boundary_elements.solve import MapContact, MapContacts, checked, solve_map
 
 _MOST = 1_000_000_000  # bytes of all files
-_TOO_LARGE = 200_000_000  # bytes of one pressure map that is not worth a file
-_OF_FILE = ("pressure", "validity_warnings")  # fields of a contact that are no numbers
+_TOO_LARGE = 200_000_000  # bytes; a contact with a larger pressure map is not stored
+_OF_FILE = ("pressure", "validity_warnings")  # fields of a contact that are not numbers
 
 
 def solve_cached(
     heights: np.ndarray, size: tuple[float, float], *, modulus: float, loads: Sequence[float], periodic: bool, **how
 ) -> MapContacts:
-    """Solve a map as `solve_map` does, but read loads solved before from the cache.
+    """Solve a map as `solve_map` does, but read loads solved before from the cache on disk.
 
-    Arguments, results and errors are those of `solve_map`. A cached solution may have had a different start; it agrees within
-    the tolerance.
+    heights: (rows, columns) [m]. size: (y, x) [m]. modulus [Pa], loads [N], periodic, how: as in `solve_map`, with the same
+    results and errors. A cached solution may have been started from another pressure; it agrees within the tolerance.
     """
     loads = [float(load) for load in np.atleast_1d(np.asarray(loads, dtype=float))]
-    checked(heights, size, loads, periodic, how)  # what is refused is refused before anything is read
+    checked(heights, size, loads, periodic, how)  # bad arguments must raise even if all loads are in the cache
     inputs = {name: value for name, value in how.items() if name not in ("progress", "done")}
     name = _name(heights, size, modulus=modulus, periodic=periodic, **inputs)
     solved_before: dict[float, MapContact] = {}
@@ -65,7 +65,7 @@ def solve_cached(
 
 
 def _name(heights: np.ndarray, size: tuple[float, float], **inputs: Any) -> str:
-    """Return the cache key: a hash of everything but the load that determines a solution."""
+    """Return the cache key of a map: a hash of its heights, its size, the solver's code and all other inputs but the load."""
     digest = hashlib.sha256(_solver())
     digest.update(np.ascontiguousarray(heights, dtype=np.float64).tobytes())
     digest.update(repr((np.shape(heights), tuple(map(float, size)), sorted(inputs.items(), key=lambda item: item[0]))).encode())
@@ -74,14 +74,20 @@ def _name(heights: np.ndarray, size: tuple[float, float], **inputs: Any) -> str:
 
 @cache
 def _solver() -> bytes:
-    """Return the code of the solver, because a changed solver needs a new cache key."""
+    """Return the code of all modules of the solver, without comments and docstrings, as bytes.
+
+    It is part of the cache key, because a changed solver may give other solutions.
+    """
     folder = files("stiction.solvers.boundary_elements")
     sources = sorted((file for file in folder.iterdir() if file.name.endswith(".py")), key=lambda file: file.name)
     return "".join(code_alone(file.read_text("utf-8")) for file in sources).encode()
 
 
 def code_alone(source: str) -> str:
-    """Return the syntax tree of a module as text, without comments and docstrings: these change no solution."""
+    """Return the syntax tree of a module as text, without comments and docstrings, which change no solution.
+
+    source: text of the module.
+    """
     tree = ast.parse(source)
     for node in ast.walk(tree):
         if isinstance(node, ast.Module | ast.ClassDef | ast.FunctionDef) and ast.get_docstring(node, clean=False):
@@ -90,14 +96,14 @@ def code_alone(source: str) -> str:
 
 
 def _file(name: str, load: float) -> Path:
-    """Return the path of the cache file of one load [N]."""
+    """Return the path of the cache file of one load [N]; name: cache key of the map."""
     return cache_folder("contacts") / f"{name}-{load.hex()}.npz"
 
 
 def _read(path: Path, shape: tuple[int, ...]) -> MapContact | None:
-    """Return the contact stored in a cache file.
+    """Return the contact stored in a cache file, or None if the file is missing, damaged, or was written under another name.
 
-    shape: (rows, columns) of the map. The result is None if the file is missing, damaged, or was written under another name.
+    shape: (rows, columns) of the map.
     """
     try:
         with path.open("rb") as opened, np.load(opened, allow_pickle=False) as file:

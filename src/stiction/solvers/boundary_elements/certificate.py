@@ -1,19 +1,20 @@
-"""Error bounds of a pressure on its grid, computed from the pressure alone.
+"""Bound the error of a computed pressure on its grid, from the pressure and its gap alone.
 
-Let s be the gap that must be added for the conditions (2) of `minimise` to hold: -g at free points, -min(g, 0) at points
-without pressure, -max(g, 0) at the hardness. The pressure p then solves the same problem exactly for the heights h - s. Let
-p* be the solution for h, and e = p - p*. The dual problem (Boyd & Vandenberghe 2004, Convex Optimization, section 5.5) bounds
-the energy E. It also bounds e, because E exceeds its minimum by at least <e C e>/2:
+Let s be the gap that must be added for the conditions (2) of `minimise` to hold: -g at free points (pressure between 0 and the
+hardness), -min(g, 0) at points without pressure, -max(g, 0) at the hardness. The pressure p then solves the same problem
+exactly for the heights h - s. Let p* be the solution for h, e = p - p*, C the compliance operator, and <> the mean over the
+map. The dual problem (Boyd & Vandenberghe 2004, Convex Optimization, section 5.5) bounds the energy E. It also bounds e,
+because E exceeds its minimum by at least <e C e>/2:
 
     E(p) - E(p*) <= 1/2 <s C^-1 s>        <e C e> <= <s C^-1 s>                                                             (1)
 
-where the mean of s is left out if C(0) is not defined. Derived here. For a map that ends, C^-1 is not known, and the weaker
-bound
+where the mean of s is left out if C(0) is not defined. Derived here. For a map with free edges, C^-1 is not known, and the
+weaker bound
 
     <e C e> <= <g p> - min <g q>   over all q of the same mean and bounds                                                   (2)
 
-is used (Frank & Wolfe 1956, Naval Res. Logist. 3, 95). Both hold for any pressure with the right mean and bounds. They do not
-include the error of representing the surface by the points of the map.
+is used (Frank & Wolfe 1956, Naval Res. Logist. 3, 95). Both bounds hold for any pressure that has the right mean and lies
+between 0 and the hardness. They do not include the error of representing the surface by the points of the map.
 """
 
 import math
@@ -24,19 +25,19 @@ import numpy as np
 from stiction.solvers.boundary_elements.arrays import blocks, dot, factor, namespace, to_numpy
 from stiction.solvers.boundary_elements.minimise import Found, Problem, missed_gap
 
-_ROUNDED = 1.0 + 1e-6  # above what single precision loses of a bound that is an equality in full contact
-_MARGIN = 3.0  # of the largest missed gap: a point as near as this to contact, or to none, may be on the wrong side
+_ROUNDED = 1.0 + 1e-6  # covers the round-off of single precision, as the bound is an equality in full contact
+_MARGIN = 3.0  # times the largest gap error: a point closer than this to a change of state may be in the wrong state
 
 
 @dataclass(frozen=True)
 class Certificate:
     """Store bounds of the error of a computed pressure, relative to the exact solution on the same grid.
 
-    overlap: deepest overlap of the faces at points without pressure [m]. opening: largest gap, of either sign, at points in
-    elastic contact [m]. lift: largest positive gap at points whose pressure is the hardness [m]. pressure_error: bound on the
-    relative error of the pressure, as the square root of elastic energy. area_error: estimated number of points that may
-    wrongly count as in or out of contact, divided by the number of points in contact. The estimate counts points whose gap or
-    pressure is within three times the largest gap error of a change.
+    overlap: deepest overlap of the faces at points without pressure [m]. opening: largest magnitude of the gap at points in
+    elastic contact, where it should be 0 [m]. lift: largest positive gap at points whose pressure is the hardness [m].
+    pressure_error: bound on the relative error of the pressure, as the square root of elastic energy. area_error: estimated
+    number of points that may wrongly count as in or out of contact, divided by the number of points in contact. Points count as
+    uncertain if a change of three times the largest gap error would bring them into contact or out of it.
     """
 
     overlap: float
@@ -49,7 +50,7 @@ class Certificate:
 def certify(problem: Problem, found: Found) -> Certificate:
     """Return the error bounds of a computed pressure.
 
-    problem: the minimisation problem. found: its numerical solution.
+    problem: the minimisation problem. found: its numerical solution with pressure [Pa] and gap [m].
     """
     missed = missed_gap(problem, found.pressure, found.gap)
     pressure, gap, xp = found.pressure, found.gap, namespace(found.gap)
@@ -75,15 +76,18 @@ def _largest(values: np.ndarray, mask: np.ndarray) -> float:
 
 
 def _energy(problem: Problem, found: Found) -> float:
-    """Return the elastic energy norm <p C p> of a solution, multiplied by the number of points."""
+    """Return the elastic energy norm <p C p> of a solution, multiplied by the number of points [Pa m].
+
+    p: pressure, C: compliance operator, <>: mean over the map.
+    """
     raised = sum(dot(found.pressure[rows], found.gap[rows] + problem.heights[rows]) for rows in blocks(found.pressure))
     return raised + found.offset * float(namespace(found.pressure).sum(found.pressure))
 
 
 def _energy_left(problem: Problem, found: Found, missed: np.ndarray) -> float:
-    """Return the error bound (1), or (2) if the map has free edges, multiplied by the number of points.
+    """Return the bound on the energy norm <e C e> of the pressure error e, multiplied by the number of points [Pa m].
 
-    missed: error of the gap at every point (rows, columns) [m].
+    This is bound (1), or bound (2) if the map has free edges. missed: error of the gap at every point (rows, columns) [m].
     """
     if problem.displacement.inverts:
         xp = namespace(missed)

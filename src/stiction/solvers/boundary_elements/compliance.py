@@ -1,22 +1,23 @@
-"""Compliance of elastic bodies to a wave of pressure: normal displacement over pressure, by wavevector k.
+"""Compute the compliance of elastic bodies to a wave of pressure: normal displacement over pressure, by wavevector k.
 
-Half-space (Johnson 1985, Contact Mechanics, section 13.2; plane-strain modulus E* = E/(1 - nu^2), for a pair 1/E* is the sum):
+Half-space (Johnson 1985, Contact Mechanics, section 13.2; plane-strain modulus E* = E/(1 - nu^2), for a pair of bodies 1/E* is
+the sum):
 
     C(k) = 2 / (E* k)                                                                                                     (1)
 
 For a film of thickness t (1) bonded to a half-space (2), without shear on its face, let x = k t, and G = mu1/mu2 the ratio of
-the shear moduli. This is one wave of the layered half-space of O'Sullivan & King (1988, J. Tribology 110, 235), in the
-notation of Nogi & Kato (1997, J. Tribology 119, 493):
+the shear moduli. This is one wave of the layered half-space of O'Sullivan & King (1988, J. Tribology 110, 235), in the notation
+of Nogi & Kato (1997, J. Tribology 119, 493):
 
     C(k) = 2/(E1* k) [1 + 4 x K e^(-2x) - L K e^(-4x)] / [1 - (L + K + 4 K x^2) e^(-2x) + L K e^(-4x)]                    (2)
     L = 1 - 4 (1 - nu1) / (1 + G (3 - 4 nu2)),          K = (G - 1) / (G + 3 - 4 nu1)
 
-Grade B: (2) was not compared with print. Tests compare it with a direct solution of the six boundary conditions of one wave.
-t -> 0 and G -> 1 give (1) of the substrate, and t -> infinity (1) of the film. G = 0 is a film on a rigid base, and nu1 = 1/2
-an incompressible film.
+Grade B: (2) was not compared with print. Tests compare it with a direct solution of the six boundary conditions of one wave. t
+-> 0 and G -> 1 give (1) of the substrate, and t -> infinity (1) of the film. G = 0 is a film on a rigid base, and nu1 = 1/2 an
+incompressible film.
 
-With y = 2x, numerator and denominator of (2) are multiplied by e^y. This avoids differences of nearly equal numbers as x ->
-0. In that limit the compliance of a film on a rigid base is proportional to t, or to k^2 t^3 if the film is incompressible:
+With y = 2x, numerator and denominator of (2) are multiplied by e^y. This avoids differences of nearly equal numbers as x -> 0.
+In that limit the compliance of a film on a rigid base is proportional to t, or to k^2 t^3 if the film is incompressible:
 
     numerator   = (1 - LK) cosh y + (1 + LK) (sinh y - y) + (1 + LK + 2K) y                                               (3)
     denominator = (1 + LK) (cosh y - 1) + (1 - LK) sinh y + (1 - L)(1 - K) - K y^2
@@ -30,7 +31,7 @@ import numpy as np
 from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import require_positive
 
-_LARGE = 1.0  # of y, above which e^-y is small enough beside 1
+_LARGE = 1.0  # value of y above which (2) loses no digits, because e^-y is well below 1
 _SERIES = 1.0 / np.cumprod([6.0, *((2 * n) * (2 * n + 1) for n in range(2, 10))])  # of sinh y - y: y^3/3! + y^5/5! + ...
 
 
@@ -38,9 +39,9 @@ _SERIES = 1.0 / np.cumprod([6.0, *((2 * n) * (2 * n + 1) for n in range(2, 10))]
 class Film:
     """Describe an elastic film bonded to an elastic half-space.
 
-    thickness: [m], > 0. modulus, poisson: Young's modulus [Pa], > 0, and Poisson's ratio (-1 to 1/2; 1/2 is incompressible)
-    of the film. substrate_modulus, substrate_poisson: of the half-space; an infinite modulus means rigid. Raises InputError
-    for other values.
+    thickness: [m], > 0. modulus, poisson: Young's modulus [Pa], > 0, and Poisson's ratio (-1 to 1/2; 1/2 is incompressible) of
+    the film. substrate_modulus, substrate_poisson: of the half-space; an infinite modulus means rigid. Raises InputError for
+    other values.
     """
 
     thickness: float
@@ -64,9 +65,9 @@ class Film:
 
     @property
     def far(self) -> float:
-        """Return the compliance at long wavelengths, times k/2 [1/Pa].
+        """Return the compliance at long wavelengths, times half the wavenumber k [1/Pa].
 
-        It is 1/E2* of the substrate, or 0 for a rigid substrate.
+        It is 1/E2*, with the plane-strain modulus E2* of the substrate, and 0 for a rigid substrate.
         """
         return (1.0 - self.substrate_poisson**2) / self.substrate_modulus
 
@@ -82,7 +83,8 @@ class Film:
     def over_half_space(self, k: np.ndarray) -> np.ndarray:
         """Return the compliance of the film on its substrate, divided by that of a half-space of film material.
 
-        This is (2) divided by 2/(E1* k). k: wavenumbers > 0 [1/m], any shape.
+        This is (2) divided by 2/(E1* k), with the plane-strain modulus E1* of the film. k: wavenumbers > 0 [1/m], any shape.
+        The result has the same shape.
         """
         parts = self._parts()
         y = 2.0 * self.thickness * np.asarray(k, dtype=float)
@@ -93,7 +95,7 @@ class Film:
         return ratio
 
     def _parts(self) -> tuple[float, float, float, float, float]:
-        """Return L, K, 1 - LK, 1 + LK + 2K and (1 - L)(1 - K), with L and K of equation (2).
+        """Return L, K, 1 - LK, 1 + LK + 2K and (1 - L)(1 - K) with the numbers L and K of (2), which compare both materials.
 
         The last three are computed without differences of nearly equal numbers.
         """
@@ -107,7 +109,10 @@ class Film:
 
 
 def _near(y, _, k, one_less_lk, linear, constant):
-    """Return the relative compliance of a film by (3), accurate for y = 2 k t < 1."""
+    """Return the compliance of a film over that of a half-space of film material by (3), accurate for y = 2 k t < 1.
+
+    k: wavenumber, t: film thickness. The other arguments are L (not used), K, 1 - LK, 1 + LK + 2K and (1 - L)(1 - K) of (2).
+    """
     sine = y**3 * np.polynomial.polynomial.polyval(y * y, _SERIES)
     rest = 2.0 - one_less_lk
     above = one_less_lk * np.cosh(y) + rest * sine + linear * y
@@ -116,7 +121,10 @@ def _near(y, _, k, one_less_lk, linear, constant):
 
 
 def _away(y, el, k, *_):
-    """Return the relative compliance of a film by (2), for y = 2 k t >= 1."""
+    """Return the compliance of a film over that of a half-space of film material by (2), for y = 2 k t >= 1.
+
+    k: wavenumber, t: film thickness. el, k: the numbers L and K of (2).
+    """
     once = np.exp(-y)
     return (1.0 + 2.0 * y * k * once - el * k * once**2) / (1.0 - (el + k + k * y * y) * once + el * k * once**2)
 
@@ -125,8 +133,9 @@ def _away(y, el, k, *_):
 class Compliance:
     """Describe the normal compliance of two bodies in contact, each with or without a film.
 
-    modulus: contact modulus E* of the bodies without films [Pa], infinite if they are rigid. film, counter_film: films, each on
-    its own half-space. Raises InputError unless the modulus is > 0, and finite if there is no film.
+    modulus: contact modulus E* of the bodies without films [Pa], infinite if they are rigid. film, counter_film: film on the
+    first and on the second body, each with its own half-space below, or None. Raises InputError unless the modulus is > 0, and
+    finite if there is no film.
     """
 
     modulus: float
@@ -144,15 +153,15 @@ class Compliance:
 
     @property
     def near(self) -> float:
-        """Return the compliance at short wavelengths, times k/2 [1/Pa].
+        """Return the compliance at short wavelengths, times half the wavenumber [1/Pa].
 
-        It is 1/E* of the two surface materials.
+        It is 1/E* of the two materials at the surface, films where there are films.
         """
         return 1.0 / self.modulus + sum(1.0 / film.plane_strain for film in self.films)
 
     @property
     def far(self) -> float:
-        """Return the compliance at long wavelengths, times k/2 [1/Pa].
+        """Return the compliance at long wavelengths, times half the wavenumber [1/Pa].
 
         It is 1/E* of the bodies below the films, or 0 if these are rigid.
         """
@@ -164,9 +173,9 @@ class Compliance:
         return max((film.thickness for film in self.films), default=0.0)
 
     def times_half_k(self, k: np.ndarray) -> np.ndarray:
-        """Return the compliance C(k) of both bodies times k/2 [1/Pa].
+        """Return the compliance C(k) of both bodies, displacement over pressure, times k/2 [1/Pa].
 
-        k: wavenumbers > 0 [1/m], any shape.
+        k: wavenumbers > 0 [1/m], any shape. The result has the same shape.
         """
         total = np.full(np.shape(k), 1.0 / self.modulus)
         for film in self.films:
@@ -174,9 +183,10 @@ class Compliance:
         return total
 
     def at(self, k: np.ndarray) -> np.ndarray:
-        """Return the compliance C(k) of both bodies together [m/Pa] at wavenumbers k >= 0 [1/m], any shape.
+        """Return the compliance C(k) of both bodies together, displacement over pressure [m/Pa].
 
-        At k = 0 the result is the limit if this is finite, and 0 otherwise. Half-spaces have no finite mean displacement.
+        k: wavenumbers >= 0 [1/m], any shape. At k = 0 the result is the limit if this is finite, and 0 otherwise: the mean
+        displacement of half-spaces is not finite.
         """
         k = np.asarray(k, dtype=float)
         positive = k > 0.0

@@ -1,4 +1,4 @@
-"""Contacts of one map at many nominal pressures, with their validity warnings."""
+"""Solve the contacts of one map at many nominal pressures."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -21,8 +21,8 @@ class MapCurve:
     """Store the contacts of one map at several nominal pressures.
 
     contacts: in the order of the pressures; None for a load that an interruption left unsolved. every: sampling step; 2 means
-    that every second point was solved. of_map: quantities of the map that do not depend on load, by name. more: further
-    quantities, by name, each an array over the contacts.
+    that every second point of each row and column was solved. of_map: quantities of the map that do not depend on load, by
+    name. more: further quantities, by name, each an array over the contacts.
     """
 
     contacts: tuple[MapContact | None, ...]
@@ -31,25 +31,28 @@ class MapCurve:
     more: Mapping[str, np.ndarray] = field(default_factory=dict)
 
     def array(self, name: str) -> np.ndarray:
-        """Return one attribute of all contacts as an array, NaN for a load not solved."""
+        """Return one attribute of all contacts, by its name, as an array (contacts,); NaN for a load not solved."""
         return np.array([np.nan if contact is None else getattr(contact, name) for contact in self.contacts], dtype=float)
 
     @cached_property
     def fraction(self) -> np.ndarray:
-        """Return the ratio of real to nominal contact area at each pressure."""
+        """Return the ratio of real to nominal contact area (contacts,); NaN for a load not solved."""
         return self.array("area") / self.array("nominal_area")
 
 
 def curve_of_map(surface: HeightMap, bodies: Bodies, pressures: Sequence[float], *, sampled: bool = False) -> MapCurve:
-    """Solve the contact of a map at nominal pressures [Pa], or read it from the cache.
+    """Solve the contact of a map at nominal pressures [Pa], or read it from the cache on disk.
 
-    sampled: whether to skip points of the map that the accuracy does not need (see `sampled`). Raises InputError as `solve_map`
-    does.
+    bodies: elastic constants, hardness and liquid. sampled: whether to skip points of the map that the accuracy does not need.
+    Raises InputError as `solve_map` does.
     """
     nominal = surface.size[0] * surface.size[1]
 
     def at_pressures(heights, size, *, loads, **how) -> MapContacts:
-        """Solve at loads given for the whole map, scaled to the area of the sampled points."""
+        """Solve a map or the points sampled from it at loads [N] that are given for the whole map.
+
+        The sampled points may cover less area; the loads are multiplied by the ratio of the areas.
+        """
         covered = size[0] * size[1] / nominal
         return solve_cached(heights, size, loads=[load * covered for load in loads], **how)
 
@@ -67,7 +70,7 @@ def curve_of_map(surface: HeightMap, bodies: Bodies, pressures: Sequence[float],
 
 
 def _in_order(contacts: MapContacts, pressures: Sequence[float]) -> tuple[MapContact | None, ...]:
-    """Return the contacts in the order of the nominal pressures, with None for a missing contact."""
+    """Return one contact for each nominal pressure [Pa], in their order; None where the contact was not solved."""
     if contacts.complete:
         return tuple(contacts)
     by_pressure = {contact.mean_pressure: contact for contact in contacts}
@@ -81,7 +84,8 @@ def _in_order(contacts: MapContacts, pressures: Sequence[float]) -> tuple[MapCon
 def of_map(surface: HeightMap, bodies: Bodies, every: int) -> dict[str, float]:
     """Return the quantities of a map that do not depend on load, by name.
 
-    bodies: of the contact; a film adds the number of points in its thickness. every: sampling step.
+    They are points in the shortest wave, longest waves on a side, rms gradient, sampling step and, if one of the bodies has a
+    film, the number of points in its thickness. every: sampling step.
     """
     seen = waves(surface.heights, surface.size, surface.periodic)
     numbers = {

@@ -1,16 +1,17 @@
 """Minimise the energy of faces that attract each other, over gaps >= 0.
 
-Lengths are divided by the range of attraction and energies by the work of adhesion. K is symmetric and positive semidefinite.
-The energy
+Lengths are divided by the range of attraction and energies by the work of adhesion per area. g is the gap, h the heights, P the
+mean pressure, and <> the mean over the map. The stiffness K, which gives the elastic pressure of a displacement, is symmetric
+and positive semidefinite. The energy
 
     1/2 <(g + h) K (g + h)> - <e^(-g)> + P <g>,      g >= 0                                                               (1)
 
-is reduced by conjugate gradients over the free points: points apart, and points in contact whose energy falls if they
-separate (Polonsky & Keer 1999, Wear 231, 206; Bugnicourt et al. 2018, Tribology Lett. 66, 29). There are three additions.
-First, directions are multiplied by 1/K and restricted to the free points; K grows with the wavevector, so long waves would
-otherwise converge slowly. Second, the step is Newton's along the direction. It is shortened where the attraction makes the
-energy concave, limited to twice the range where attraction acts, and halved until the energy falls. Third, if the faces are
-so far apart that no attraction outweighs the tension, they are moved apart at once.
+is reduced by conjugate gradients over the free points: points apart, and points in contact whose energy falls if they separate
+(Polonsky & Keer 1999, Wear 231, 206; Bugnicourt et al. 2018, Tribology Lett. 66, 29). There are three additions. First,
+directions are multiplied by 1/K and restricted to the free points; K grows with the wavevector, so long waves would otherwise
+converge slowly. Second, the step is Newton's along the direction. It is shortened where the attraction makes the energy
+concave, limited to twice the range where attraction acts, and halved until the energy falls. Third, if the faces are so far
+apart that no attraction outweighs the tension, they are moved apart at once.
 """
 
 import math
@@ -21,22 +22,23 @@ from scipy.fft import irfft2, rfft2
 
 from stiction.solvers.boundary_elements.arrays import dot
 
-FAR = 1e3  # gap over the range, at which faces are apart
-_FLAT = 0.05  # curvature along a direction, at least this share of the elastic one: below, the attraction bends it down
-_RANGE = 2.0  # no farther at once, over the range
-_ACTS = 1e-3  # of the largest attraction
+FAR = 1e3  # gap over the range of attraction, by which separated faces are moved apart
+_FLAT = 0.05  # least curvature along a direction, over the elastic one; attraction makes it smaller or negative
+_RANGE = 2.0  # largest step over the range of attraction
+_ACTS = 1e-3  # attraction over the largest attraction, above which a point counts as attracted
 _MOST = 3000
 _HALVINGS = 40
-_NONE = 40.0  # gap over the range, beyond which the attraction is below rounding
-_LARGEST = 700.0  # exponent, of a floating point number
+_NONE = 40.0  # gap over the range, beyond which the attraction is below round-off
+_LARGEST = 700.0  # largest exponent whose exponential is a finite number
 
 
 @dataclass(frozen=True)
 class Faces:
     """Store the heights and the stiffness of two faces that attract each other.
 
-    heights (rows, columns): heights h, divided by the range of attraction. stiffness: dimensionless K of every entry of
-    `rfft2`, 0 for the mean. share (rows, columns): fraction of the work of adhesion that remains; None for all of it.
+    heights (rows, columns): heights divided by the range of attraction. stiffness: dimensionless stiffness (elastic pressure
+    over displacement) of each wave, in the order of `rfft2`; 0 for the mean. share (rows, columns): fraction of the work of
+    adhesion that remains; None for all of it.
     """
 
     heights: np.ndarray
@@ -50,21 +52,25 @@ class Faces:
         object.__setattr__(self, "_smooth", (1.0 / inverse).astype(np.float32))
 
     def elastic(self, shape: np.ndarray) -> np.ndarray:
-        """Return the elastic restoring pressure of a displacement: K applied to it, (rows, columns).
+        """Return the elastic restoring pressure (rows, columns) of a displacement, divided by the largest attraction.
 
-        shape: displacement (rows, columns), for instance gap plus heights.
+        shape: displacement (rows, columns), divided by the range of attraction, for instance gap plus heights.
         """
         return self._through(shape, self.stiffness)
 
     def attraction(self, gap: np.ndarray) -> np.ndarray:
-        """Return the attraction e^(-g) at the gaps g (rows, columns), times the remaining fraction of the work of adhesion."""
+        """Return the attraction at the gaps g (rows, columns): e^(-g) times the remaining fraction of the work of adhesion.
+
+        Gaps are divided by the range of attraction, and the result by the largest attraction.
+        """
         whole = np.exp(-gap)
         return whole if self.share is None else self.share * whole
 
     def smoothed(self, force: np.ndarray) -> np.ndarray:
-        """Return the force divided by the stiffness K of each wave, in single precision.
+        """Return a pressure map (rows, columns) divided, wave by wave, by the stiffness, in single precision.
 
-        The mean, whose stiffness is 0, is divided by half of the smallest K. Search directions need no higher precision.
+        The mean, whose stiffness is 0, is divided by half of the smallest stiffness. Search directions need no higher
+        precision.
         """
         return self._through(force.astype(np.float32), self._smooth).astype(float)
 
@@ -75,10 +81,11 @@ class Faces:
 
 
 class DescentSearch:
-    """Minimise the energy (1) of attracting faces under a mean pressure P.
+    """Minimise the energy (1) of attracting faces under a mean pressure.
 
-    gap: current gap (rows, columns), divided by the range of attraction. residual: largest gradient of the energy among points
-    that are apart and touching points under tension. apart: whether the faces have separated completely.
+    pressure: mean pressure divided by the largest attraction, < 0 if it pulls. gap: current gap (rows, columns), divided by the
+    range of attraction. residual: largest gradient of the energy among points that are apart and touching points that should
+    open. apart: whether the faces have separated completely.
     """
 
     def __init__(self, faces: Faces, gap: np.ndarray, pressure: float):
@@ -90,7 +97,10 @@ class DescentSearch:
         self._arrive()
 
     def run(self, tolerance: float) -> None:
-        """Minimise until the residual is below the tolerance or no step lowers the energy."""
+        """Reduce the energy until the residual is below the tolerance, the faces have separated, or no step lowers the energy.
+
+        At most 3000 steps are taken. The result is in the attributes gap, residual and apart.
+        """
         for _ in range(_MOST):
             if self.residual <= tolerance:
                 return
@@ -100,7 +110,7 @@ class DescentSearch:
                 return
             if not self._step(self._direction()):
                 if self._way is None:
-                    return  # no step lowers the energy: rounding
+                    return  # only round-off prevents a lower energy
                 self._way = None
 
     def _arrive(self) -> None:
@@ -112,9 +122,10 @@ class DescentSearch:
         self.residual = float(np.max(np.abs(self._slope * self._free)))
 
     def _direction(self) -> np.ndarray:
-        """Return the next search direction, preconditioned and conjugate to the last one.
+        """Return the next search direction (rows, columns), preconditioned and conjugate to the last one.
 
-        The factor is the one of Polak & Ribiere. After a failed step the direction is the preconditioned gradient.
+        The factor of the last direction is the one of Polak & Ribiere. After a failed step the direction is the preconditioned
+        negative gradient.
         """
         force = np.where(self._free, -self._slope, 0.0)
         smooth = self._faces.smoothed(force)
@@ -131,7 +142,7 @@ class DescentSearch:
         return way
 
     def _step(self, way: np.ndarray) -> bool:
-        """Take a step along a direction; return False if no step length lowers the energy.
+        """Take a step along the direction `way` (rows, columns); return False if no step length lowers the energy.
 
         The step is halved until the energy falls.
         """
@@ -156,10 +167,10 @@ class DescentSearch:
         return False
 
     def _room(self, way: np.ndarray) -> float:
-        """Return the longest allowed step along a direction.
+        """Return the largest allowed factor of the direction `way` (rows, columns) in one step.
 
-        It closes no gap by more than the gap plus twice the range of attraction, and opens attracted points by at most twice
-        the range.
+        A step closes no gap by more than the gap plus twice the range of attraction, and opens attracted points by at most
+        twice the range.
         """
         closes = max(-float(np.min(way / (self.gap + _RANGE))), 0.0)
         opens = max(float(np.max(way * (self._near > _ACTS))), 0.0) / _RANGE
@@ -167,9 +178,10 @@ class DescentSearch:
         return 1.0 / fastest if fastest > 0.0 else 1.0
 
     def _change(self, gap: np.ndarray, elastic: np.ndarray) -> float:
-        """Return the change of the energy (1) from the current gap to another, times the number of points.
+        """Return the change of the energy (1) from the current gap to the gap `gap`, times the number of points.
 
-        The formula avoids differences of large numbers, which round-off would spoil near the minimum.
+        elastic: elastic pressure at `gap`. The formula avoids differences of large numbers, which round-off would spoil near
+        the minimum.
         """
         closed = self.gap - gap
         smooth = dot(closed, self._slope) + 0.5 * dot(closed, elastic - self._elastic)

@@ -1,13 +1,13 @@
-"""Contact stiffness of a map at fixed contact area, from a linear system over the free points.
+"""Compute the contact stiffness of a map at fixed contact area, from a linear system over the free points.
 
-Free points have 0 < p < H. An approach w moves the face equally at all of them, and changes their pressure by q with C q = w.
-Points that flow carry no more load, and points outside the contact touch nothing. The compliance of the map is w divided by
-the mean of q. By Rayleigh's principle
+Free points have a pressure p between 0 and the hardness H. An approach w moves the face equally at all of them, and changes
+their pressure by q with C q = w (C: compliance operator). Points with p = H carry no more load, and points outside the contact
+carry none. The compliance of the map is w divided by the mean <q>. By Rayleigh's principle
 
     w/<q> = minimum of <q C q>/<q>^2 over all q on these points                                                           (1)
 
-so that a small error of q changes the compliance only by its square (for rough contact: Barber 2003, Proc. R. Soc. A 459,
-53). Single precision is therefore enough.
+so that a small error of q changes the compliance only by its square (for rough contact: Barber 2003, Proc. R. Soc. A 459, 53).
+Single precision is therefore enough.
 """
 
 import math
@@ -24,9 +24,9 @@ _MOST = 300
 def stiffness_per_area(displacement: Boundary, free: np.ndarray, start: np.ndarray) -> float:
     """Return the contact stiffness per nominal area [Pa/m] at fixed contact area: change of mean pressure per approach.
 
-    The result is NaN without elastic contact points, and infinite in full contact of half-spaces. displacement: compliance
-    operator. free: mask (rows, columns) of the points in elastic contact. start: first guess of the pressure change, > 0, for
-    instance the pressure.
+    displacement: compliance operator, from pressure to displacement. free: mask (rows, columns) of the points in elastic
+    contact. start: first guess of the pressure change (rows, columns), > 0, for instance the pressure. The result is NaN
+    without elastic contact points, and infinite in full contact of half-spaces.
     """
     xp, points = namespace(start), math.prod(start.shape)
     count = int(xp.count_nonzero(free))

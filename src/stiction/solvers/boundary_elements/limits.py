@@ -1,14 +1,14 @@
 """Set the limits beyond which a map solution has a validity warning."""
 
-TOLERANCE = 1e-5  # of the residual: gaps where there is contact, over the rms height difference of neighbouring points
-LEAST_PIXELS = 8.0  # in the shortest wave
-LEAST_IN_WAVE = 4.0  # where only the area is asked for, to a few per cent
+TOLERANCE = 1e-5  # largest residual: rms gap error in contact, over the rms height difference of neighbouring points
+LEAST_PIXELS = 8.0  # points in the shortest wave
+LEAST_IN_WAVE = 4.0  # points in the shortest wave if only the area is needed, to a few per cent
 LEAST_WAVES = 6.0  # longest waves along a side
-STEEPEST = 0.3  # rms gradient: small slopes are assumed
+STEEPEST = 0.3  # rms gradient, because the solver assumes small slopes
 LEAST_CONTACT = 100  # points in contact
-MOST_AT_ENDS = 0.01  # share of the load on the outermost points of a map that ends
+MOST_AT_ENDS = 0.01  # fraction of the load on the outermost points of a map with free edges
 LEAST_LOAD_ERROR = 1e-9
-LEAST_POINTS = 2.0  # along the length over which the edge of an adhesive contact is pulled
-MOST_ATTRACTION_LEFT = 1e-3  # pressure left where faces that attract each other do not touch, over the largest attraction
-LEAST_TABOR = 5.0  # of a range of attraction, from which on it is short
+LEAST_POINTS = 2.0  # points along the length over which the edge of an adhesive contact is pulled
+MOST_ATTRACTION_LEFT = 1e-3  # pressure error where attracting faces do not touch, over the largest attraction
+LEAST_TABOR = 5.0  # Tabor parameter from which a range of attraction counts as short
 LEAST_WEAKENING = 3.0  # points along the length over which strength is lost, for the largest tangential force

@@ -13,7 +13,7 @@ _listeners: list[Callable[[Progress], None]] = []
 
 @contextmanager
 def listening(listener: Callable[[Progress], None]) -> Iterator[None]:
-    """Register a progress listener for all map solutions inside a `with` block.
+    """Register a callback for the progress of all map solutions inside a `with` block.
 
     listener: called with each reported Progress.
     """

@@ -1,10 +1,10 @@
-"""Real contact area of a map against load, by solving some of its points or by a formula.
+"""Compute the real contact area of a map against load, by solving some of its points or by a formula.
 
-The share A/A0 is solved at the requested mean pressures. If these are many, it is solved at four pressures per decade, and ln
-A is interpolated by a monotone cubic of ln p. Each solution uses the fewest points that suffice: four in the shortest wave,
-eight across a lay, and 3000 in contact. Below the lightest and above the heaviest solved pressure the area follows a formula
-(`area_estimates`), scaled to the last solution. The formula also replaces solutions of maps that are too large to solve.
-Solutions are cached as long as the program runs.
+The area fraction A/A0 is solved at the requested mean pressures. If more than twelve are requested, it is solved at four
+pressures per decade, and ln A is interpolated by a monotone cubic of ln p (p: mean pressure). Each solution uses the fewest
+points that suffice: four in the shortest wave, eight across a lay, and 3000 in contact. Below the lightest and above the
+heaviest solved pressure the area follows a formula (`area_estimates`), scaled to the last solution. The formula also replaces
+solutions of maps that are too large to solve. Solutions are cached as long as the program runs.
 """
 
 import hashlib
@@ -25,21 +25,22 @@ from stiction.surfaces.asperity_set import skewness
 from stiction.surfaces.heightmap import HeightMap, every_point
 from stiction.surfaces.theory.widened_area import with_hardness
 
-MOST_POINTS = 2**19  # that are solved
-# Of them in contact, where there are so many: with 1000 areas were up to 4.6 % too large with a lay and just above it.
+MOST_POINTS = 2**19  # most points that are solved
+# Least points in contact, if the map has so many. With 1000, areas were up to 4.6 % too large on maps with a lay or nearly one.
 LEAST_CONTACT = 3000
-FEWEST_CONTACT = 60  # else the formula goes on
-FEWEST_IN_WAVE = 2.5  # points in the shortest wave of those that are solved
-# Across a lay patches are narrower than waves: with 4 points in the shortest wave areas are 3 % too large at 3:1, 9 % at 6:1.
+FEWEST_CONTACT = 60  # with fewer points in contact the formula replaces the solution
+FEWEST_IN_WAVE = 2.5  # least points in the shortest wave of a map that is solved although it has too few
+# Patches are narrower across a lay: with 4 points in the shortest wave, areas are 3 % too large at a lay of 3:1, 9 % at 6:1.
 _LAID, _LEAST_ACROSS_LAY = 1.7, 8.0
-_STEPS, _FEW = 4, 12  # pressures to a factor of ten, where there are more than so few of them
-# Of 24 windows of own elastic maps with 1 to 7 of the longest waves (grade C): ln of the area was off by up to 5 times the
-# scatter of quadrants at 1 wave, and as they say from 4 on. Of 104 windows of 21 own plastic maps (H/(E* h') .25 to 1.2, 1.4 to
-# 6 waves, seven kinds of surface) intervals of 90 % then hold 91 %, the fewest, 83 %, across a lay.
+_STEPS, _FEW = 4, 12  # solved pressures per decade, if more than twelve pressures are requested
+# Measured on windows of generated maps (grade C). In 24 windows of elastic maps, the error of ln A was up to 5 times the one
+# estimated from quadrants where the window held 1 of the longest waves, and equal to it from 4 waves on. In 104 windows of 21
+# plastic maps (H/(E* h') .25 to 1.2, 1.4 to 6 waves, seven kinds of surface), intervals of 90 % with this factor contain the
+# area in 91 % of cases; the lowest rate of one kind, with a lay, is 83 %.
 _OF_WAVES = 0.8
-_HEAVIEST = 1.2  # pressure over E* h' that is solved
+_HEAVIEST = 1.2  # largest pressure over E* h' that is solved
 _MOST_OF_HARDNESS = 0.97
-# What is Gaussian and isotropic enough for the formula over top slopes.
+# Limits of maps that are Gaussian and isotropic enough for the formula by top slopes.
 _MOST_SKEWNESS, _MOST_LAY, _TOP, _TOP_RANGE = 0.5, 1.3, 0.05, (0.75, 1.3)
 
 
@@ -48,7 +49,7 @@ class MapArea:
     """Compute the real contact area of one map at any mean pressure and hardness.
 
     heights: (rows, columns) [m], without missing points. size: (y, x) [m]. periodic: whether the map is one period of an
-    endless surface.
+    endless surface; otherwise it is a window of a larger surface.
     """
 
     heights: np.ndarray
@@ -58,7 +59,7 @@ class MapArea:
 
     @cached_property
     def slopes(self) -> MapSlopes:
-        """Return the slopes of the map."""
+        """Return the rms gradient, Nayak parameter and lay of the map, and its gradients by height rank."""
         return map_slopes(self.heights, self.size, self.periodic)
 
     @cached_property
@@ -76,9 +77,10 @@ class MapArea:
     def sample_error(self, pressure: np.ndarray, hardness: float) -> np.ndarray:
         """Return the standard error of ln A that arises because the map is only a window of a larger surface.
 
-        The error is estimated from the scatter between the quadrants of the map. It is 0 for a periodic map. If the window
-        holds few of the longest waves, its quadrants resemble each other and the error is increased (_OF_WAVES). pressure,
-        hardness: as in `share`. The result is NaN if a quadrant is flat or the pressure is 0.
+        A: contact area. pressure (any shape), hardness: mean pressures and hardness, divided by E*. The error, of the shape of
+        the pressures, is estimated from the scatter between the four quadrants of the map. It is 0 for a periodic map. If the
+        window holds few of the longest waves, its quadrants resemble each other and the error is increased (_OF_WAVES). The
+        result is NaN if a quadrant is flat or the pressure is 0.
         """
         if self.periodic:
             return np.zeros(np.shape(pressure))
@@ -93,7 +95,8 @@ class MapArea:
     def solvable(self) -> list[int]:
         """Return the sampling steps with which the map can be solved, coarsest first; empty if there are none.
 
-        With each step, few enough points are left to solve. Steps above 1 also leave enough points in the shortest wave.
+        A step of r uses every r-th point of each row and column. With each step, few enough points are left to solve. Steps
+        above 1 also leave enough points in the shortest wave.
         """
         in_wave = self.waves.points_in_shortest_wave
         all_of_them = range(1, min(self.heights.shape) // 16 + 1)
@@ -108,10 +111,7 @@ class MapArea:
 
     @property
     def gaussian(self) -> bool:
-        """Return whether formula (3) of `area_estimates` (top slopes) holds for the map.
-
-        The map must be nearly Gaussian and isotropic.
-        """
+        """Return whether the map is Gaussian and isotropic enough for formula (3) of `area_estimates` (top slopes)."""
         low, high = _TOP_RANGE
         return (
             abs(skewness(self.heights)) < _MOST_SKEWNESS and self.slopes.lay < _MOST_LAY and low < self.slopes.top(_TOP) < high
@@ -126,13 +126,17 @@ class MapArea:
 
     @property
     def formula(self) -> Callable[[float, MapSlopes], float]:
-        """Return the function that estimates the area at pressures that are not solved."""
+        """Return the function (pressure over E* h', slopes) -> A/A0 that estimates the area at pressures that are not solved.
+
+        h' is the rms gradient of the map.
+        """
         return by_top_slopes if self.gaussian else by_ranks
 
     def share(self, pressure: np.ndarray, hardness: float) -> np.ndarray:
         """Return the area fraction A/A0 at mean pressures divided by E* (any shape, >= 0).
 
-        hardness: divided by E*; may be infinite.
+        hardness: divided by E*; infinite for elastic bodies. The map is solved where this is possible, and a formula is used
+        elsewhere.
         """
         h = self.slopes.gradient
         if hardness not in self._curves:
@@ -143,8 +147,9 @@ class MapArea:
     def solved_with(self, compliance: Compliance, pressure: np.ndarray, expected: np.ndarray) -> np.ndarray:
         """Return the area fraction A/A0 (n,) of elastic bodies with films, by solving the map.
 
-        compliance: bodies and films. pressure: mean pressures (n,), ascending [Pa]. expected: approximate A/A0 (n,), from which
-        the number of points to solve follows. The result is NaN where too few points touch or the map is too large.
+        compliance: elastic constants of bodies and films. pressure: mean pressures (n,), ascending [Pa]. expected: approximate
+        A/A0 (n,), from which the number of points to solve follows. The result is NaN where too few points touch or the map is
+        too large.
         """
         areas = np.full(len(pressure), np.nan)
         if not self.solvable:
@@ -157,17 +162,18 @@ class MapArea:
         return areas
 
     def every(self, area: float) -> int:
-        """Return the coarsest sampling step that leaves enough points in contact, or the finest one if none does.
+        """Return the coarsest sampling step that leaves at least 3000 points in contact, or the finest one if none does.
 
-        area: expected area fraction A/A0.
+        A step of r uses every r-th point of each row and column. area: expected area fraction A/A0.
         """
         expected = area * self.heights.size
         return next((step for step in self.solvable if expected / step**2 >= LEAST_CONTACT), self.solvable[-1])
 
     def solve(self, pressure: np.ndarray, every: int, **how) -> np.ndarray:
-        """Return the area fraction A/A0 (n,) at mean pressures (n,), solved at every `every`-th point.
+        """Return the area fraction A/A0 (n,) at mean pressures (n,), solved at every r-th point of each row and column.
 
-        how: further keywords of `solve_map`, such as modulus and films. The result is NaN where too few points touch.
+        pressure: in the unit of the modulus in `how`. every: r. how: further keywords of `solve_map`, such as modulus and
+        films. The result is NaN where too few points touch.
         """
         heights, (high, wide) = every_point(self.heights, self.size, every)
         loads = (pressure * high * wide).tolist()
@@ -188,8 +194,8 @@ class MapArea:
 class _Curve:
     """Compute the area fraction A/A0 of a map against mean pressure at one hardness.
 
-    Pressure and hardness are divided by E* h', with h' the rms gradient. Solutions are stored as ln A at each pressure. For
-    many pressures the map is solved at 10^(k/4) only, and ln A is interpolated.
+    Pressure and hardness are divided by E* h', with h' the rms gradient. Solutions are stored as ln(A/A0) at each pressure. For
+    many pressures the map is solved at 10^(k/4) only (k whole), and ln(A/A0) is interpolated.
     """
 
     def __init__(self, area: MapArea, hardness: float):
@@ -211,7 +217,10 @@ class _Curve:
         return areas
 
     def _solve(self, pressure: np.ndarray) -> None:
-        """Solve the map at the given pressures if they are few, else at the nearest 10^(k/4)."""
+        """Solve the map at the pressures (n,), over E* h', if they are at most twelve, else at the nearest 10^(k/4).
+
+        The results are stored; pressures solved before are skipped.
+        """
         inside = np.minimum(pressure, self._heaviest)
         if len(pressure) > _FEW:
             steps = np.floor(_STEPS * np.log10(inside)).astype(int)
@@ -219,7 +228,7 @@ class _Curve:
             inside = np.array([min(10.0 ** (k / _STEPS), self._heaviest) for k in grid])
         missing = sorted({float(f"{ratio:.12g}") for ratio in inside.tolist()} - self._nodes.keys())
         missing = [ratio for ratio in missing if ratio > self._lightest]
-        while missing:  # from the heaviest on: where too few points touch, no lighter one needs to be tried
+        while missing:  # heaviest first, because no lighter pressure need be tried once too few points touch
             every = self._every(missing[-1])
             together = [ratio for ratio in missing if self._every(ratio) == every]
             self._solve_nodes(together, every)
@@ -245,7 +254,7 @@ class _Curve:
             return np.array([self._formula(ratio) for ratio in pressure.tolist()])
         nodes = sorted(self._nodes)
         x, y = np.log(nodes), np.array([self._nodes[node] for node in nodes])
-        if self._hardness < _HEAVIEST:  # then all is in contact
+        if self._hardness < _HEAVIEST:  # all points are in contact when the pressure is the hardness
             x, y = np.append(x, math.log(self._hardness)), np.append(y, 0.0)
         low, high = math.exp(x[0]), math.exp(x[-1])
         inside = np.log(np.clip(pressure, low, high))
@@ -262,14 +271,14 @@ class _Curve:
 
 
 def map_area(surface: HeightMap) -> MapArea:
-    """Return the MapArea of a map without missing points, cached by the content of the map."""
+    """Return the MapArea of a map without missing points; an equal map gets the same object, with its stored solutions."""
     digest = hashlib.blake2b(np.ascontiguousarray(surface.heights).tobytes(), digest_size=20)
     digest.update(repr((surface.heights.shape, surface.size, surface.periodic)).encode())
     return _kept(digest.hexdigest(), _Held(surface))
 
 
 class _Held:
-    """Hold a map that is always equal to another one, because a digest already identifies maps in the cache."""
+    """Wrap a map so that all wrapped maps compare equal: the cache then tells maps apart by their digest alone."""
 
     def __init__(self, surface: HeightMap):
         self.surface = surface

@@ -1,4 +1,4 @@
-"""Validity warnings of a solved map, e.g. too few points in the shortest wave."""
+"""Make the validity warnings of a solved map, for example that the shortest wave has too few points."""
 
 import math
 
@@ -24,7 +24,8 @@ def warnings_of_map(
 ) -> tuple[ValidityWarning, ...]:
     """Return the validity warnings of a map that hold at any load.
 
-    heights: (rows, columns) [m]; size: (y, x) [m]. film: film on one of the bodies, or None.
+    heights: (rows, columns) [m]; size: (y, x) [m]. film: film on one of the bodies, or None. periodic: whether the map is one
+    period of an endless surface.
     """
     seen = waves(heights, size, periodic)
     return (*_warnings_of_waves(seen), *(() if film is None else _warnings_of_film(film, seen.pitch)))
@@ -56,7 +57,7 @@ def warnings_of_load(solution: Found, load_error: float, ends: bool, tolerance: 
     """Return the validity warnings of the solution at one load.
 
     load_error: relative error of the summed pressures. ends: whether the map has free edges, so that nothing presses outside
-    it. tolerance: of the residual.
+    it. tolerance: largest accepted residual.
     """
     return (*_warnings_of_solution(solution, load_error, tolerance), *(_warnings_of_ends(solution.pressure) if ends else ()))
 
@@ -78,10 +79,11 @@ def share_at_ends(pressure: np.ndarray) -> float:
     """Return the fraction of the load on the outermost points of a pressure map (rows, columns)."""
     total = float(pressure.sum())
     if total <= 0.0:
-        return 0.0  # of a load below the smallest number: nothing
+        return 0.0  # the load is below the smallest floating-point number
     if min(pressure.shape) <= 2:
         return 1.0
-    ends = (pressure[0], pressure[-1], pressure[1:-1, 0], pressure[1:-1, -1])  # never below 0, as a difference would be
+    # The sides are summed, because total minus inner sum could be negative by round-off.
+    ends = (pressure[0], pressure[-1], pressure[1:-1, 0], pressure[1:-1, -1])
     return math.fsum(float(side.sum()) for side in ends) / total
 
 

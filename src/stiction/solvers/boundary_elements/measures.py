@@ -31,15 +31,16 @@ from stiction.solvers.boundary_elements.operators import wavevectors
 from stiction.surfaces.spectrum import wave_power
 
 PIXEL_EXCESS, _ALONG_PIXELS = 0.100, 0.090
-_SHORT = 0.01  # share of the mean square gradient in waves shorter than the shortest
-_LONG = 0.5  # share of the mean square height in waves longer than the longest
+_SHORT = 0.01  # fraction of the mean square gradient in waves below the wavelength called shortest
+_LONG = 0.5  # fraction of the mean square height in waves above the wavelength called longest
 
 
 @dataclass(frozen=True)
 class Edges:
     """Count the pixel sides between contact and no contact.
 
-    along_y: sides between neighbours in x. along_x: sides between neighbours in y.
+    along_y: number of sides that run along y, between neighbours in x. along_x: number of sides that run along x, between
+    neighbours in y.
     """
 
     along_y: int
@@ -52,27 +53,31 @@ class Edges:
 
     @property
     def excess(self) -> float:
-        """Return by how many pixels the counted contact area is too large: c S/d by (2)."""
+        """Return by how many pixels the counted contact area is too large: the correction c S/d with c from (2).
+
+        S: total length of the pixel sides between contact and no contact. d: side of a pixel.
+        """
         one_way = abs(self.along_y - self.along_x) / max(self.count, 1)
         return (PIXEL_EXCESS + _ALONG_PIXELS * one_way**4) * self.count
 
     def perimeter(self, shape: tuple[int, ...], size: tuple[float, float]) -> float:
-        """Return the length of the contact edge [m] of a map with this shape and size (y, x) [m]."""
+        """Return the length of the contact edge [m] of a map of shape (rows, columns) and size (y, x) [m]."""
         return 0.25 * math.pi * (self.along_y * size[0] / shape[0] + self.along_x * size[1] / shape[1])
 
 
 def edges(contact: np.ndarray, periodic: bool) -> Edges:
-    """Count the pixel sides between contact and no contact.
+    """Count the pixel sides between contact and no contact, along both axes.
 
-    contact: mask (rows, columns) of points in contact. periodic: whether the last point is a neighbour of the first.
+    contact: mask (rows, columns) of points in contact. periodic: whether the last row and column are neighbours of the first.
     """
     return Edges(_changes(contact, periodic), _changes(contact.T, periodic))
 
 
 def corrected_area(pressure: np.ndarray, pixel: float, periodic: bool, hardness: float) -> float:
-    """Return the contact area [m2] of a pressure map (rows, columns) [Pa], corrected for edge pixels.
+    """Return the contact area [m2] of a pressure map (rows, columns) [Pa], corrected for the pixels at its edge.
 
-    It is at least the load over the hardness [Pa]. pixel: area of a point [m2]. periodic: whether the map repeats.
+    The area is at least the load over the hardness [Pa], which may be infinite. pixel: area of a point [m2]. periodic: whether
+    the map repeats.
     """
     contact = pressure > 0.0
     counted = int(np.count_nonzero(contact)) * pixel
@@ -80,7 +85,10 @@ def corrected_area(pressure: np.ndarray, pixel: float, periodic: bool, hardness:
 
 
 def _changes(contact, periodic):
-    """Return how many pairs of neighbouring points in the same row consist of one in contact and one not."""
+    """Return how many pairs of neighbouring points in the same row consist of one point in contact and one not.
+
+    contact: mask (rows, columns). periodic: whether the last point of a row is a neighbour of its first.
+    """
     count = int(np.count_nonzero(contact[:, 1:] != contact[:, :-1]))
     return count + int(np.count_nonzero(contact[:, 0] != contact[:, -1])) if periodic else count
 
@@ -102,20 +110,20 @@ class Waves:
 
     @property
     def points_in_shortest_wave(self) -> float:
-        """Return the shortest wavelength divided by the point spacing."""
+        """Return the shortest wavelength divided by the larger point spacing."""
         return self.shortest / self.pitch
 
     @property
     def longest_waves_on_a_side(self) -> float:
-        """Return the length of the shorter side divided by the longest wavelength."""
+        """Return the length of the shorter side of the map divided by the longest wavelength."""
         return self.side / self.longest
 
 
 def waves(heights: np.ndarray, size: tuple[float, float], periodic: bool) -> Waves:
-    """Return the shortest and longest wavelength, rms gradient, pitch and shorter side of a map.
+    """Return the shortest and longest wavelength, rms gradient, point spacing and shorter side of a map.
 
-    heights: (rows, columns) [m]. size: (y, x) [m]. A map that is not periodic is multiplied by Hann's window, so that the
-    step between its ends does not count as roughness.
+    heights: (rows, columns) [m]. size: (y, x) [m]. A map that is not periodic is multiplied by Hann's window, so that the step
+    between its opposite edges does not count as roughness.
     """
     heights = heights - heights.mean()
     if not periodic:
@@ -137,7 +145,7 @@ def waves(heights: np.ndarray, size: tuple[float, float], periodic: bool) -> Wav
 
 
 def coarsest_pitch(shape: tuple[int, int], size: tuple[float, float]) -> float:
-    """Return the larger of the two point spacings of a map [m]."""
+    """Return the larger of the two point spacings [m] of a map of shape (rows, columns) and size (y, x) [m]."""
     return max(length / count for length, count in zip(size, shape, strict=True))
 
 

@@ -1,15 +1,16 @@
-"""Liquid between the faces of a map: Laplace pressure wherever the gap is below a limit.
+"""Add the liquid between the faces of a map: a Laplace pressure acts wherever the gap is below a limit.
 
-A liquid in equilibrium with its vapour fills every gap below H = 2 r c and pulls there with the suction s = gamma/r (r:
-Kelvin radius, c: mean cosine of the contact angles). Let B be the points with g < H, and q >= 0 the contact pressure plus s.
-The pressure is p = q - s on B, and q solves the contact without liquid of
+A liquid in equilibrium with its vapour fills every gap below H = 2 r c and pulls there with the suction s = gamma/r (gamma:
+surface tension, r: Kelvin radius, c: mean cosine of the contact angles). Let B be the points with a gap below H, |B| their
+area, P/A_n the mean pressure, h the heights, C the compliance operator and H_s the hardness of the solids. Let q >= 0 be the
+contact pressure plus s on B. The pressure is p = q - s on B, and q solves the contact without liquid of
 
     heights  h + C(s on B),     mean pressure  P/A_n + s |B|/A_n,     hardness  H_s + s                                     (1)
 
-B and q are computed alternately, beginning with B of the dry contact. Suction nowhere opens a gap: where the difference of
-two gaps is largest, the pressure would have to fall, which it does not. Therefore B only grows, up to the smallest set that
-agrees with (1). This is the set that vapour fills as it condenses around dry contacts. The model is the attraction of Maugis
-& Dugdale (Maugis 1992) at every point of a map; derived here. As in theirs, the pressure at the edge of contact is -s.
+B and q are computed alternately, beginning with B of the dry contact. Suction nowhere opens a gap: where the difference of two
+gaps is largest, the pressure would have to fall, which it does not. Therefore B only grows, up to the smallest set that agrees
+with (1). This is the set that vapour fills as it condenses around dry contacts. The model is the attraction of Maugis & Dugdale
+(Maugis 1992) at every point of a map; derived here. As in theirs, the pressure at the edge of contact is -s.
 """
 
 from collections.abc import Callable
@@ -21,15 +22,15 @@ from stiction.quantities.inputs import require_positive
 from stiction.solvers.boundary_elements.arrays import factor, namespace
 from stiction.solvers.boundary_elements.minimise import Found, Problem, minimise
 
-_ROUGHLY = 1e-3  # residual of solutions that only say how far the liquid reaches
+_ROUGHLY = 1e-3  # tolerance while the wet area still grows; only the last solution must be accurate
 
 
 @dataclass(frozen=True)
 class Menisci:
     """Describe the liquid between two faces.
 
-    pressure: suction of the liquid [Pa], surface tension over Kelvin radius. height: largest gap that the liquid fills [m].
-    Raises InputError unless both are > 0.
+    pressure: suction of the liquid [Pa], which is surface tension over Kelvin radius. height: largest gap that the liquid fills
+    [m]. Raises InputError unless both are > 0.
     """
 
     pressure: float
@@ -43,8 +44,9 @@ class Menisci:
 class Condensed:
     """Store the solution of a contact with condensed liquid.
 
-    found: solution of problem (1), with the contact pressure plus suction [Pa] and the gap [m]. wet: mask (rows, columns) of
-    the points with liquid. problem: problem (1).
+    found: solution of problem (1), with the contact pressure plus suction [Pa] and the gap [m], (rows, columns). wet: mask
+    (rows, columns) of the points with liquid. problem: the contact problem (1), whose heights, load and hardness include the
+    suction.
     """
 
     found: Found
@@ -58,7 +60,9 @@ def condense(
 ) -> Condensed:  # fmt: skip
     """Solve a contact together with the liquid that condenses around its dry contact spots.
 
-    problem: the dry contact. menisci: the liquid, or None for a dry contact. start, tolerance, most, seen: as in `minimise`.
+    problem: the dry contact. menisci: the liquid, or None for a dry contact. start: first guess of the pressure (rows, columns)
+    [Pa]. tolerance: largest accepted residual. most: largest number of steps of each solution. seen: called before each step
+    with its number and the residual.
     """
     roughly = tolerance if menisci is None else max(tolerance, _ROUGHLY)
     solution = minimise(problem, start, tolerance=roughly, most=most, seen=seen)
@@ -67,7 +71,8 @@ def condense(
     if menisci is None:
         return Condensed(solution, wet, problem)
     finely, wetter = False, problem
-    while xp.any(more := (solution.gap < menisci.height) & ~wet) or not finely:  # ends, as there are so many points and no more
+    # The loop ends, because wet points stay wet and their number is finite; the last pass has the full tolerance.
+    while xp.any(more := (solution.gap < menisci.height) & ~wet) or not finely:
         finely = not xp.any(more)
         wet = wet | more
         pressed = solution.pressure + menisci.pressure * factor(more, solution.gap)
@@ -77,7 +82,10 @@ def condense(
 
 
 def _with_suction(problem: Problem, menisci: Menisci, wet: np.ndarray) -> Problem:
-    """Return the contact problem (1), in which suction acts at the wet points."""
+    """Return the contact problem (1) without liquid that is equivalent to `problem` with suction at the wet points.
+
+    wet: mask (rows, columns) of the points with liquid.
+    """
     xp = namespace(wet)
     suction = menisci.pressure * xp.astype(wet, xp.float64)
     return replace(

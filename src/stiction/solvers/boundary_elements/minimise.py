@@ -43,33 +43,34 @@ class Boundary(Protocol):
     """Define the compliance operator of a map, which computes displacements from pressures.
 
     Results have the precision of the argument. inverts: whether `inverse` is exact. knows_approach: whether displacements are
-    absolute; if not, their mean is zero.
+    absolute; if not, their mean over the map is zero.
     """
 
     inverts: bool
     knows_approach: bool
 
     def __call__(self, pressure: np.ndarray, /) -> np.ndarray:
-        """Return the displacement map [m] caused by a pressure map [Pa]."""
+        """Return the displacement map (rows, columns) [m] caused by a pressure map [Pa]."""
 
     def inverse(self, displacement: np.ndarray, /) -> np.ndarray:
-        """Return a pressure map [Pa] that causes this displacement map [m], at least nearly."""
+        """Return a pressure map (rows, columns) [Pa] that causes this displacement map [m], exactly or approximately."""
 
 
-_ENOUGH = 1e-4  # share of the decrease along the gradient that a projected step must bring
+_ENOUGH = 1e-4  # least decrease of the energy by a projected step, over the decrease that the gradient predicts
 _SHIFTS = 100
-_ROUNDING = 1e-13  # of the mean pressure
-_WRONG = 0.05  # of the pressure that would close a wrong gap: more lets points come and go
-_DIGITS = 1e-4  # residual over the last one in double at which single precision has done its part
-_AIM = 0.7  # of the tolerance, for the residual in single precision
+_ROUNDING = 1e-13  # accepted error of the mean pressure, relative
+_WRONG = 0.05  # fraction of the pressure that would close a wrong gap; with more, points enter and leave in turn
+_DIGITS = 1e-4  # residual over the last one in double precision that single precision can reach
+_AIM = 0.7  # tolerance of the residual in single precision, over the full tolerance
 
 
 @dataclass(frozen=True)
 class Problem:
     """Describe the contact of a map under a mean pressure, as minimisation problem (1).
 
-    displacement: compliance operator C, from pressure [Pa] to displacement [m]. heights: (rows, columns) [m]. mean: mean
-    pressure [Pa]. hardness: largest pressure H [Pa]; infinite for elastic bodies. length: unit of gaps [m].
+    displacement: compliance operator, from pressure [Pa] to displacement [m]. heights: (rows, columns) [m]. mean: mean pressure
+    [Pa]. hardness: largest pressure [Pa]; infinite for elastic bodies. length: length by which gaps are divided in the residual
+    [m].
     """
 
     displacement: Boundary
@@ -91,9 +92,9 @@ class Problem:
 class Found:
     """Store the numerical solution of the minimisation problem (1).
 
-    pressure [Pa] and gap [m]: (rows, columns). offset: the length a of (2) [m]. residual: rms violation of (2) per point in
-    contact, divided by the problem's length. steps: number of steps taken. converged: whether the residual is at most the
-    tolerance.
+    pressure [Pa] and gap [m]: (rows, columns). offset: the rigid displacement a of (2) [m]. residual: root of the summed
+    squared violations of (2) per point in contact, divided by the problem's length. steps: number of steps taken. converged:
+    whether the residual is at most the tolerance.
     """
 
     pressure: np.ndarray
@@ -109,8 +110,9 @@ def minimise(
 ) -> Found:
     """Solve the minimisation problem (1) for the pressure of a map.
 
-    start: first guess of the pressure [Pa]. tolerance: largest accepted residual. most: largest number of steps. seen: called
-    before each step with its number and the residual. Without convergence, the pressure with the smallest residual is returned.
+    start: first guess of the pressure (rows, columns) [Pa]. tolerance: largest accepted residual. most: largest number of
+    steps. seen: called before each step with its number and the residual. Without convergence, the solution with the smallest
+    residual is returned.
     """
     best = last = _in_double(problem, on_level(namespace(start).clip(start, 0.0, problem.hardness), problem))
     search = _Search(problem, seen)
@@ -118,7 +120,7 @@ def minimise(
         before = search.steps
         pressure = search.run(last, max(_AIM * tolerance, _DIGITS * last.residual), most)
         if search.steps == before:
-            break  # no step lowers the energy: rounding
+            break  # round-off prevents any step that lowers the energy
         last = _in_double(problem, on_level(pressure, problem))
         if last.residual < best.residual:
             best = last
@@ -126,7 +128,7 @@ def minimise(
 
 
 def _in_double(problem: Problem, pressure: np.ndarray) -> Found:
-    """Return gap, offset and residual of a pressure map [Pa], computed in double precision."""
+    """Return pressure, gap, offset and residual of a pressure map [Pa], computed in double precision."""
     gap = problem.displacement(pressure)
     gap -= problem.heights
     offset, residual, _ = _settle(problem, pressure, gap, problem.length)
@@ -136,9 +138,10 @@ def _in_double(problem: Problem, pressure: np.ndarray) -> Found:
 def _settle(problem: Problem, pressure: np.ndarray, gap: np.ndarray, length: float) -> tuple[float, float, bool]:
     """Subtract the offset from the gap, in place; return offset, residual and a flag.
 
-    The flag tells whether the gap has a forbidden sign at points with p = 0 or p = H. length: unit of gaps, in the unit of
-    `gap`. The offset is the mean gap over points with 0 < p < H. If there are none, it lies midway between touching and open
-    points.
+    pressure, gap: (rows, columns). length: length by which the residual is divided, in the unit of `gap`. The offset is the
+    mean gap over points whose pressure is between 0 and the hardness. If there are none, it lies midway between touching and
+    open points. The flag tells whether the gap has a forbidden sign at points without pressure (negative) or at the hardness
+    (positive).
     """
     xp = namespace(gap)
     total, count, pressed = 0.0, 0, 0
@@ -161,7 +164,7 @@ def _settle(problem: Problem, pressure: np.ndarray, gap: np.ndarray, length: flo
 
 
 def _between(touches: np.ndarray, gap: np.ndarray) -> float:
-    """Return the offset midway between the highest touching and the lowest open point."""
+    """Return the middle between the largest gap of touching points (mask `touches`) and the smallest gap of open points."""
     xp = namespace(gap)
     apart = xp.full_like(gap, math.inf)
     highest, lowest = float(xp.max(xp.where(touches, gap, -apart))), float(xp.min(xp.where(touches, apart, gap)))
@@ -182,26 +185,29 @@ def _wrong(problem: Problem, pressure: np.ndarray, gap: np.ndarray) -> np.ndarra
 
 
 def _free(problem: Problem, pressure: np.ndarray, gap: np.ndarray) -> np.ndarray:
-    """Return a mask of the points with 0 < p < H, as factor of the gap."""
+    """Return a mask of the points with a pressure between 0 and the hardness, in a form by which `gap` can be multiplied."""
     return factor((pressure > 0.0) & (pressure < problem.hardness), gap)
 
 
 def missed_gap(problem: Problem, pressure: np.ndarray, gap: np.ndarray) -> np.ndarray:
-    """Return by how much the gap violates condition (2) at every point: (rows, columns) [m]."""
+    """Return by how much the gap violates condition (2) at every point: (rows, columns) [m].
+
+    The gap must be 0 in elastic contact, >= 0 at points without pressure, and <= 0 at points whose pressure is the hardness.
+    """
     missed = _wrong(problem, pressure, gap)
     missed += gap * _free(problem, pressure, gap)
     return missed
 
 
 class _Search:
-    """Take steps in single precision, with gaps divided by the problem's length."""
+    """Take steps in single precision, with gaps divided by the problem's length; `seen` is called before each step."""
 
     def __init__(self, problem: Problem, seen: Callable[[int, float], None] | None):
         self.steps = 0
         self._problem, self._seen = problem, seen
 
     def run(self, start: Found, aim: float, most: int) -> np.ndarray:
-        """Take steps from a start; return the pressure [Pa] reached.
+        """Take steps from the solution `start` and return the pressure (rows, columns) [Pa] reached.
 
         Steps end when the residual is at most `aim`, when `steps` reaches `most`, or when no step lowers the energy.
         """
@@ -226,14 +232,14 @@ class _Search:
         return self._pressure
 
     def _restart(self) -> None:
-        """Discard the last search direction."""
+        """Discard the last search direction, so that the next one is the gradient alone."""
         self._square = math.inf
 
     def _settle(self) -> None:
         _, self._residual, self._any_wrong = _settle(self._problem, self._pressure, self._gap, 1.0)
 
     def _conjugate_step(self) -> bool:
-        """Take a conjugate gradient step; return False, without a step, if the energy would rise."""
+        """Take a conjugate gradient step and return True; return False, without a step, if the energy would rise."""
         slope = self._turn()
         if not slope < 0.0:
             return False
@@ -249,9 +255,10 @@ class _Search:
         return self._accept(on_level(pressure, self._problem))
 
     def _along(self, length: float) -> tuple[np.ndarray, bool]:
-        """Return the pressure after a step of this length, and whether it stayed within 0 to H before it was clipped.
+        """Return the pressure after a step along the search direction, and whether it needed no clipping to 0 to the hardness.
 
-        Points whose gap has a forbidden sign are also corrected.
+        length: factor of the direction. At points whose gap has a forbidden sign the pressure is also changed towards closing
+        it.
         """
         problem, pressure, inside, xp = self._problem, self._other, True, namespace(self._other)
         mend = _WRONG * problem.point_stiffness * problem.length
@@ -264,9 +271,9 @@ class _Search:
         return pressure, inside
 
     def _accept(self, pressure: np.ndarray, least: float = 0.0) -> bool:
-        """Adopt a pressure if it lowers the energy; return whether it did.
+        """Adopt the pressure map `pressure` [Pa] if it lowers the energy; return whether it did.
 
-        least: smallest decrease of the energy, divided by the squared change of pressure.
+        least: smallest accepted decrease of the energy, divided by the squared change of pressure.
         """
         change, xp = self._change, namespace(self._change)
         for rows in blocks(change):
@@ -282,9 +289,9 @@ class _Search:
         return falls
 
     def _arrive(self, pressure: np.ndarray, response: np.ndarray, part: float | None = None) -> None:
-        """Adopt a pressure and update the gap.
+        """Adopt the pressure map `pressure` [Pa] and update the gap.
 
-        response: change of the gap. part: factor of the response; None for 1.
+        response: displacement that changes the gap, divided by the problem's length. part: factor of the response; None for 1.
         """
         self._pressure, self._other = pressure, self._pressure
         for rows in blocks(response):
@@ -292,15 +299,16 @@ class _Search:
         self._settle()
 
     def _respond(self, change: np.ndarray) -> np.ndarray:
-        """Return the displacement due to a change of pressure, divided by the problem's length."""
+        """Return the displacement due to a change of pressure [Pa], divided by the problem's length."""
         response = self._problem.displacement(change)
         response *= 1.0 / self._problem.length
         return response
 
     def _turn(self) -> float:
-        """Compute the next search direction; return the slope of the energy along it.
+        """Compute the next search direction by conjugate gradients; return the slope of the energy along it.
 
-        The direction has zero sum over the points with 0 < p < H. The factor of Polak & Ribiere is kept >= 0.
+        The direction has zero sum over the points with a pressure between 0 and the hardness, and is zero elsewhere. The factor
+        of the last direction is the one of Polak & Ribiere, or 0 where that is negative.
         """
         gradient, before, last, xp = self._spare, self._gradient, self._direction, namespace(self._gap)
         for rows in blocks(gradient):
@@ -332,12 +340,12 @@ class _Search:
         return slope
 
     def _free(self, rows: tuple[slice, slice]) -> np.ndarray:
-        """Return a mask of the points in these rows with 0 < pressure < hardness, as 1 and 0."""
+        """Return a mask of the points in these rows with a pressure between 0 and the hardness, as ones and zeros."""
         here, xp = self._pressure[rows], namespace(self._pressure)
         return xp.astype((here > 0.0) & (here < self._problem.hardness), xp.float32)
 
     def _projected_step(self) -> bool:
-        """Take a projected gradient step, halved until energy falls enough; return whether it fell."""
+        """Take a projected gradient step, halved until the energy falls enough; return whether it fell."""
         length = self._problem.point_stiffness * self._problem.length
         for _ in range(60):
             if self._accept(_nearest(self._pressure - length * self._gap, self._problem), _ENOUGH / length):
@@ -347,9 +355,10 @@ class _Search:
 
 
 def on_level(pressure: np.ndarray, problem: Problem) -> np.ndarray:
-    """Return the pressure, shifted to the mean of the problem and clipped to 0 to H.
+    """Return the pressure map, shifted to the mean pressure of the problem and clipped to 0 to the hardness.
 
-    Only points with 0 < p < H are shifted, in place. If this does not reach the mean, all points are shifted, in a new array.
+    Only points with a pressure between 0 and the hardness are shifted, in place. If this does not reach the mean, all points
+    are shifted, in a new array.
     """
     top, wanted, xp = problem.hardness, problem.mean * math.prod(pressure.shape), namespace(pressure)
     pressed = pressure > 0.0
@@ -369,9 +378,10 @@ def on_level(pressure: np.ndarray, problem: Problem) -> np.ndarray:
 
 
 def _nearest(pressure: np.ndarray, problem: Problem) -> np.ndarray:
-    """Return the pressure nearest to the given one that has the problem's mean and bounds.
+    """Return the pressure map nearest to the given one (least squares) that has the problem's mean and lies in its bounds.
 
-    All points are shifted and clipped. The shift is found by Newton's method, safeguarded by bisection.
+    All points are shifted equally and clipped to 0 to the hardness. The shift is found by Newton's method, safeguarded by
+    bisection.
     """
     top, wanted, xp = problem.hardness, problem.mean, namespace(pressure)
     low = -float(xp.max(pressure))

@@ -1,7 +1,8 @@
 """Compute the normal displacement of a map from its pressure, by fast Fourier transforms.
 
-Periodic map: the transform of the pressure is multiplied by the compliance C(k) (Stanley & Kato 1997, J. Tribology 119, 481).
-The mean displacement of half-spaces under a periodic pressure is infinite. It is left out, so displacements have zero mean.
+Periodic map: the transform of the pressure is multiplied by the compliance C(k) at the wavenumber k (Stanley & Kato 1997, J.
+Tribology 119, 481). The mean displacement of half-spaces under a periodic pressure is infinite. It is left out, so
+displacements have zero mean.
 
 Mirrored map: a window of a larger surface, continued by mirror images along both axes. The period is twice the sides of the
 window. Pressure and displacement are even about every side, so cosine transforms of the window suffice.
@@ -16,13 +17,13 @@ With a film the compliance has three parts. `far` is 1/E* for long waves, `near`
 
     C(k) = near (2/k) + (far - near) (2/k) e^(-k c) + D(k)                                                                (2)
 
-The first part is (1). The second is 1/(pi (r^2 + c^2)^(1/2)) for a point force. For a pixel, f in (1) becomes
+The first part is (1). The second is 1/(pi (r^2 + c^2)^(1/2)) for a point force at the distance r. For a pixel, f in (1) becomes
 
     f = x arsinh(y/(x^2 + c^2)^(1/2)) + y arsinh(x/(y^2 + c^2)^(1/2)) - c arctan(x y/(c (x^2 + y^2 + c^2)^(1/2)))         (3)
 
-The rest D(k) is finite at k = 0, falls as e^(-2 k t) with the film thickness t, and is transformed on the doubled grid; c =
-1.5 t. (2) and (3) are derived here. Periodic copies of D change displacements by about (t/L)^3 of the largest one, with L the
-side of the map: 1e-3 at L = 10 t.
+The rest D(k) is finite at k = 0, falls as e^(-2 k t) with the film thickness t, and is transformed on the doubled grid; c = 1.5
+t. (2) and (3) are derived here. Periodic copies of D change displacements by about (t/L)^3 of the largest one, with L the side
+of the map: 1e-3 at L = 10 t.
 
 Every operator computes in the precision of its argument, single or double, and with its array library. `inverse` divides each
 wave by C(k). This is exact on a periodic or mirrored map, and approximate on a free map.
@@ -37,13 +38,13 @@ from scipy.fft import dctn, fftfreq, idctn, next_fast_len, rfft2, rfftfreq
 from stiction.solvers.boundary_elements.arrays import backward, forward, is_numpy, like, namespace, workers
 from stiction.solvers.boundary_elements.compliance import Compliance
 
-_DEPTH = 1.5  # c over t
+_DEPTH = 1.5  # the length c of (2) over the film thickness
 
 
 def components(shape: tuple[int, int], size: tuple[float, float]) -> tuple[np.ndarray, np.ndarray]:
-    """Return the wavevector components k_y (rows, 1) and k_x (1, columns) of `rfft2` [1/m].
+    """Return the wavevector components k_y (rows, 1) and k_x (1, columns of the transform) of `rfft2` [rad/m].
 
-    size: (y, x) [m] of the grid.
+    shape: (rows, columns) of the grid. size: (y, x) of the grid [m].
     """
     (rows, columns), (high, wide) = shape, size
     along_y = 2.0 * math.pi * fftfreq(rows, high / rows)
@@ -51,22 +52,25 @@ def components(shape: tuple[int, int], size: tuple[float, float]) -> tuple[np.nd
 
 
 def wavevectors(shape: tuple[int, int], size: tuple[float, float]) -> np.ndarray:
-    """Return the wavenumbers |k| of the entries of `rfft2` [1/m].
+    """Return the wavenumbers, 2 pi over wavelength, of the entries of `rfft2` [rad/m].
 
-    size: (y, x) [m] of the grid.
+    shape: (rows, columns) of the grid. size: (y, x) of the grid [m].
     """
     return np.hypot(*components(shape, size))
 
 
 class _Kernel:
-    """Store the factor of every wave, in each array library and precision that was used."""
+    """Store the factor by which each wave is multiplied, in every array library and precision that was used.
+
+    factors: in the order of the Fourier or cosine transform.
+    """
 
     def __init__(self, factors: np.ndarray):
         self.factors = factors
         self._copies: dict[tuple, np.ndarray] = {}
 
     def like(self, values: np.ndarray) -> np.ndarray:
-        """Return the factors of all waves with the library, device and precision of `values`."""
+        """Return the factors of all waves with the array library, device and precision of the array `values`."""
         key = type(values), values.dtype
         if key not in self._copies:
             self._copies[key] = like(self.factors, values)
@@ -74,7 +78,10 @@ class _Kernel:
 
     @cached_property
     def mirrored(self) -> "_Kernel":
-        """Return the factors of a cosine transform in the order of the real Fourier transform of the mirrored map."""
+        """Return the factors of a cosine transform in the order of the real Fourier transform of the mirrored map.
+
+        The mirrored map consists of the map and its mirror images and is twice as large along both axes.
+        """
         padded = np.pad(self.factors, ((0, 1), (0, 1)))  # an even map has no wave of the shortest length
         return _Kernel(np.concatenate([padded, padded[-2:0:-1]]))
 
@@ -82,8 +89,8 @@ class _Kernel:
 class PeriodicBoundary:
     """Compute displacements of a periodic map from its pressure.
 
-    shape: (rows, columns). size: (y, x) [m]. The attribute `knows_approach` says whether displacements are absolute; if not,
-    their mean is zero.
+    compliance: of both bodies, by wavenumber. shape: (rows, columns). size: (y, x) [m]. The attribute `knows_approach` states
+    whether displacements are absolute; if not, their mean over the map is zero.
     """
 
     inverts = True
@@ -93,7 +100,7 @@ class PeriodicBoundary:
         self._kernel = _Kernel(compliance.at(self._wavenumbers(shape, size)))
 
     def __call__(self, pressure: np.ndarray) -> np.ndarray:
-        """Return the displacement [m], positive away from the pressure [Pa]."""
+        """Return the displacement (rows, columns) [m] due to a pressure map [Pa], positive where the face is pushed back."""
         return self._convolved(pressure, self._kernel)
 
     @cached_property
@@ -102,9 +109,9 @@ class PeriodicBoundary:
         return _Kernel(np.divide(1.0, factors, out=np.zeros_like(factors), where=factors > 0.0))
 
     def inverse(self, displacement: np.ndarray) -> np.ndarray:
-        """Return the pressure [Pa] that causes a displacement [m].
+        """Return the pressure (rows, columns) [Pa] that causes a displacement map [m].
 
-        Its mean is zero where the mean displacement is not defined.
+        Its mean is zero if the mean displacement is not defined, as for half-spaces.
         """
         return self._convolved(displacement, self._stiffness)
 
@@ -119,7 +126,7 @@ class MirroredBoundary(PeriodicBoundary):
     """Compute displacements of a window of a larger surface, which mirror images continue on all sides.
 
     Window and mirror images together are a periodic map with twice the sides. Array libraries other than NumPy have no cosine
-    transforms, and transform this map.
+    transforms, and use the Fourier transform of this larger map.
     """
 
     def _wavenumbers(self, shape, size):
@@ -141,7 +148,7 @@ class MirroredBoundary(PeriodicBoundary):
 class FreeBoundary:
     """Compute displacements of a map with no pressure outside it.
 
-    shape: (rows, columns). size: (y, x) [m].
+    compliance: of both bodies, by wavenumber. shape: (rows, columns). size: (y, x) [m].
     """
 
     knows_approach = True
@@ -161,42 +168,45 @@ class FreeBoundary:
         self._kernel = _Kernel(waves)
 
     def __call__(self, pressure: np.ndarray) -> np.ndarray:
-        """Return the displacement [m], positive away from the pressure [Pa]."""
+        """Return the displacement (rows, columns) [m] due to a pressure map [Pa], positive where the face is pushed back."""
         return _corner_of(_through(pressure, self._doubled, self._kernel), self.shape)
 
     def inverse(self, displacement: np.ndarray) -> np.ndarray:
-        """Return a pressure [Pa] that approximately causes this displacement [m].
+        """Return a pressure (rows, columns) [Pa] that approximately causes this displacement map [m].
 
-        The result would be exact for a periodic map.
+        It is the exact pressure of a periodic map with this displacement.
         """
         return self._periodic.inverse(displacement)
 
 
 def _through(pressure, grid, kernel):
-    """Return the convolution of a pressure map with a kernel; the map is first padded with zeros to the grid."""
+    """Return the convolution of a pressure map with a kernel.
+
+    grid: shape (rows, columns) to which the map is first padded with zeros. kernel: factors of the waves on this grid.
+    """
     waves = forward(pressure, grid)
     waves *= kernel.like(pressure)
     return backward(waves, grid)
 
 
 def _corner_of(values, shape):
-    """Return a copy of the first rows and columns of a map."""
+    """Return a copy of the first rows and columns of a map; shape: their numbers."""
     return namespace(values).asarray(values[: shape[0], : shape[1]], copy=True)
 
 
 def _distances(shape, pitch):
-    """Return the signed distances (y, x) [m] of all points from the first, on a periodic grid.
+    """Return the signed distances (rows, 1) along y and (columns,) along x [m] of all points of a periodic grid from the first.
 
-    Each distance is to the nearest periodic copy.
+    pitch: point spacings (y, x) [m]. Each distance is to the nearest periodic copy of the first point.
     """
     rows, columns = shape
     return fftfreq(rows, 1.0 / (rows * pitch[0]))[:, None], fftfreq(columns, 1.0 / (columns * pitch[1]))
 
 
 def _of_pixels(shape, pitch, depth=0.0):
-    """Return the displacement u E*/p [m] of every point due to pressure p on one pixel, by (1).
+    """Return the displacement u E*/p (rows, columns) [m] at every point due to a pressure p on the first pixel, by (1).
 
-    depth: the length c of (3), which replaces f of (1) if c > 0 [m].
+    shape: (rows, columns). pitch: point spacings (y, x) [m]. depth: the length c [m]; if it is > 0, f of (3) replaces f of (1).
     """
     y, x = _distances(shape, pitch)
     b, a = 0.5 * pitch[0], 0.5 * pitch[1]
@@ -210,7 +220,7 @@ def _of_pixels(shape, pitch, depth=0.0):
 def _corner(x, y, depth):
     """Return the function f of (1), or of (3) if depth > 0, at one corner of each pixel.
 
-    No corner lies on an axis, where f would be singular.
+    x, y: coordinates of the corners [m]. No corner lies on an axis, where f would be singular.
     """
     if depth == 0.0:
         return x * np.arcsinh(y / np.abs(x)) + y * np.arcsinh(x / np.abs(y))
@@ -221,10 +231,13 @@ def _corner(x, y, depth):
 
 
 def _rest(compliance, shape, pitch):
-    """Return the part D(k) [m/Pa] of a film's compliance (2), on a grid."""
+    """Return the part D(k) [m/Pa] of a film's compliance (2) for the waves of a grid.
+
+    shape: (rows, columns). pitch: point spacings (y, x) [m].
+    """
     k = wavevectors(shape, (shape[0] * pitch[0], shape[1] * pitch[1]))
     depth = _DEPTH * compliance.depth
-    k[0, 0] = 1e-3 / depth  # D is finite at 0, and this near to it
+    k[0, 0] = 1e-3 / depth  # D is finite at k = 0, and its value there is close to this one
     rest = compliance.times_half_k(k) - compliance.near
     rest -= (compliance.far - compliance.near) * np.exp(-depth * k)
     return 2.0 * rest / k

@@ -1,11 +1,11 @@
-"""Contact of a height map with a rigid flat, or of two maps through their sum, solved point by point.
+"""Solve the contact of a height map with a rigid flat, or of two maps through their sum, point by point.
 
     found = solve_map(surface.heights, surface.size, modulus=1e11, loads=[1.0, 10.0], periodic=True)
     found[-1].area, found[-1].separation, found.validity_warnings
 
 Assumptions: Slopes are small. There is no friction, and no adhesion except that of a liquid. Bodies are half-spaces, with or
-without a film. Plastic flow limits the pressure to the hardness, without hardening and without displaced volume. Every load
-starts from the unloaded state, so earlier loads have no influence.
+without a film. Plastic flow limits the pressure to the hardness, without hardening and without displaced volume. The contact at
+a load does not depend on earlier loads: each one is that of a first loading.
 """
 
 import math
@@ -31,13 +31,13 @@ from stiction.surfaces.heightmap import size_in_metres
 from stiction.surfaces.memory import require_memory
 
 MOST_STEPS = 2000
-_COARSE = 96  # points along a side of the coarsest start
+_COARSE = 96  # least points along a side of a coarser map that provides a start
 _COARSE_TOLERANCE = 1e-2
 
 
 @dataclass(frozen=True)
 class MapContact:
-    """Store the contact of a map at one load. All values refer to the whole map.
+    """Store the contact of a map at one load; all values refer to the whole map.
 
     load [N]. mean_pressure: load over nominal area [Pa]. nominal_area [m2]. area: real area, corrected for edge pixels [m2].
     area_pixels: area of all pixels in contact [m2]. perimeter: length of the contact edge [m]. separation: distance from the
@@ -46,10 +46,11 @@ class MapContact:
     half-spaces on a periodic map. stiffness: derivative of load by approach [N/m]; NaN without elastic points. plastic_area:
     area where the pressure equals the hardness [m2]. plastic_share: fraction of the load on this area [1].
 
-    pressure: (rows, columns) [Pa]; None if not kept. residual, steps: of the solution. pressure_error, area_error, overlap
-    [m]: error bounds on this grid (see `certificate`). load_error: relative error of the summed pressures. points: number of
-    points in contact. load_at_ends: fraction of the load on the outermost points; 0 for a map without free edges. pull: force
-    by which the liquid pulls outside the contact [N]; the contact carries it in addition to the load.
+    pressure: (rows, columns) [Pa]; None if not stored. residual: error of the contact conditions, relative. steps: number of
+    steps of the solver. pressure_error, area_error [1], overlap [m]: error bounds on this grid (see `certificate`). load_error:
+    relative error of the summed pressures. points: number of points in contact. load_at_ends: fraction of the load on the
+    outermost points; 0 for a map without free edges. validity_warnings: limits of the solver that this load exceeds. pull:
+    force by which the liquid pulls outside the contact [N]; the contact carries it in addition to the load.
     """
 
     load: float
@@ -82,7 +83,7 @@ class MapContacts:
     """Store the contacts of a map, one for each load, as a sequence of MapContact.
 
     contacts: in the order in which the loads were given. validity_warnings: warnings that hold for the map at all loads.
-    complete: False if the solution was interrupted.
+    complete: False if the solution was interrupted; unsolved loads are then missing.
     """
 
     contacts: tuple[MapContact, ...]
@@ -99,7 +100,7 @@ class MapContacts:
         return iter(self.contacts)
 
     def array(self, name: str) -> np.ndarray:
-        """Return one attribute of all contacts, by its name, as an array over the loads."""
+        """Return one attribute of all contacts, by its name, as an array (loads,)."""
         return np.array([getattr(contact, name) for contact in self.contacts], dtype=float)
 
 
@@ -108,7 +109,7 @@ class Progress:
     """Report the progress of a map solution.
 
     load: index of the current load, from 0; loads are solved in increasing order. loads: number of loads. step: number of the
-    step. residual: current residual; the solution ends when it is at most the tolerance.
+    step at this load. residual: current error of the contact conditions; the solution ends when it is at most the tolerance.
     """
 
     load: int
@@ -122,21 +123,22 @@ def solve_map(
     film: Film | None = None, counter_film: Film | None = None, hardness: float | None = None,
     menisci: Menisci | None = None, **how,
 ) -> MapContacts:  # fmt: skip
-    """Solve the contact of a map with a rigid flat face at every load.
+    """Solve the contact of a map with a rigid flat face at every load, and return the contacts.
 
     heights: (rows, columns) [m], finite, not all equal. size: (y, x) [m]. modulus: effective modulus E* [Pa] of the bodies
     without films; infinite for rigid bodies. loads: [N], > 0, in any order. periodic: True if the map is one period of an
-    endless surface; otherwise it is a window that its mirror images continue. hardness: largest pressure [Pa]; None for
-    elastic bodies. menisci: liquid between the faces in equilibrium with its vapour; None for dry faces.
+    endless surface; otherwise it is a window that its mirror images continue. film, counter_film: elastic film on the first and
+    the second body, or None. hardness: largest pressure [Pa]; None for elastic bodies. menisci: liquid between the faces in
+    equilibrium with its vapour; None for dry faces.
 
-    Further keywords: free: whether nothing presses outside of a map that is not periodic (default False). tolerance: of the
-    residual. most_steps: largest number of steps. keep_maps: whether pressure maps are kept (True). stiffness: whether it is
-    computed (True). progress: called with a `Progress` before every step. done: called with each contact. device: array
-    library that solves the map instead of NumPy, optionally with one of its devices, such as "torch:cuda". Results are NumPy
-    arrays in the order of the loads.
+    Further keywords: free: whether nothing presses outside of a map that is not periodic (default False). tolerance: largest
+    accepted residual. most_steps: largest number of steps. keep_maps: whether pressure maps are stored (True). stiffness:
+    whether it is computed (True). progress: called with a `Progress` before every step. done: called with each contact. device:
+    array library that solves the map instead of NumPy, optionally with one of its devices, such as "torch:cuda". Results are
+    NumPy arrays in the order of the loads.
 
-    A load that did not converge has a warning `not_converged`. After a keyboard interrupt the solved loads are returned.
-    Raises InputError for unusable arguments, a load that the hardness cannot carry, or too little memory.
+    A load that did not converge has a warning `not_converged`. After a keyboard interrupt the solved loads are returned. Raises
+    InputError for unusable arguments, a load that the hardness cannot carry, or too little memory.
     """
     request = _Request.of(heights, size, hardness, loads, periodic, _How.of(**how), menisci)
     compliance = Compliance(modulus, film, counter_film)
@@ -157,7 +159,7 @@ def solve_map(
 def checked(heights: np.ndarray, size: tuple[float, float], loads: Sequence[float], periodic: bool, how: dict) -> None:
     """Raise InputError if `solve_map` would reject the map, the loads or the keywords.
 
-    how: further keywords of `solve_map`.
+    heights: (rows, columns) [m]. size: (y, x) [m]. loads: [N]. how: further keywords of `solve_map`.
     """
     rest = {name: value for name, value in how.items() if name not in ("film", "counter_film", "hardness", "menisci")}
     _Request.of(heights, size, how.get("hardness"), loads, periodic, _How.of(**rest), how.get("menisci"))
@@ -188,7 +190,11 @@ class _How:
 
 @dataclass(frozen=True)
 class _Request:
-    """Store the checked arguments of `solve_map`."""
+    """Store the checked arguments of `solve_map`.
+
+    heights: (rows, columns) [m]. size: (y, x) [m]. hardness: largest pressure [Pa], infinite for elastic bodies. pressures:
+    mean pressures (loads,) [Pa]. periodic: whether the map repeats. how: further options. menisci: liquid, or None.
+    """
 
     heights: np.ndarray
     size: tuple[float, float]
@@ -236,9 +242,9 @@ def usable_map(heights) -> np.ndarray:
 
 
 def _rising(request: _Request, compliance: Compliance, pressures: np.ndarray) -> Iterator[MapContact]:
-    """Yield the contact at each of the mean pressures (n,) [Pa], which increase.
+    """Solve one mean pressure after the other, and yield the contact at each.
 
-    Each solution starts from the one before.
+    pressures (n,) [Pa]: ascending; each solution starts from the one before.
     """
     boundary = PeriodicBoundary if request.periodic else FreeBoundary if request.ends else MirroredBoundary
     displacement = boundary(compliance, request.heights.shape, request.size)
@@ -265,9 +271,10 @@ def _reporting(progress, index, loads):
 
 
 def _from_coarser(request, compliance, boundary, mean, heights) -> np.ndarray:
-    """Return a start pressure, interpolated from the solution of every second point.
+    """Return a start pressure (rows, columns) [Pa], interpolated from the solution of every second point.
 
-    The function calls itself for the coarser map. A small map starts with a uniform pressure.
+    mean: mean pressure [Pa]. The function calls itself for the coarser map. A small map, or one with an odd number of rows or
+    columns, starts with a uniform pressure.
     """
     if min(heights.shape) < 2 * _COARSE or any(count % 2 for count in heights.shape):
         return on_device(np.full(heights.shape, mean), request.how.device)
@@ -280,7 +287,10 @@ def _from_coarser(request, compliance, boundary, mean, heights) -> np.ndarray:
 
 
 def _between(coarse: np.ndarray, axis: int, periodic: bool) -> np.ndarray:
-    """Return a map with twice as many rows (axis 0) or columns (axis 1); a new one is the mean of its two neighbours."""
+    """Return a map with twice as many rows (axis 0) or columns (axis 1); each new one is the mean of its two neighbours.
+
+    Behind the last row or column the first follows if the map is periodic; otherwise the last is repeated.
+    """
     xp, last = namespace(coarse), (-1, slice(None)) if axis == 0 else (slice(None), -1)
     middle = 0.5 * (coarse + xp.roll(coarse, -1, axis=axis))
     if not periodic:
@@ -292,7 +302,7 @@ def _between(coarse: np.ndarray, axis: int, periodic: bool) -> np.ndarray:
 def _contact(request: _Request, problem: Problem, wetted: Condensed) -> MapContact:
     """Return the MapContact of one solved load.
 
-    The pressure between the solids is the solved pressure minus the suction of the liquid.
+    wetted: the solution, whose pressure includes the suction of the liquid; the pressure between the solids is smaller by it.
     """
     suction = 0.0 if request.menisci is None else request.menisci.pressure
     solids = wetted.found.pressure if request.menisci is None else _of_solids(wetted.found.pressure, suction)
@@ -339,9 +349,9 @@ def _contact(request: _Request, problem: Problem, wetted: Condensed) -> MapConta
 
 
 def _of_solids(pressure: np.ndarray, suction: float) -> np.ndarray:
-    """Return the pressure between the solids: the solved pressure minus the suction [Pa].
+    """Return the pressure between the solids (rows, columns) [Pa]: the solved pressure minus the suction [Pa].
 
-    Touching points keep at least the smallest positive number, so that they still count as contact.
+    Touching points get at least the smallest positive number, so that they still count as contact.
     """
     xp = namespace(pressure)
     return xp.clip(pressure - suction, sys.float_info.min, None) * factor(pressure > 0.0, pressure)

@@ -1,9 +1,11 @@
 """Compute one elastic asperity on a film: without adhesion, with DMT's, or with JKR's.
 
-The coordinate is u = x^(1/4), with x = a^2/(R sigma), a the contact radius and R the asperity radius. A row of parameters
-holds ln n_E, per_root = (R sigma)^(1/4)/sqrt(t_1) with t_1 the thickness of one film, the pull, and the coefficients of two or
-three of `solvers.layered.curves`. With z = (q - 1)/(q + 1) and q = per_root u these give the sphere's moduli E_P, E_S and B,
-divided by the modulus of the bodies without a film, and D in the approach D a^2/R. Displacement, load, stiffness and area are
+The coordinate is u = x^(1/4), with x = a^2/(R sigma), a the contact radius, R the asperity radius and sigma the rms height. A
+row of parameters holds ln n_E, per_root = (R sigma)^(1/4)/sqrt(t_1) with t_1 the thickness of one film, the strength of
+adhesion, and the coefficients of two or three of `solvers.layered.curves`. n_E is the contact modulus of the surfaces that meet
+over that of the bodies without films. With z = (q - 1)/(q + 1) and q = per_root u the coefficients give the sphere's moduli
+E_P, E_S and B, divided by the modulus of the bodies without a film, and D in the approach D a^2/R. Displacement, load,
+stiffness and area without adhesion are
 
     w_H = D u^4,  P_H = E_P u^6,  dP_H/dw_H = (3/2) E_S u^2,  A = u^4
 
@@ -12,8 +14,9 @@ the load is P_H minus the load of a flat punch, and the energy released at the c
 
     w = w_H - s u/sqrt(B),  P = P_H - (3/2) s E_S u^3/sqrt(B),  s = (2/3) sqrt(6 pi n_g/theta)
 
-In SI units delta = delta_H - sqrt(4 pi a gamma/S'), P = P_H - S sqrt(4 pi a gamma/S'), S = 2 a E_S, S' = dS/da = 2 B (compare
-Barthel & Perriot 2007; the limit of short-ranged forces).
+theta is the adhesion index and n_g the work of adhesion with the film over that without. In SI units delta = delta_H -
+sqrt(4 pi a gamma/S'), P = P_H - S sqrt(4 pi a gamma/S'), S = 2 a E_S, S' = dS/da = 2 B (compare Barthel & Perriot 2007; the
+limit of short-ranged forces).
 """
 
 import math
@@ -23,7 +26,7 @@ from stiction.engine.compiled import formula
 from stiction.engine.vectorised import exponential
 from stiction.solvers.layered.curves import TERMS
 
-# Parameters before the coefficients; all of a contact without the edge's energy, and with it.
+# Numbers of parameters before the coefficients, of a row for Hertz and DMT, and of a row for JKR.
 HEAD = 3
 _APPROACH, PLAIN, EDGED = HEAD + TERMS, HEAD + 2 * TERMS, HEAD + 3 * TERMS
 _MOST_STEPS = 100
@@ -31,9 +34,9 @@ _MOST_STEPS = 100
 
 @formula
 def _place(u, per_root):
-    """Return the curve coordinate z at the asperity's coordinate u, and dz/d ln u = (1 - z^2)/2.
+    """Return the coordinate z = (q - 1)/(q + 1), q = per_root u, of the film's curves, and dz/d ln u = (1 - z^2)/2.
 
-    At infinite u they are 1 and 0.
+    u: coordinate of the asperity; where it is infinite, the two values are 1 and 0.
     """
     rest = 1.0 / (per_root * u + 1.0)
     return 1.0 - 2.0 * rest, 2.0 * rest * (1.0 - rest)
@@ -41,14 +44,14 @@ def _place(u, per_root):
 
 @formula
 def _next(z, sums, coefficient):
-    """Advance Horner's scheme by one coefficient, for a polynomial and its derivative."""
+    """Advance Horner's scheme at z by one coefficient; sums: (value, derivative) of the polynomial so far."""
     value, slope = sums
     return value * z + coefficient, slope * z + value
 
 
 @formula
 def _polynomial(z, c):
-    """Return the polynomial Sum c_k z^k of a curve, and its derivative by z.
+    """Return the polynomial Sum c_k z^k with 19 coefficients c, and its derivative by z.
 
     The terms are written out because the compiler does not vectorise a loop over a tuple.
     """
@@ -62,9 +65,9 @@ def _polynomial(z, c):
 
 @formula
 def _curve(z, by_u, c):
-    """Return the value (1 - z^2) Sum c_k z^k of a curve, and its derivative by ln u.
+    """Return the value (1 - z^2) Sum c_k z^k of a curve at z, and its derivative by ln u.
 
-    by_u: dz/d ln u.
+    c: the 19 coefficients. by_u: derivative of z by ln u, with u the coordinate of the asperity.
     """
     value, slope = _polynomial(z, c)
     return 2.0 * by_u * value, by_u * (2.0 * by_u * slope - 2.0 * z * value)
@@ -72,10 +75,10 @@ def _curve(z, by_u, c):
 
 @formula
 def _hertzian(u, row):
-    """Return the contact of a sphere without adhesion at the coordinate u.
+    """Return the contact of a sphere without adhesion at the coordinate u; row: parameters of the asperity.
 
-    The values are z, dz/d ln u, the modulus E_P of the load, the factor D of the approach, and the derivatives of ln E_P and
-    ln D by ln u.
+    The six values are z, dz/d ln u, the modulus E_P of the load, the factor D of the approach, and the derivatives of ln E_P
+    and ln D by ln u.
     """
     z, by_u = _place(u, row[1])
     load, load_slope = _curve(z, by_u, row[HEAD:_APPROACH])
@@ -86,9 +89,11 @@ def _hertzian(u, row):
 
 @formula
 def plain(u, *row):
-    """Return displacement, its derivative by u, load and area of an asperity (Hertz or DMT).
+    """Return displacement, its derivative by u, load and area of an asperity without adhesion or with DMT's.
 
-    The load is P_H minus the pull of the row. All values are normalised.
+    u: coordinate, (a^2/(R sigma))^(1/4). row: parameters, the third of which is the pull that is subtracted from the load.
+    Displacements are over sigma, loads over K R^(1/2) sigma^(3/2) and areas over pi R sigma, with K = (4/3) E* of the bodies
+    without a film.
     """
     _, _, E_P, D, _, approach_slope = _hertzian(u, row)
     u3 = u * u * u
@@ -97,9 +102,9 @@ def plain(u, *row):
 
 @formula
 def _edge(z, by_u, row):
-    """Return 1/sqrt(B) of the module and the derivative of its logarithm by ln u.
+    """Return 1/sqrt(B) at the coordinate z of the curves, and the derivative of its logarithm by ln u.
 
-    2 B is the derivative of the contact stiffness by the contact radius. z, by_u: from `_place`. row: as in the module.
+    2 B is the derivative of the contact stiffness by the contact radius. by_u: dz/d ln u. row: parameters of the asperity.
     """
     edge, edge_slope = _curve(z, by_u, row[PLAIN:EDGED])
     return exponential(-0.25 * (1.0 - z) * row[0] - 0.5 * edge), -0.5 * edge_slope + 0.25 * by_u * row[0]
@@ -107,13 +112,19 @@ def _edge(z, by_u, row):
 
 @formula
 def _stiffness(E_P, D, load_slope, approach_slope):
-    """Return the normalised contact stiffness (3/2) E_S, which is (dP_H/du)/(dw_H/du)/u^2."""
+    """Return the normalised contact stiffness (3/2) E_S, computed as (dP_H/du)/(dw_H/du)/u^2.
+
+    E_P, D: modulus of the load and factor of the approach. load_slope, approach_slope: derivatives of ln E_P and ln D by ln u.
+    """
     return E_P * (6.0 + load_slope) / (D * (4.0 + approach_slope))
 
 
 @formula
 def parted(u, row):
-    """Return the load P_H without adhesion at coordinate u, and the amount by which JKR's load is smaller."""
+    """Return the load without adhesion at the coordinate u, and the amount by which the load with JKR's adhesion is smaller.
+
+    Loads are over K R^(1/2) sigma^(3/2), with K = (4/3) E* of the bodies without a film. row: parameters of the asperity.
+    """
     z, by_u, E_P, D, load_slope, approach_slope = _hertzian(u, row)
     u3, softness = u * u * u, _edge(z, by_u, row)[0]
     return E_P * u3 * u3, _stiffness(E_P, D, load_slope, approach_slope) * row[2] * softness * u3
@@ -123,8 +134,8 @@ def parted(u, row):
 def edged(u, *row):
     """Return displacement, its derivative by u, load and area of an asperity with JKR's adhesion.
 
-    The third number of the row is s, the strength of adhesion. Displacements are over sigma, loads over K R^(1/2) sigma^(3/2)
-    and areas over pi R sigma, with K = (4/3) E* of the bodies without a film.
+    u: coordinate, (a^2/(R sigma))^(1/4). row: parameters, the third of which is the strength of adhesion s. Displacements are
+    over sigma, loads over K R^(1/2) sigma^(3/2) and areas over pi R sigma, with K = (4/3) E* of the bodies without a film.
     """
     z, by_u, E_P, D, load_slope, approach_slope = _hertzian(u, row)
     softness, softness_slope = _edge(z, by_u, row)
@@ -136,9 +147,9 @@ def edged(u, *row):
 
 @formula
 def plain_coordinate(w, *row):
-    """Return the coordinate u of an asperity (Hertz or DMT) at the displacement w.
+    """Return the coordinate u of an asperity without adhesion or with DMT's at the displacement w (over sigma); 0 for w <= 0.
 
-    Newton's method is used on logarithms, because ln w_H rises with ln u at a slope close to 4.
+    row: parameters of the asperity. Newton's method is used on logarithms, because ln w rises with ln u at a slope close to 4.
     """
     if not w > 0.0:
         return 0.0
@@ -156,10 +167,10 @@ def plain_coordinate(w, *row):
 
 @formula
 def _approached(w, row):
-    """Return the coordinate u at the displacement w >= 0, with JKR's adhesion.
+    """Return the coordinate u of an asperity with JKR's adhesion at the displacement w >= 0 (over sigma).
 
-    Adhesion lowers the displacement w_H(u) by v(u), so that w = w_H - v. Newton's method solves ln(w_H/(w + v)) = 0, whose left
-    side rises with ln u.
+    row: parameters of the asperity. Adhesion lowers the displacement w_H(u) of the contact without adhesion by v(u), so that w
+    = w_H - v. Newton's method solves ln(w_H/(w + v)) = 0, whose left side rises with ln u.
     """
     u = max(math.sqrt(math.sqrt(w)), max(row[2], 1e-200) ** (1.0 / 3.0))
     for _ in range(_MOST_STEPS):
@@ -176,24 +187,24 @@ def _approached(w, row):
 
 @formula
 def touch(row):
-    """Return the coordinate u at which approaching bodies first touch, with JKR's adhesion.
+    """Return the coordinate u at which approaching bodies first touch with JKR's adhesion, at the displacement 0.
 
-    The displacement is 0 there.
+    row: parameters of the asperity.
     """
     return _approached(0.0, row)
 
 
 @formula
 def _comes_off(u, row):
-    """Return whether the contact is unstable at coordinate u: the displacement does not rise with u."""
+    """Return whether a contact with JKR's adhesion is unstable at the coordinate u: its displacement does not rise with u."""
     return edged(u, *row)[1] <= 0.0
 
 
 @formula
 def _is_short(u, given):
-    """Return whether u is too small: its displacement is less than w, or does not rise with u.
+    """Return whether u is too small: the displacement at u is less than w, or does not rise with u.
 
-    given: (w, row of parameters).
+    given: (w, row), the displacement over sigma and the parameters of the asperity.
     """
     w, row = given
     here = edged(u, *row)
@@ -205,9 +216,9 @@ _halve_off, _halve_short = halving(_comes_off), halving(_is_short)
 
 @formula
 def edged_coordinate(w, *row):
-    """Return the coordinate u at the displacement w, with JKR's adhesion, on the stable branch.
+    """Return the coordinate u of an asperity with JKR's adhesion at the displacement w (over sigma), on the stable branch.
 
-    On this branch the displacement grows with u.
+    On this branch the displacement grows with u. row: parameters of the asperity.
     """
     if w == math.inf:
         return math.inf
@@ -223,7 +234,7 @@ def edged_coordinate(w, *row):
 def pulled_off(row):
     """Return the coordinate u at which an asperity with JKR's adhesion detaches while the bodies are moved apart.
 
-    Contact ends where the displacement first stops falling with u, at dw/du = 0.
+    There the derivative of the displacement by u is 0. row: parameters of the asperity.
     """
     low = high = touch(row)
     while not _comes_off(low, row):

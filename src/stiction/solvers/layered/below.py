@@ -3,8 +3,8 @@
 *Assumes*: A contact spot of radius a lies on a film of thickness t. The body flows when the von Mises stress at the depth of
 its surface equals the largest von Mises stress in the bare body under its hardness. Stresses are Hertz's on the axis of a
 half-space (Johnson, Contact Mechanics, 1985, eq. 3.45). The film is replaced by body material of the thickness t_e = t
-(E_f/E_s)^(1/3), which has the same bending stiffness (Odemark's equivalent thickness, from memory). With H_s the hardness of
-the body, z the depth divided by a, and nu its Poisson's ratio,
+(E_f/E_s)^(1/3), which has the same bending stiffness (Odemark's equivalent thickness, from memory; E_f, E_s: moduli of film and
+body). With H_s the hardness of the body, z the depth divided by a, and nu its Poisson's ratio,
 
     p/H_s = max_z s(z)/max_{z >= t_e/a} s(z),   s(z) = 3/(2 (1 + z^2)) - (1 + nu)(1 - z arctan(1/z))
 
@@ -16,14 +16,15 @@ import numpy as np
 from stiction.contact.indices import Groups
 from stiction.solvers.layered.bodies import per_root
 
-_NEAR = np.linspace(0.3, 0.7, 81)  # depths over a: of the largest stress
-_DEEPEST = 1e3  # from there on no body below yields before its film does
+_NEAR = np.linspace(0.3, 0.7, 81)  # depths over the contact radius, among which the largest stress is searched
+_DEEPEST = 1e3  # depth over the contact radius from which a body never yields before its film
 
 
 def carried_at_depth(depth: np.ndarray, nu: np.ndarray) -> np.ndarray:
-    """Return the pressure on a film at which the body below yields, divided by its hardness.
+    """Return the pressure on a film at which the body below yields, divided by the body's hardness.
 
-    depth: of the body's surface, divided by the contact radius. nu: Poisson's ratio. Both are arrays.
+    depth: depth of the body's surface, divided by the contact radius. nu: Poisson's ratio of the body. Both are arrays of one
+    shape.
     """
     largest = _stress(_NEAR, np.asarray(nu)[..., None])
     deepest = _NEAR[largest.argmax(axis=-1)]
@@ -31,9 +32,10 @@ def carried_at_depth(depth: np.ndarray, nu: np.ndarray) -> np.ndarray:
 
 
 def pressure_carried_below(spot: np.ndarray, groups: Groups) -> np.ndarray:
-    """Return the mean pressure (n, m) on a contact spot at which the body below the film yields, over its hardness.
+    """Return the mean pressure (n, m) on a contact spot at which the body below the film yields, over the body's hardness.
 
-    spot: contact area (n, m), divided by pi R sigma. groups: dimensionless groups of n contacts.
+    spot: contact area (n, m), divided by pi R sigma (R: asperity radius, sigma: rms height). groups: dimensionless groups of n
+    contacts.
     """
     whole = groups.resolved()
     radius = np.sqrt(spot) * per_root(whole)[:, None] ** 2

@@ -1,4 +1,4 @@
-"""Derive the elastic bodies of a coated contact from its dimensionless groups."""
+"""Derive the elastic constants of coated bodies from the dimensionless groups of a contact."""
 
 from typing import NamedTuple
 
@@ -9,7 +9,7 @@ from stiction.quantities.errors import InputError
 from stiction.solvers.layered.compliance import Layer, Pair
 from stiction.solvers.layered.waves import CoatedBody
 
-# A film that is not there; one without an end.
+# Limits of the film thickness over sqrt(R sigma): thinner films are as good as absent, thicker ones as good as infinite.
 _THINNEST, _THICKEST = 1e-60, 1e200
 _NAMED = ("n_E", "films", "coated_share", "layer_nu", "coated_nu", "counter_nu")
 
@@ -18,8 +18,8 @@ class Bodies(NamedTuple):
     """Store the elastic constants of two bodies in contact, one or both with a film.
 
     pair: the films, with their fractions of the elastic compliance. coated: elastic constants of each coated body.
-    film_modulus: plane-strain modulus of the film over the contact modulus of the bodies without films. bare_share, bare_nu:
-    fraction of the compliance and Poisson's ratio of the body without a film.
+    film_modulus: plane-strain modulus of the film over the contact modulus of the bodies without films. bare_share: compliance
+    of the body without a film over that of both bodies without films. bare_nu: its Poisson's ratio.
     """
 
     pair: Pair
@@ -30,24 +30,29 @@ class Bodies(NamedTuple):
 
 
 def per_root(groups: Groups) -> np.ndarray:
-    """Return the factor (n,) that converts x^(1/4) to sqrt(a/t_1): (R sigma)^(1/4)/sqrt(t_1).
+    """Return the factor (n,) by which (a^2/(R sigma))^(1/4) is multiplied to give sqrt(a/t_1): (R sigma)^(1/4)/sqrt(t_1).
 
-    x: a^2/(R sigma). a: contact radius. t_1: thickness of one film. R, sigma: asperity radius and rms height.
+    groups: dimensionless groups of n contacts. a: contact radius. t_1: thickness of one film. R, sigma: asperity radius and rms
+    height.
     """
     aspect = np.broadcast_to(groups.film_aspect / groups.films, len(groups))
     return 1.0 / np.sqrt(np.clip(aspect, _THINNEST, _THICKEST))
 
 
 def columns_of(groups: Groups) -> np.ndarray:
-    """Return the six groups (6, n) on which the elastic constants of coated bodies depend."""
+    """Return the six groups (6, n) on which the elastic constants of the coated bodies of n contacts depend.
+
+    Their rows are: contact modulus of the surfaces over that of the bodies without films, number of films, fraction of the
+    compliance without films that belongs to the coated (first) body, and Poisson's ratios of film, coated body and counterbody.
+    """
     return np.stack([np.broadcast_to(getattr(groups, name), len(groups)) for name in _NAMED])
 
 
 def film_share(given: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the film's fraction of the elastic compliance, and its modulus over that of its body: (n,) each.
+    """Return the films' fraction of the elastic compliance, and their modulus over that of the body below: (n,) each.
 
-    given: rows as returned by `columns_of`. The compliance is that of the two surface materials; the fraction is 1 if both
-    bodies are coated. Raises InputError for impossible bodies.
+    given: rows as returned by `columns_of`. The compliance is that of half-spaces of the two surface materials; the fraction is
+    1 if both bodies are coated. Raises InputError for impossible bodies.
     """
     n_E, bodies, first = given[:3]
     single = bodies == 1.0
@@ -59,7 +64,7 @@ def film_share(given: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 
 def bodies_of(groups: Groups) -> tuple[list[Bodies], np.ndarray]:
-    """Return the distinct pairs of bodies among n contacts with films, and the index (n,) of each contact's pair."""
+    """Return the distinct pairs of bodies among n contacts with films, and for each contact the index (n,) of its pair."""
     each, which = np.unique(columns_of(groups), axis=1, return_inverse=True)
     return [_bodies(row) for row in each.T], np.ravel(which)
 

@@ -1,15 +1,15 @@
-"""Elastic compliance of a half-space with a film at each wavenumber, and of two such bodies in contact.
+"""Compute the elastic compliance of a half-space with a film at each wavenumber, and of two such bodies in contact.
 
 A pressure p cos(kx) on the bonded film displaces its surface by u = C(k) p cos(kx). With x = k t, t the thickness,
 
     C = (2/(E1 k)) c(x),  c = [1 + 4 x K e - L K e^2] / [1 - (L + K + 4 K x^2) e + L K e^2],  e = exp(-2 x),
 
-E1 is the film's plane-strain modulus E/(1 - nu^2). Source: the frequency response of a layered half-space of Nogi & Kato
-(1997) and O'Sullivan & King (1988), taken from secondary sources. It was derived again from the continuity of displacements
-and tractions at the interface (reference/make_layered.py solves these six equations for one wave at a time). L and K depend
-on the elastic constants through Dundurs' two parameters only (Dundurs 1969): K = (alpha - beta)/(1 - beta), L = (alpha +
-beta)/(1 + beta). c tends to 1 for short waves, which depend on the film alone, and to E1/E2 for long waves, which depend on
-the substrate alone.
+E1 is the film's plane-strain modulus E/(1 - nu^2), and E2 that of the substrate. Source: the frequency response of a layered
+half-space of Nogi & Kato (1997) and O'Sullivan & King (1988), taken from secondary sources. It was derived again from the
+continuity of displacements and tractions at the interface (reference/make_layered.py solves these six equations for one wave at
+a time). L and K depend on the elastic constants through Dundurs' two parameters only (Dundurs 1969): K = (alpha - beta)/(1 -
+beta), L = (alpha + beta)/(1 + beta). c tends to 1 for short waves, which depend on the film alone, and to E1/E2 for long waves,
+which depend on the substrate alone.
 
 Without friction both bodies bear the same pressure and their displacements add. The compliance of a contact is therefore the
 sum of the two compliances. This is exact for an elastic counterbody, and for films on two different bodies.
@@ -24,9 +24,9 @@ import numpy as np
 class Layer:
     """Describe a film on one of the two bodies.
 
-    share: this film's fraction of the compliance of the two surface materials, above 0, at most 1. ratio: plane-strain
-    modulus of the film over that of the body below, finite; 0 if that body is rigid. excess: 4 beta - alpha with Dundurs'
-    parameters, -1 to 1; it holds the effect of Poisson's ratios (see `of`).
+    share: fraction of the compliance of the two surface materials (as half-spaces) that belongs to this film's material, above
+    0, at most 1. ratio: plane-strain modulus of the film over that of the body below, finite; 0 if that body is rigid. excess:
+    4 beta - alpha with Dundurs' parameters alpha and beta, -1 to 1; it holds the effect of Poisson's ratios.
     """
 
     share: float
@@ -35,20 +35,24 @@ class Layer:
 
     @classmethod
     def of(cls, share: float, ratio: float, nu: float, nu_below: float) -> "Layer":
-        """Build a layer from Poisson's ratios, 0 to 0.5, of the film and the body below."""
+        """Return a layer with Poisson's ratios nu of the film and nu_below of the body below, each 0 to 0.5.
+
+        share: the film's fraction of the compliance of the two surface materials. ratio: plane-strain modulus of the film over
+        that of the body.
+        """
         return cls(share, ratio, float(poisson_excess(ratio, nu, nu_below)))
 
 
 Pair = tuple[Layer, ...]
-"""One film, or one on each body, all of one thickness. What their shares leave of 1 is a body without a film."""
+"""One film, or one on each body, all of the same thickness. If their shares sum to less than 1, one body has no film."""
 
 
 def poisson_excess(ratio, nu, nu_below):
     """Return 4 beta - alpha for arrays, with Dundurs' parameters alpha and beta of a film on a body.
 
-    The result lies in -1 to 1 for any ratio of moduli. alpha = (E1 - E2)/(E1 + E2) of plane-strain moduli; beta = (m (1 - 2
-    nu_2) - (1 - 2 nu_1))/(2 m (1 - nu_2) + 2 (1 - nu_1)), m the ratio of the shear moduli (Dundurs 1969, as commonly restated).
-    ratio: E1/E2 of film and body.
+    ratio: E1/E2, the plane-strain moduli of film and body. nu, nu_below: their Poisson's ratios. The result lies in -1 to 1 for
+    any ratio. alpha = (E1 - E2)/(E1 + E2); beta = (m (1 - 2 nu_2) - (1 - 2 nu_1))/(2 m (1 - nu_2) + 2 (1 - nu_1)), m the ratio
+    of the shear moduli (Dundurs 1969, as commonly restated).
     """
     softness, softness_below = 1.0 - nu, 1.0 - nu_below
     shear = ratio * softness / softness_below
@@ -57,7 +61,11 @@ def poisson_excess(ratio, nu, nu_below):
 
 
 def _film(x: np.ndarray, ratio: float, excess: float) -> np.ndarray:
-    """Return the relative compliance c(x) of one film at wavenumbers x = k t."""
+    """Return the compliance c(x) of a film on a body over that of a half-space of film material.
+
+    x: wavenumber times film thickness. ratio: plane-strain modulus of the film over that of the body. excess: 4 beta - alpha
+    with Dundurs' parameters.
+    """
     alpha = (ratio - 1.0) / (ratio + 1.0)
     beta = (excess + alpha) / 4.0
     K, L = (alpha - beta) / (1.0 - beta), (alpha + beta) / (1.0 + beta)
@@ -66,9 +74,9 @@ def _film(x: np.ndarray, ratio: float, excess: float) -> np.ndarray:
 
 
 def compliance(x: np.ndarray, pair: Pair) -> np.ndarray:
-    """Return the elastic compliance (n,) of two coated bodies at wavenumbers x = k t (n,).
+    """Return the elastic compliance (n,) of two coated bodies at the wavenumbers k = x/t, for x (n,).
 
-    The compliance is divided by 2/(E1 k), the one of half-spaces of the two surface materials. t is the thickness of one film.
+    t is the thickness of one film. The compliance is divided by that of half-spaces of the two surface materials.
     """
     total = np.full(np.shape(x), 1.0 - sum(layer.share for layer in pair))
     for layer in pair:

@@ -1,12 +1,14 @@
-"""Response of a pair of layered bodies at every contact radius, as three smooth curves.
+"""Fit the response of a pair of layered bodies at every contact radius a by three smooth curves.
 
-The curves are ln E_P, ln D and ln B of `sphere.Response` against z = (q - 1)/(q + 1), q = sqrt(a/t). At z = -1 only the film
-matters, at z = 1 only the body below:
+The curves are ln E_P, ln D and ln B of `sphere.Response` (moduli of load and contact edge, and factor of the approach) against
+z = (q - 1)/(q + 1), q = sqrt(a/t), with the film thickness t. At z = -1 only the film matters, at z = 1 only the body below.
+For E = E_P or B
 
     ln E = (1 + z)/2 ln(E at z = 1) + (1 - z^2) Sum_k c_k z^k
 
 (D is 1 at both ends). The c_k are fitted to exact solutions and to their slopes, so that load, approach and stiffness are
-consistent. With e and d the derivatives of ln E_P and ln D by ln a, dP/d delta = S becomes an identity of the curves,
+consistent. With e and d the derivatives of ln E_P and ln D by ln a, dP/d delta = S becomes an identity of the curves (P: load,
+delta: approach, S = 2 a E_S: stiffness),
 
     E_S = E_P (1 + e/3)/(D (1 + d/2)).
 
@@ -27,9 +29,9 @@ from stiction.solvers.layered.sphere import Response, respond
 CURVES, TERMS = 3, 19
 # Contact radii of the exact solutions, over the thickness of one film.
 RADII = np.concatenate([[1e-5, 1e-4, 5e-4], np.geomspace(0.002, 600.0, 24)])
-# What a slope counts beside a value.
+# Weight of a slope relative to a value in the fit.
 _SLOPE = 0.3
-# Chebyshev's polynomials in powers of z, a row each.
+# Coefficients of Chebyshev's polynomials in powers of z, one row for each polynomial.
 POWERS = np.array(
     [np.pad(chebyshev.cheb2poly(row), (0, TERMS - 1 - order)) for order, row in enumerate(np.tri(TERMS) - np.tri(TERMS, k=-1))]
 )
@@ -42,19 +44,19 @@ def _solved(pair: Pair) -> tuple[float, ...]:
 
 
 def curves(pair: Pair) -> np.ndarray:
-    """Return the coefficients (CURVES, TERMS) of ln E_P, ln D and ln B for a pair of bodies.
+    """Return the coefficients (CURVES, TERMS) of the curves ln E_P, ln D and ln B for a pair of coated bodies.
 
-    E_P is the contact modulus of the load, D the factor of the approach D a^2/R, and B half the derivative of the contact
-    stiffness by the contact radius. Exact solutions are cached for each pair. Two rigid bodies are not
-    supported, because their modulus without films is infinite.
+    E_P is the contact modulus of the load, D the factor of the approach D a^2/R (a: contact radius, R: sphere radius), and B
+    half the derivative of the contact stiffness by the contact radius. Exact solutions are cached for each pair. Two rigid
+    bodies are not supported, because their modulus without films is infinite.
     """
     return np.array(_solved(pair)).reshape(CURVES, TERMS)
 
 
 def fit(solved: np.ndarray, below: float) -> np.ndarray:
-    """Fit the coefficients (CURVES, TERMS) of three curves to exact solutions at RADII.
+    """Fit the coefficients (CURVES, TERMS) of the curves ln E_P, ln D and ln B to exact solutions at the contact radii RADII.
 
-    solved: fields of `sphere.Response` (radii, 7). below: contact modulus without a film.
+    solved: fields of `sphere.Response` (radii, 7). below: contact modulus without films, over that of the surface materials.
     """
     at = {name: column for name, column in zip(Response._fields, solved.T, strict=True)}
     ends = {"load": np.log(below), "approach": 0.0, "edge": np.log(below)}
@@ -62,9 +64,10 @@ def fit(solved: np.ndarray, below: float) -> np.ndarray:
 
 
 def fit_one(values: np.ndarray, slopes: np.ndarray, rise: float) -> np.ndarray:
-    """Fit the coefficients (TERMS,) of one curve to its values and slopes at RADII.
+    """Fit the coefficients (TERMS,) of one curve to its values and slopes at the contact radii RADII.
 
-    slopes: by ln a. rise: total rise of the curve, which starts at 0.
+    slopes: derivatives by the logarithm of the contact radius. rise: value of the curve at very large radii; at very small
+    radii it is 0.
     """
     root = np.sqrt(RADII)
     z = (root - 1.0) / (root + 1.0)
@@ -76,7 +79,7 @@ def fit_one(values: np.ndarray, slopes: np.ndarray, rise: float) -> np.ndarray:
 
 
 def _basis(z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the fit functions (1 - z^2) T_k(z), T_k Chebyshev's, and their derivatives by z: (n, TERMS)."""
+    """Return the fit functions (1 - z^2) T_k(z) at z (n,) and their derivatives by z, (n, TERMS) each; T_k: Chebyshev's."""
     unit = np.eye(TERMS)
     value = chebyshev.chebval(z, unit).T
     slope = chebyshev.chebval(z, chebyshev.chebder(unit)).T

@@ -1,11 +1,11 @@
 """Compute the von Mises stress of a film at the trailing edge of a pressed and sheared sphere.
 
-At this edge the square of the von Mises stress is a quadratic form in the mean pressure s and the mean traction q,
+At this edge the square M of the von Mises stress is a quadratic form in the mean pressure s and the mean traction q,
 
     M = D (A s^2 + 2 B s q + q^2).
 
-A, B and D depend on the contact radius divided by the film thickness. For small contacts they are those of a half-space of
-film material. For wide contacts the film is stretched like the surface below it. `Stresses` supplies the values between these
+A, B and D depend on the contact radius divided by the film thickness. For small contacts they are those of a half-space of film
+material. For wide contacts the film is stretched like the surface below it. `Stresses` supplies the values between these
 limits.
 """
 
@@ -22,10 +22,11 @@ from stiction.solvers.layered.stresses import Radial, Stresses
 from stiction.solvers.layered.waves import CoatedBody
 
 FORMS, EDGE_TERMS = 3, 17
-# Contact radii of the solutions, over the thickness of a film; what a film adds is good to exp(-_REACH).
+# Contact radii of the solutions, over the film thickness. The film's contribution to stresses has a relative error of
+# exp(-_REACH).
 _RADII = np.concatenate([[1e-5, 1e-4, 1e-3, 0.005, 0.02, 0.06], np.geomspace(0.14, 200.0, 21)])
 _REACH = 12.0
-# What the size of the c_k counts: beyond the radii they are held by nothing else.
+# Weight that keeps the coefficients c_k small, because nothing else determines the curves beyond the solved radii.
 _HOLD = 1e-3
 _PLACE = np.array([1.0]), np.array([0.0])
 
@@ -33,11 +34,11 @@ _PLACE = np.array([1.0]), np.array([0.0])
 @lru_cache(maxsize=256)
 @on_one_thread
 def edge_curves(bodies: Bodies) -> np.ndarray:
-    """Return the curves of the edge coefficients ln D, A and B against contact size.
+    """Return curves of the coefficients ln D, A and B of the edge stress against contact size, as (FORMS, 2 + EDGE_TERMS).
 
-    Rows (FORMS, 2 + EDGE_TERMS) hold the limits f (a half-space of film material) and g (a film of zero thickness), and the
-    c_k in (1 - z)/2 f + (1 + z)/2 g + (1 - z^2) Sum c_k z^k, z as in `curves`. If two coated bodies differ, each radius takes
-    the body whose film has the higher stress under traction.
+    A row holds the limits f (a half-space of film material) and g (a film of zero thickness), then the c_k of the curve (1 -
+    z)/2 f + (1 + z)/2 g + (1 - z^2) Sum c_k z^k. z = (q - 1)/(q + 1) with q the root of contact radius over film thickness. If
+    two coated bodies differ, each radius takes the body whose film has the higher stress under traction.
     """
     each = [_of_body(bodies, body) for body in dict.fromkeys(bodies.coated)]
     rows = np.stack(each)
@@ -54,9 +55,10 @@ def edge_curves(bodies: Bodies) -> np.ndarray:
 
 
 def _of_body(bodies: Bodies, body: CoatedBody) -> np.ndarray:
-    """Return the edge coefficients ln D, A and B of one coated body: (radii + 2, FORMS).
+    """Return the coefficients ln D, A and B of the edge stress of one coated body: (radii + 2, FORMS).
 
-    The first row is for an infinitely thick film, the last for a film of zero thickness, the others for the radii between.
+    The first row is for an infinitely thick film, the last for a film of zero thickness, the others for the solved contact
+    radii between.
     """
     solved = [_forms(Stresses(bodies.pair, body, float(radius), _REACH).in_film(*_PLACE)) for radius in _RADII]
     return np.array([_forms(half_space(body.nu)), *solved, _forms(stretched(half_space(body.nu_below), body))])
@@ -64,14 +66,17 @@ def _of_body(bodies: Bodies, body: CoatedBody) -> np.ndarray:
 
 @lru_cache(maxsize=64)
 def half_space(nu: float) -> Radial:
-    """Return the stresses at the contact edge of a half-space with Poisson's ratio nu."""
+    """Return the stresses at the contact edge, on the surface of a half-space with Poisson's ratio nu.
+
+    They are those under a pressed and dragged sphere, divided by the mean pressure.
+    """
     return Stresses((Layer.of(1.0, 1.0, nu, nu),), CoatedBody(1.0, nu, nu), 0.5).in_film(*_PLACE)
 
 
 def _forms(radial: Radial) -> tuple[float, float, float]:
     """Return the coefficients ln D, A and B of the von Mises stress at the trailing edge of the contact.
 
-    Under traction the stress is largest at this edge.
+    radial: stresses at the contact edge. At the trailing edge the stress under traction is largest.
     """
     A, B, D, _ = (float(form[0, 0]) for form in forms_of(radial))
     return np.log(D), A / D, -B / D

@@ -1,14 +1,14 @@
 """Locate first yield (von Mises) in a film or the body below it, under a pressed and sheared sphere.
 
-The square of the von Mises stress at a point is a quadratic form in the mean pressure s and the mean traction q. At depth z,
+The square M of the von Mises stress at a point is a quadratic form in the mean pressure s and the mean traction q. At depth z,
 radius r and angle theta from the direction of the traction it is
 
     M = A s^2 + 2 B s q cos(theta) + [C + (D - C) cos^2(theta)] q^2.
 
-The maximum over theta has a closed form. The maximum over r and z is searched on a grid that is dense where stresses vary,
-and refined by parabolas. The root of the maximum, N(s, q), is the largest von Mises stress. It is a norm of (s, q). Film and
-body each have their own N, and yield where N reaches their yield stress. For very small contacts the film acts as a
-half-space. For contacts much wider than the film, the body acts as a half-space and stretches the film like its own surface.
+The maximum over theta has a closed form. The maximum over r and z is searched on a grid that is dense where stresses vary, and
+refined by parabolas. The root of the maximum, N(s, q), is the largest von Mises stress. It is a norm of (s, q). Film and body
+each have their own N, and yield where N reaches their yield stress. For very small contacts the film acts as a half-space. For
+contacts much wider than the film, the body acts as a half-space and stretches the film like its own surface.
 """
 
 from functools import lru_cache
@@ -21,32 +21,33 @@ from stiction.solvers.layered.compliance import Layer
 from stiction.solvers.layered.stresses import Radial, Stresses
 from stiction.solvers.layered.waves import CoatedBody
 
-# Where the largest is looked for by itself, so that each is a smooth function of a/t: on the film's surface, at the edge of the
-# contact, inside the film, where it meets the body, in the body.
+# Number of regions whose largest stress is searched separately, so that each is a smooth function of a/t: the film's surface,
+# the contact edge, the inside of the film, its interface with the body, and the body.
 PARTS = 5
-# Directions in the plane of pressure and traction, arctan(q/s), of the tables; and z = (p - 1)/(p + 1), p = (a/t)^(1/2).
+# Coordinates of the tables: arctan(traction/pressure), and (p - 1)/(p + 1) with p = (a/t)^(1/2).
 ANGLES = np.linspace(0.0, np.pi / 2.0, 61)
 PLACES = np.linspace(-1.0, 1.0, 161)
 _SOLVED = np.concatenate(
     [[-0.8, -0.65, -0.5, -0.4], np.linspace(-0.33, 0.33, 15), [0.42, 0.5, 0.58, 0.66, 0.74, 0.81, 0.87, 0.92]]
 )
 _REACH = 12.0
-# Radii over that of the contact, crowded at its edge; shares of the film's thickness, and of depths below it.
+# Search grids: radii over the contact radius, dense at the contact edge; depths over the film thickness in the film, and depths
+# below the film in the body.
 _RADII = np.concatenate([np.sin(np.linspace(0.0, np.pi / 2.0, 23)), 1.0 + 0.6 * np.linspace(0.0, 1.0, 9)[1:] ** 2])
-_EDGE = 22  # where stresses on the surface have a cusp
+_EDGE = 22  # index of the contact edge, where stresses on the surface have a cusp
 _IN_FILM = (1.0 - np.cos(np.linspace(0.0, np.pi, 11))) / 2.0
 _IN_BODY = 1.4 * np.linspace(0.0, 1.0, 15) ** 1.5
 _WIDE = np.linspace(0.0, 1.5, 24)
-# A, B, D and C of M.
+# The coefficients A, B, D and C of the quadratic form M, in this order.
 Forms = tuple[np.ndarray, ...]
 
 
 class Yield(NamedTuple):
-    """Store where a coated body first yields, and the von Mises stress there, at mean pressure 1 and a given traction.
+    """Store where a coated body first yields, and how high the stress there is, at mean pressure 1 and a given traction.
 
-    excess: von Mises stress there, divided by the yield stress of the material there over that of the body. where:
-    "film", "interface" (either side) or "body". x: position ahead of the axis. z: depth below the surface. Both are divided by
-    the contact radius.
+    excess: von Mises stress at this place, divided by the ratio of the yield stress of the material there to that of the body.
+    where: "film", "interface" (either side) or "body". x: position ahead of the axis, in the direction of the traction. z:
+    depth below the surface. x and z are divided by the contact radius.
     """
 
     excess: float
@@ -58,7 +59,8 @@ class Yield(NamedTuple):
 def first_yield(stresses: Stresses, traction: float, film_strength: float = 1.0) -> Yield:
     """Locate first yield in a coated body under a pressure and a traction of `traction` times this pressure.
 
-    traction: >= 0. film_strength: ratio of the yield stresses of film and body below.
+    stresses: stresses in the body under a sphere. traction: >= 0. film_strength: yield stress of the film over that of the body
+    below.
     """
     candidates = []
     for name, (radial, r, z), strength in zip(("film", "body"), _fields(stresses), (film_strength, 1.0), strict=True):
@@ -75,8 +77,8 @@ def first_yield(stresses: Stresses, traction: float, film_strength: float = 1.0)
 def at_interface(stresses: Stresses, traction: float) -> tuple[float, float]:
     """Return the largest tension and the largest shear stress at the interface of film and body.
 
-    Both are divided by the mean pressure. traction: ratio of traction to pressure, >= 0. The tension is 0 if the interface is
-    only compressed.
+    Both stresses are divided by the mean pressure. stresses: stresses in the body under a sphere. traction: ratio of traction
+    to pressure, >= 0. The tension is 0 if the interface is only compressed.
     """
     r = np.unique(np.concatenate([_RADII, 2.0 * _WIDE * max(1.0, stresses.thickness)]))
     radial = stresses.in_film(r, np.array([stresses.thickness]))
@@ -88,10 +90,10 @@ def at_interface(stresses: Stresses, traction: float) -> tuple[float, float]:
 
 
 def norms(stresses: Stresses, angles: np.ndarray) -> np.ndarray:
-    """Return the largest von Mises stress in each region of film and body: (PARTS, m).
+    """Return the largest von Mises stress in each of five regions of film and body: (PARTS, m).
 
-    angles (m,): arctan(q/s), with q the mean traction, s the mean pressure and s^2 + q^2 = 1. The last region is the body; the
-    others belong to the film.
+    angles (m,): arctan(q/s), with q the mean traction, s the mean pressure and s^2 + q^2 = 1. The regions are the film's
+    surface, the contact edge, the inside of the film, the film at its interface, and the body.
     """
     (film, _, _), (body, _, _) = _fields(stresses)
     return np.stack([*_of_film(forms_of(film), angles), _norm(forms_of(body), angles)])
@@ -102,8 +104,10 @@ def norms(stresses: Stresses, angles: np.ndarray) -> np.ndarray:
 def table_of_norms(pair: tuple[Layer, ...], bodies: tuple[CoatedBody, ...]) -> np.ndarray:
     """Return ln of the largest von Mises stress in film and body: (2, PLACES, ANGLES).
 
-    With two coated bodies, the larger value counts. The value of the body is multiplied by 1 + (t/a)^2, which stays finite for
-    contacts much smaller than the film; t is the film thickness, a the contact radius.
+    pair, bodies: layers and elastic constants of the coated bodies; with two, the larger value counts. PLACES: contact sizes (p
+    - 1)/(p + 1), p = (a/t)^(1/2), with the contact radius a and the film thickness t. ANGLES: arctan(q/s) for mean traction q
+    and mean pressure s, s^2 + q^2 = 1. The value of the body is multiplied by 1 + (t/a)^2, which stays finite for contacts much
+    smaller than the film.
     """
     whole = np.stack([_table(pair, body) for body in bodies]).max(axis=0)
     with np.errstate(divide="ignore"):
@@ -113,10 +117,10 @@ def table_of_norms(pair: tuple[Layer, ...], bodies: tuple[CoatedBody, ...]) -> n
 
 
 def _table(pair: tuple[Layer, ...], body: CoatedBody) -> np.ndarray:
-    """Return ln of the largest von Mises stress in all regions of one coated body.
+    """Return ln of the largest von Mises stress in all regions of one coated body: (PARTS, PLACES, ANGLES).
 
-    The shape is (PARTS, PLACES, ANGLES). In the last two regions, interface and body, the stress is multiplied by 1 +
-    (t/a)^2, with t the film thickness and a the contact radius.
+    In the last two regions, interface and body, the stress is multiplied by 1 + (t/a)^2, with t the film thickness and a the
+    contact radius, so that the table stays finite for small contacts.
     """
     from scipy.interpolate import Akima1DInterpolator  # slow to import
 
@@ -125,7 +129,7 @@ def _table(pair: tuple[Layer, ...], body: CoatedBody) -> np.ndarray:
     solved[3:] += np.log1p(radii**-2.0)[:, None]
     film, below = forms_of(_alone(body.nu)), _alone(body.nu_below)
     thick = np.stack([*np.log(_of_film(film, ANGLES)[:3]), *solved[3:, 0]])
-    # A film of no thickness is stretched alike all through.
+    # The strain of a film of zero thickness is the same at all depths.
     skin = np.log(_of_film(forms_of(stretched(below, body)), ANGLES))
     thin = np.stack([*skin, skin.max(axis=0), skin.max(axis=0), np.log(_norm(forms_of(below), ANGLES))])
     whole = np.concatenate([thick[:, None], solved, thin[:, None]], axis=1)
@@ -135,8 +139,9 @@ def _table(pair: tuple[Layer, ...], body: CoatedBody) -> np.ndarray:
 def _of_film(forms: Forms, angles: np.ndarray) -> np.ndarray:
     """Return the largest von Mises stress in each region of a film: (4, m).
 
-    The regions are the surface without the contact edge, the contact edge, the inside, and the largest depth. A film with one
-    depth only has the first two: (2, m).
+    forms: coefficients of the squared stress on the search grid (depths, radii). angles (m,): arctan(q/s) for mean traction q
+    and mean pressure s, s^2 + q^2 = 1. The regions are the surface without the contact edge, the contact edge, the inside, and
+    the largest depth. A grid with one depth only has the first two: (2, m).
     """
     rest = np.arange(len(_RADII)) != _EDGE
     depth, edge = np.arange(forms[0].shape[0])[:, None], ~rest[None, :]
@@ -147,7 +152,7 @@ def _of_film(forms: Forms, angles: np.ndarray) -> np.ndarray:
 
 
 def _fields(stresses: Stresses) -> list[tuple[Radial, np.ndarray, np.ndarray]]:
-    """Return the stresses of film and body on their search grids, with the radii and depths."""
+    """Return for film and body: stresses on a search grid, and the radii and depths of the grid over the contact radius."""
     t = stresses.thickness
     film_r, film_z = _RADII, t * np.minimum(_IN_FILM, 1.0) if t < 1.4 else _thick(t)
     body_r = _WIDE * max(1.0, t) if t > 0.3 else _RADII
@@ -159,21 +164,21 @@ def _fields(stresses: Stresses) -> list[tuple[Radial, np.ndarray, np.ndarray]]:
 
 
 def _thick(t: float) -> np.ndarray:
-    """Return search depths in a thick film of thickness t, dense near the surface."""
+    """Return search depths in a thick film of thickness t, dense near the surface; all over the contact radius."""
     return np.concatenate([_IN_BODY, np.geomspace(1.5, t, 4)[1:]]) if t > 1.6 else np.append(_IN_BODY, t)
 
 
 @lru_cache(maxsize=64)
 def _alone(nu: float) -> Radial:
-    """Return the stresses in a homogeneous half-space with Poisson's ratio nu."""
+    """Return the stresses in a homogeneous half-space with Poisson's ratio nu under a sphere, on the search grid."""
     whole = Stresses((Layer.of(1.0, 1.0, nu, nu),), CoatedBody(1.0, nu, nu), 0.5)
     return whole.in_film(_RADII, _IN_BODY)
 
 
 def stretched(below: Radial, body: CoatedBody) -> Radial:
-    """Return the stresses in a very thin film, which is strained like the surface below it.
+    """Return the stresses in a very thin film, whose strain along the surface is that of the surface below it.
 
-    below: stresses at the surface of the body.
+    below: stresses in the body without a film, at depths that begin with 0. body: elastic constants of film and body.
     """
     surface = Radial(*(tuple(one[:1] for one in part) for part in below))
     stiffer, nu = body.ratio * (1.0 - body.nu**2) / (1.0 - body.nu_below**2), body.nu
@@ -187,9 +192,9 @@ def stretched(below: Radial, body: CoatedBody) -> Radial:
 
 
 def forms_of(radial: Radial) -> Forms:
-    """Return the coefficients (A, B, D, C) of the squared von Mises stress M.
+    """Return the coefficients (A, B, D, C) of the squared von Mises stress M at every point of a grid.
 
-    radial: the stresses due to pressure and traction.
+    radial: the stresses due to unit pressure and unit traction.
     """
     *along, rt, tz = radial.dragged
     return (
@@ -201,15 +206,19 @@ def forms_of(radial: Radial) -> Forms:
 
 
 def _product(first, second) -> np.ndarray:
-    """Return 3/2 times the double contraction of two deviatoric stress tensors."""
+    """Return 3/2 times the double contraction of the deviators of two stress tensors.
+
+    first, second: components (rr, tt, zz, rz); the product of a tensor with itself is the squared von Mises stress.
+    """
     mean = (first[0] + first[1] + first[2]) * (second[0] + second[1] + second[2]) / 3.0
     return 1.5 * (first[0] * second[0] + first[1] * second[1] + first[2] * second[2] - mean) + 3.0 * first[3] * second[3]
 
 
 def _over_directions(forms: Forms, s, q) -> tuple[np.ndarray, np.ndarray]:
-    """Return the squared von Mises stress at the worst angle theta, and |cos(theta)| there.
+    """Return the squared von Mises stress at the angle theta where it is largest, and |cos(theta)| there.
 
-    forms: coefficients of M. s, q: mean pressure and traction, numbers or arrays that broadcast with the forms.
+    theta: angle from the direction of the traction. forms: coefficients (A, B, D, C) of the squared stress. s, q: mean pressure
+    and traction, numbers or arrays that broadcast with the forms.
     """
     A, B, D, C = forms
     across = np.maximum(C - D, 1e-300) * q
@@ -219,9 +228,10 @@ def _over_directions(forms: Forms, s, q) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _squares(forms: Forms, angles: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the squared von Mises stress at the worst angle theta (n, m, angles), and |cos(theta)|.
+    """Return the squared von Mises stress at the angle theta where it is largest (n, m, angles), and |cos(theta)| there.
 
-    angles: arctan(q/s) for mean traction q and mean pressure s.
+    theta: angle from the direction of the traction. forms: coefficients on a grid (n, m). angles: arctan(q/s) for mean traction
+    q and mean pressure s, s^2 + q^2 = 1.
     """
     return _over_directions(tuple(one[..., None] for one in forms), np.cos(angles), np.sin(angles))
 
@@ -231,9 +241,10 @@ def _norm(forms: Forms, angles: np.ndarray) -> np.ndarray:
 
 
 def _refined(square: np.ndarray, among: np.ndarray) -> np.ndarray:
-    """Return the largest squared stress (angles,) over a masked part of the grid.
+    """Return the largest squared stress (angles,) over the part of a grid that a mask selects.
 
-    square: (n, m, angles). among: mask (n, m). A parabola through each maximum and its neighbours refines the value.
+    square: squared stresses (n, m, angles). among: mask (n, m). A parabola through each maximum and its neighbours refines the
+    value.
     """
     n, m, count = square.shape
     where = np.where(among.reshape(-1, 1), square.reshape(-1, count), -1.0).argmax(axis=0)

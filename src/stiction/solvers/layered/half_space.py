@@ -19,16 +19,16 @@ import numpy as np
 from stiction.engine.compiled import kernel
 from stiction.solvers.layered.sphere import value_of
 
-_CLOSEST = 1e-9  # to the axis, over the contact radius: r = 0 would divide by zero
-# The path's depth T, and what it may be times the order of g, which grows off the axis.
+_CLOSEST = 1e-9  # least radius over the contact radius, because r = 0 would divide by zero
+# Largest depth T of the path, and largest T times the number of coefficients of g, because g grows off the real axis.
 _DEEPEST, _GROWTH = 0.35, 3.0
 
 
 def integrals(g: np.ndarray, r: np.ndarray, z: np.ndarray) -> np.ndarray:
-    """Return the stress integrals H_mn of the module at radii r (p,) and depths z (k,).
+    """Return the stress integrals H_mn of this module at radii r (p,) and depths z (k,).
 
-    The shape is (2, 4, k, p), for orders m = 1, 2 and n = 0 to 3. r and z are divided by the contact radius. g: coefficients
-    of the pressure, as `sphere.pressure` returns them.
+    The shape is (2, 4, k, p), for orders m = 1, 2 and n = 0 to 3. r and z are divided by the contact radius. g: coefficients of
+    the pressure in orthonormal even polynomials, as `sphere.pressure` returns them.
     """
     s, weights = _path(min(_DEEPEST, _GROWTH / g.size))
     out = np.empty((2, 4, z.size, r.size))
@@ -57,7 +57,7 @@ def _add_up(s, weighed, r, z, out):
 
 @lru_cache(maxsize=64)
 def _path(depth: float) -> tuple[np.ndarray, np.ndarray]:
-    """Return nodes s and weights ds of the complex integration path that starts at the depth T = `depth`."""
+    """Return the nodes s and weights ds of the complex integration path from s = -i `depth` to s = 1."""
     v, weights = np.polynomial.legendre.leggauss(int(60.0 + 9.0 / depth))
     v, weights = (v + 1.0) / 2.0, weights / 2.0
     left, step = np.pi / 2.0 * v**2, np.pi * v

@@ -1,15 +1,16 @@
-"""Tangential stiffness of a round contact between coated bodies, with full stick.
+"""Compute the tangential stiffness of a round contact between coated bodies, with full stick.
 
-Every point of the contact moves by delta in the direction x. The traction has a component Q0(k) along x. A second harmonic
-Q2(k) is added, because the compliances C_L(k)/k along a wave and C_T(k)/k across it have another ratio than on a half-space.
-For a wave in the direction phi, (Q0 - Q2) cos(phi) is along the wave and -(Q0 + Q2) sin(phi) across it. For all tractions q0,
-q2 on the contact (Galerkin's equations)
+Every point of the contact, of radius 1, moves by delta in the direction x. The traction has a component along x with the Hankel
+transform Q0(k) (k: wavenumber). A second harmonic Q2(k) is added, because the compliances C_L(k)/k along a wave and C_T(k)/k
+across it have another ratio than on a half-space. For a wave in the direction phi, (Q0 - Q2) cos(phi) is along the wave and
+-(Q0 + Q2) sin(phi) across it. For all tractions q0, q2 on the contact (Galerkin's equations)
 
     (2/pi) Integral C_L (q0 - q2)(Q0 - Q2) + C_T (q0 + q2)(Q0 + Q2) dk = (4/pi) delta q0(0),   T = 2 pi Q0(0).
 
-Q0 is a sum of the spherical Bessel functions of orders 0, 2, 4 ..., and Q2 of orders 2, 4, 6 .... These are transforms of
-tractions on the unit circle. On a half-space Q0 has order 0 only, and T = 8 delta/(C_L + C_T), which is Mindlin's 8 a/beta.
-As in Mindlin's theory, the traction is assumed not to change the pressure. Derived here; the half-space is Mindlin (1949).
+T is the tangential force. Q0 is a sum of the spherical Bessel functions of orders 0, 2, 4 ..., and Q2 of orders 2, 4, 6 ....
+These are transforms of tractions on the unit circle. On a half-space Q0 has order 0 only, and T = 8 delta/(C_L + C_T), which is
+Mindlin's 8 a/beta (a: contact radius, beta: tangential compliance). As in Mindlin's theory, the traction is assumed not to
+change the pressure. Derived here; the half-space is Mindlin (1949).
 """
 
 from functools import lru_cache
@@ -22,14 +23,14 @@ from stiction.solvers.layered.curves import RADII, fit_one
 from stiction.solvers.layered.sphere import spherical_waves
 from stiction.solvers.layered.waves import waves
 
-_STEP = 1e-4  # of ln x, for slopes of compliances
+_STEP = 1e-4  # difference of ln x for numerical derivatives of compliances
 
 
 def shear_ends(bodies: Bodies) -> tuple[float, float]:
-    """Return the normal-tangential stiffness product K beta of very small and very large contacts.
+    """Return the normal-tangential stiffness product K beta of very small and of very large contacts.
 
-    Very small contacts feel only the film, very large ones only the bodies below. K is 4/3 of the contact modulus of the
-    bodies without a film. beta is the tangential compliance in T = 8 a delta/beta, with force T, contact radius a and
+    Very small contacts depend on the film only, very large ones on the bodies below only. K is 4/3 of the contact modulus of
+    the bodies without a film. beta is the tangential compliance in T = 8 a delta/beta, with force T, contact radius a and
     displacement delta.
     """
     film = _of_surfaces(bodies, *np.array([[1.0 - body.nu, 1.0] for body in bodies.coated]))
@@ -38,10 +39,10 @@ def shear_ends(bodies: Bodies) -> tuple[float, float]:
 
 
 def shear_compliance(bodies: Bodies, radius: float) -> tuple[float, float]:
-    """Return the product K beta and the slope d ln beta/d ln a of a sticking contact.
+    """Return the product K beta and the slope d ln beta/d ln a of a sticking contact of radius a.
 
-    beta is the tangential compliance in T = 8 a delta/beta, K as in `shear_ends`. radius: contact radius a divided by the
-    thickness of one film.
+    beta is the tangential compliance in T = 8 a delta/beta, with force T and displacement delta. K is 4/3 of the contact
+    modulus of the bodies without a film. radius: a divided by the thickness of one film.
     """
     k, weights, even = spherical_waves(radius)
     x = k / radius
@@ -57,11 +58,11 @@ def shear_compliance(bodies: Bodies, radius: float) -> tuple[float, float]:
 @lru_cache(maxsize=256)
 @on_one_thread
 def shear_curve(bodies: Bodies) -> np.ndarray:
-    """Return the coefficients c_k (TERMS,) of ln(K beta) against contact size.
+    """Return the coefficients c_k (TERMS,) of the curve of ln(K beta) against contact size.
 
-    K beta: 4/3 of the contact modulus without a film, times the tangential compliance beta of T = 8 a delta/beta.
-    ln(K beta) = (1 - z)/2 ln(film only) + (1 + z)/2 ln(no film) + (1 - z^2) Sum c_k z^k, with the ends of `shear_ends` and z
-    of `curves`.
+    K beta: 4/3 of the contact modulus without a film, times the tangential compliance beta of T = 8 a delta/beta (force T,
+    contact radius a, displacement delta). ln(K beta) = (1 - z)/2 ln(film only) + (1 + z)/2 ln(no film) + (1 - z^2) Sum c_k z^k,
+    with the ends of `shear_ends` and z = (q - 1)/(q + 1), q the root of contact radius over film thickness.
     """
     solved = np.array([shear_compliance(bodies, radius) for radius in RADII])
     film, below = np.log(shear_ends(bodies))
@@ -69,9 +70,10 @@ def shear_curve(bodies: Bodies) -> np.ndarray:
 
 
 def _of_surfaces(bodies: Bodies, *of_films: np.ndarray) -> np.ndarray:
-    """Return the tangential compliances C_L and C_T of both bodies together: (2, ...).
+    """Return the tangential compliances C_L (along a wave) and C_T (across it) of both bodies together: (2, ...).
 
-    C_L is along a wave, C_T across it. of_films: C_L and C_T of each coated body, times the shear modulus of its film.
+    They are normalised by the contact modulus without films. of_films: C_L and C_T of each coated body, times the shear modulus
+    of its film.
     """
     per_film = 2.0 / bodies.film_modulus
     bare = 2.0 * bodies.bare_share * np.array([1.0, 1.0 / (1.0 - bodies.bare_nu)])
@@ -80,17 +82,18 @@ def _of_surfaces(bodies: Bodies, *of_films: np.ndarray) -> np.ndarray:
 
 
 def _compliances(bodies: Bodies, x: np.ndarray) -> np.ndarray:
-    """Return the tangential compliances C_L and C_T of both bodies at wavenumbers x = k t: (2, m).
+    """Return the tangential compliances C_L (along a wave) and C_T (across it) of both bodies together: (2, m).
 
-    C_L is along a wave, C_T across it.
+    x (m,): wavenumbers times the film thickness.
     """
     return _of_surfaces(bodies, *(waves(x, body).surface_compliances(body.nu) for body in bodies.coated))
 
 
 def _matrix(weights: np.ndarray, even: np.ndarray, compliances: np.ndarray) -> np.ndarray:
-    """Return Galerkin's matrix of the sticking contact for tangential compliances (2, m).
+    """Return Galerkin's matrix of the sticking contact for tangential compliances (2, m) at m wavenumbers.
 
-    weights: of the m waves. even: transforms of the traction functions at these waves.
+    weights (m,): integration weights of the waves. even (n, m): transforms of the traction functions at these waves.
+    compliances: along and across a wave.
     """
     along, across = compliances
     first, second = even[:-1], even[1:]
@@ -102,8 +105,8 @@ def _matrix(weights: np.ndarray, even: np.ndarray, compliances: np.ndarray) -> n
 def _matrix_of_half_space(count: int, compliances: np.ndarray) -> np.ndarray:
     """Return Galerkin's matrix of the sticking contact on a half-space, in closed form.
 
-    compliances: C_L and C_T, the same at all waves. The functions are orthonormal. Both harmonics use the same functions,
-    shifted by one order.
+    count: number of traction functions, which are orthonormal. compliances: along and across a wave, the same at all
+    wavenumbers. Both harmonics use the same functions, shifted by one order.
     """
     along, across = compliances
     mixed = (across - along) * np.eye(count - 1, k=-1)

@@ -1,17 +1,18 @@
 """Solve a rigid sphere or flat punch pressed on coated elastic bodies, without friction.
 
 The sphere is a paraboloid of radius R. The pressure p(r) on the contact of radius a has the Hankel transform P(k) =
-Integral_0^a g(s) cos(k s) ds. Abel's transform of the displacement u(r) = delta - r^2/(2R) gives a Fredholm equation of the
-second kind for g (Lebedev & Ufliand 1958; numerical method of Perriot & Barthel 2004). With a = 1, and moduli divided by the
-modulus E1 of the two surfaces that meet, it is
+Integral_0^a g(s) cos(k s) ds. Abel's transform of the displacement u(r) = delta - r^2/(2R) (delta: approach) gives a Fredholm
+equation of the second kind for g (Lebedev & Ufliand 1958; numerical method of Perriot & Barthel 2004). With a = 1, and moduli
+divided by the modulus E1 of the two surfaces that meet, it is
 
     g(s) + (2/pi) Integral_0^1 K(s, s') g(s') ds' = delta - s^2/R,
     K(s, s') = Integral_0^infinity [c(k t) - 1] cos(k s) cos(k s') dk,    load = 2 E1 Integral_0^1 g ds,    g(1) = 0.
 
-Galerkin's method in even Legendre polynomials solves it; their transforms are spherical Bessel functions. The solution has
-the least elastic energy among these pressures, and errors fall geometrically. This holds for a = 1000 t too: the polynomials
-are dense at the contact edge and resolve a boundary layer as wide as the film. Let g_0 be the solution of the flat punch
-(right side 1) and g_2 that of the right side s^2. Then
+c is the compliance at the wavenumber k over that of half-spaces, t the film thickness. Galerkin's method in even Legendre
+polynomials solves the equation; their transforms are spherical Bessel functions. The solution has the least elastic energy
+among these pressures, and errors fall geometrically. This holds for a = 1000 t too: the polynomials are dense at the contact
+edge and resolve a boundary layer as wide as the film. Let g_0 be the solution of the flat punch (right side 1) and g_2 that of
+the right side s^2. Then
 
     stiffness S = 2 a E_S, E_S = Integral g_0;   approach delta = D a^2/R, D = g_2(1)/g_0(1);
     load P = 4 E_P a^3/(3R), E_P = (3/2)(D Integral g_0 - Integral g_2);   dS/da = 2 B, B = g_0(1)^2 (Krein's identity).
@@ -28,18 +29,19 @@ import numpy as np
 
 from stiction.solvers.layered.compliance import Pair, compliance
 
-# Waves x = k t between which the compliance is smooth; beyond the last one it is the film's to 1e-9.
+# Wavenumbers k t at which integrals are split. Beyond the last one the compliance is that of the film alone to 1e-9.
 _ENDS = (0.0, 0.03, 0.1, 0.3, 0.8, 2.0, 4.5, 12.0)
-# Most radians of a wave that one rule of nodes spans.
+# Largest phase, in radians, that one integration rule covers.
 _LONGEST = 60.0
 
 
 class Response(NamedTuple):
-    """Store the response of coated bodies to a sphere at one contact radius a.
+    """Store the response of coated bodies to a sphere of radius R at one contact radius a.
 
-    Moduli are divided by the plane-strain modulus of the two surfaces that meet. load: E_P in P = 4 E_P a^3/(3R). approach: D
-    in delta = D a^2/R. stiffness: E_S in dP/d delta = 2 a E_S. edge: B in dS/da = 2 B with S = dP/d delta, which determines
-    adhesion at the contact edge. load_slope, approach_slope, edge_slope: derivatives of ln E_P, ln D and ln B by ln a.
+    P is the load and delta the approach. Moduli are divided by the plane-strain modulus of the two surfaces that meet. load:
+    E_P in P = 4 E_P a^3/(3R). approach: D in delta = D a^2/R. stiffness: E_S in dP/d delta = 2 a E_S. edge: B in dS/da = 2 B
+    with S = dP/d delta, which determines adhesion at the contact edge. load_slope, approach_slope, edge_slope: derivatives of
+    ln E_P, ln D and ln B by ln a.
     """
 
     load: float
@@ -52,9 +54,9 @@ class Response(NamedTuple):
 
 
 def respond(pair: Pair, radius: float) -> Response:
-    """Return load, approach and stiffness of a sphere on coated bodies at one contact radius.
+    """Return load, approach, stiffness and edge modulus of a sphere on coated bodies at one contact radius, with slopes.
 
-    The numbers are accurate to 1e-6. radius: contact radius divided by the thickness of one film, > 0; tested up to 1000.
+    radius: contact radius divided by the thickness of one film, > 0; tested up to 1000. The numbers are accurate to 1e-6.
     """
     _, _, even, at_edge, edge_slope = _waves(float(radius))
     softer, g_0, g_2, wider, to_edge = _solve(pair, float(radius))
@@ -77,31 +79,31 @@ def respond(pair: Pair, radius: float) -> Response:
 
 
 def pressure(pair: Pair, radius: float) -> np.ndarray:
-    """Return the coefficients (n,) of the pressure under a sphere on coated bodies.
+    """Return the coefficients (n,) of the pressure under a sphere on coated bodies, in orthonormal even polynomials.
 
-    They belong to orthonormal even polynomials, whose sum g(s) gives the Hankel transform of the pressure, P(k) =
-    Integral_0^1 g(s) cos(k s) ds. Mean pressure and contact radius are 1. radius: contact radius over the thickness of one
-    film.
+    The sum g(s) of coefficients times polynomials gives the Hankel transform of the pressure, P(k) = Integral_0^1 g(s) cos(k s)
+    ds. Mean pressure and contact radius are 1. radius: contact radius over the thickness of one film.
     """
     _, g_0, g_2, _, to_edge = _solve(pair, float(radius))
     g = (1.0 - to_edge @ g_2) / (1.0 - to_edge @ g_0) * g_0 - g_2
-    g[0] -= value_of(g, np.array(1.0))  # the little that is left at the edge would be infinite there
+    g[0] -= value_of(g, np.array(1.0))  # any remainder of g at the edge would be an infinite pressure there
     return g / (2.0 * g[0])
 
 
 def spherical_waves(radius: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return wavenumbers k a (m,), weights times 2/pi (m,), and transforms (n, m).
+    """Return nodes for integrals over wavenumbers, and the transforms of the polynomials of the pressure there.
 
-    The transforms are those of n orthonormal even polynomials. radius: contact radius a over the thickness of one film.
+    The arrays are the wavenumbers k a (m,), the integration weights times 2/pi (m,), and the transforms (n, m) of n orthonormal
+    even polynomials on 0 to 1. radius: contact radius a over the thickness of one film.
     """
     k, weights, even, _, _ = _waves(float(radius))
     return k, weights, even
 
 
 def value_of(g: np.ndarray, s: np.ndarray) -> np.ndarray:
-    """Return the polynomial g at s, from its coefficients (n,) in orthonormal even polynomials.
+    """Return the value at s of a polynomial with the coefficients g (n,) in even polynomials orthonormal on 0 to 1.
 
-    The polynomials are orthonormal on 0 to 1. s may be complex.
+    s: number or array, real or complex.
     """
     series = np.zeros(2 * g.size - 1)
     series[::2] = g * np.sqrt(4.0 * np.arange(g.size) + 1.0)
@@ -111,17 +113,19 @@ def value_of(g: np.ndarray, s: np.ndarray) -> np.ndarray:
 def transform(g: np.ndarray, k: np.ndarray) -> np.ndarray:
     """Return the Hankel transform P(k) (m,) of the pressure under a sphere.
 
-    g: coefficients of the pressure, as `pressure` returns them. k: wavenumbers times the contact radius (m,), > 0.
+    g: coefficients of the pressure in orthonormal even polynomials, as `pressure` returns them. k: wavenumbers times the
+    contact radius (m,), > 0.
     """
     order = np.arange(g.size)
     return (g * np.sqrt(4.0 * order + 1.0) * (-1.0) ** order) @ _even_bessel(k, g.size)
 
 
 def _solve(pair: Pair, radius: float) -> tuple[np.ndarray, ...]:
-    """Solve for the flat punch g_0, for g_2, and for the change of g_0 with the contact radius.
+    """Solve the contact equation for the flat punch, for the displacement s^2, and for the change with the contact radius.
 
-    g_2 is the solution for the displacement s^2. Returns weights times the relative excess compliance of each wave (m,); the
-    coefficients of the three solutions (n,); and the factors (n,) that give the edge value g(1) from coefficients.
+    radius: contact radius over the thickness of one film. Returns the weights times the relative excess compliance of each wave
+    (m,); the coefficients (n,) of the flat punch's solution g_0, of the solution g_2 for s^2, and of the change of g_0 with the
+    contact radius; and the factors (n,) that give the edge value g(1) from coefficients.
     """
     k, weights, even, at_edge, _ = _waves(radius)
     softer = weights * (compliance(k / radius, pair) - 1.0)
@@ -136,10 +140,10 @@ def _solve(pair: Pair, radius: float) -> tuple[np.ndarray, ...]:
 
 @lru_cache(maxsize=256)
 def _waves(radius: float) -> tuple[np.ndarray, ...]:
-    """Return wavenumbers k a (m,), weights, transforms (n, m), cos(k a) and -k a sin(k a).
+    """Return wavenumbers k a (m,), integration weights, transforms (n, m), cos(k a) and -k a sin(k a).
 
-    Weights include the factor 2/pi. Transforms are those of orthonormal even polynomials on 0 to 1. The results depend on no
-    material and are cached.
+    radius: contact radius a over the thickness of one film. Weights include the factor 2/pi. Transforms are those of even
+    polynomials orthonormal on 0 to 1. The results depend on no material and are cached.
     """
     x, weights = gauss(_ENDS, radius)
     k = radius * x
@@ -149,9 +153,9 @@ def _waves(radius: float) -> tuple[np.ndarray, ...]:
 
 
 def gauss(ends: Sequence[float], radius: float) -> tuple[np.ndarray, np.ndarray]:
-    """Return Gauss-Legendre nodes and weights for integrals over waves x = k t between these ends.
+    """Return Gauss-Legendre nodes and weights for integrals over x, split at the values `ends`.
 
-    The nodes are dense enough to integrate cos^2(x radius).
+    x: wavenumber times film thickness. The nodes are dense enough to integrate cos^2(x radius).
     """
     nodes, weights = [], []
     for low, high in pairwise(ends):
@@ -164,7 +168,7 @@ def gauss(ends: Sequence[float], radius: float) -> tuple[np.ndarray, np.ndarray]
 
 
 def _even_bessel(k: np.ndarray, count: int) -> np.ndarray:
-    """Return the spherical Bessel functions of even orders at k (m,) > 0: (count, m).
+    """Return the spherical Bessel functions of the orders 0, 2, 4 ... at k (m,) > 0: (count, m).
 
     The upward recurrence is stable only for k above the order, so smaller k use Miller's downward recurrence.
     """

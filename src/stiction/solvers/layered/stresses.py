@@ -6,10 +6,11 @@ and s_yy be the stresses along and across a wave. Averaged over all directions, 
 
     s_zz = <s_zz>_0,  s_rz = <s_xz>_1,  s_rr, s_tt = <s_xx + s_yy>_0/2 -+ <s_xx - s_yy>_2/2,  <f>_n = Int f k P(k) J_n(k r) dk
 
-The traction has the component cos(phi) along a wave in the direction phi and -sin(phi) across it. It produces cos(theta) or
-sin(theta) times the sums in `_dragged`. Stresses in the film are those of a half-space (`half_space`) plus the part that the
-interface reflects. The reflected part falls as exp(-k (2 t - z)), so that both parts are accurate at the surface too.
-Stresses in the body are computed by a single transform. Tension is positive.
+with the Bessel functions J_n. The traction has the component cos(phi) along a wave in the direction phi and -sin(phi) across
+it. It produces cos(theta) or sin(theta) times the sums in `_dragged` (theta: angle from the direction of the traction).
+Stresses in the film are those of a half-space (`half_space`) plus the part that the interface reflects. The reflected part
+falls as exp(-k (2 t - z)), so that both parts are accurate at the surface too. Stresses in the body are computed by a single
+transform. Tension is positive.
 """
 
 from collections.abc import Callable
@@ -23,17 +24,18 @@ from stiction.solvers.layered.half_space import integrals
 from stiction.solvers.layered.sphere import gauss, pressure, transform
 from stiction.solvers.layered.waves import CoatedBody, Waves, body_function, film_function, waves
 
-# Waves x = k t between which amplitudes are smooth; what is left beyond the last is exp(-x) of all.
+# Wavenumbers k t at which integrals are split, because amplitudes are smooth between them.
 _ENDS = (0.0, 0.03, 0.1, 0.3, 0.8, 2.0, 4.5)
-# Up to this r k the Bessel functions of order 2 and 3 are taken from their series.
+# For k r below this, the Bessel functions of orders 2 and 3 are computed by their series.
 _SMALL = 0.05
 
 
 class Radial(NamedTuple):
-    """Store stresses (n, m) at depths (n,) and radii (m,), divided by the mean pressure.
+    """Store stresses (n, m) at depths (n,) and radii (m,) in cylindrical coordinates, divided by the mean pressure.
 
     pressed: (rr, tt, zz, rz) due to the pressure. dragged: (rr, tt, zz, rz, rt, tz) due to a traction of the same size in the
-    direction x; the first four are to be multiplied by cos(theta), rt and tz by sin(theta). theta: angle from x.
+    direction x; the first four are to be multiplied by cos(theta), rt and tz by sin(theta). theta: angle from x. r, t, z:
+    radial, tangential and depth direction.
     """
 
     pressed: tuple[np.ndarray, ...]
@@ -44,9 +46,9 @@ class Stresses:
     """Compute the stresses in one coated body under a sphere with contact radius a.
 
     pair: layers of the two bodies in contact. body: elastic constants of the coated body whose stresses are computed; it must
-    be one of the layers in pair. radius: a divided by the film thickness, 0.001 to 1000. Lengths are divided by a and
-    stresses by the mean pressure. reach: largest wavenumber k t; the relative error of the film's contribution is
-    exp(-reach).
+    be one of the layers in pair. radius: a divided by the film thickness, 0.001 to 1000. reach: largest value of wavenumber
+    times film thickness in the integrals; the relative error of the film's contribution is exp(-reach). Lengths are divided by
+    a and stresses by the mean pressure.
     """
 
     def __init__(self, pair: Pair, body: CoatedBody, radius: float, reach: float = 36.0):
@@ -58,7 +60,10 @@ class Stresses:
         self._weights = radius * weights * self._k * transform(self._g, self._k)
 
     def in_film(self, r: np.ndarray, z: np.ndarray) -> Radial:
-        """Return the stresses in the film at radii r (m,) and depths z (n,) from 0 to its thickness."""
+        """Return the stresses in the film at radii r (m,) and depths z (n,) from 0 to its thickness.
+
+        Radii and depths are divided by the contact radius.
+        """
         near = integrals(self._g, r, z)
         nu, depth = self.body.nu, z[:, None]
 
@@ -70,13 +75,18 @@ class Stresses:
         return _assembled(lambda name, order: of_half_space(*half[name], order) + sent_back(name, order))
 
     def in_body(self, r: np.ndarray, z: np.ndarray) -> Radial:
-        """Return the stresses in the body at radii r (m,) and depths z (n,) below the film."""
+        """Return the stresses in the body at radii r (m,) and depths z (n,) from the thickness of the film on.
+
+        Radii and depths are divided by the contact radius; depths are measured from the surface of the film.
+        """
         return _assembled(self._transformed(r, z, self.body.nu_below, body_function, _across_body))
 
     def _transformed(self, r, z, nu: float, function: Callable, across: Callable) -> Callable:
-        """Return a function that transforms a stress amplitude at order n: (name, n) -> <f>_n (n, m).
+        """Return a function (name, order) -> (n, m) that transforms the amplitude of a stress component to depths and radii.
 
-        <f>_n is the integral of f k P(k) J_n(k r) over k. name: of the amplitude f.
+        name: of the amplitude f. The transform of order n is the integral of f k P(k) J_n(k r) over the wavenumber k, with the
+        pressure's transform P(k). r (m,), z (n,): radii and depths over the contact radius. function, across: stress function
+        and antiplane stresses at a depth.
         """
         F = np.stack([function(self._waves, depth / self.thickness) for depth in z], axis=2)  # (3, 2, n, waves)
         amplitudes = _amplitudes(F, nu)
@@ -87,10 +97,10 @@ class Stresses:
 
 
 def cartesian(radial: Radial, theta: np.ndarray, traction: float) -> tuple[np.ndarray, ...]:
-    """Return the Cartesian stresses xx, yy, zz, xy, yz, xz.
+    """Return the Cartesian stresses xx, yy, zz, xy, yz, xz at the points of `radial`, divided by the mean pressure.
 
-    radial: stresses at m radii. theta: angle (m,) of each radius from the direction x. traction: ratio of the traction, along
-    x, to the pressure.
+    radial: stresses at n depths and m radii. theta: angle (m,) of each radius from the direction x. traction: ratio of the
+    traction, along x, to the pressure.
     """
     c, s = np.cos(theta), np.sin(theta)
     rr, tt, zz, rz = (one + traction * c * other for one, other in zip(radial.pressed, radial.dragged[:4], strict=True))
@@ -106,7 +116,10 @@ def cartesian(radial: Radial, theta: np.ndarray, traction: float) -> tuple[np.nd
 
 
 def _half_space(nu: float) -> dict[str, tuple[float, float]]:
-    """Return the coefficients (c, d) of each stress amplitude (c + d k z) exp(-k z) in a half-space."""
+    """Return the coefficients (c, d) of each stress amplitude (c + d k z) exp(-k z) in a half-space, by name.
+
+    k: wavenumber, z: depth, nu: Poisson's ratio.
+    """
     return {
         "pressed_zz": (-1.0, -1.0), "pressed_xz": (0.0, -1.0), "pressed_xx": (-1.0, 1.0), "pressed_yy": (-2.0 * nu, 0.0),
         "dragged_zz": (0.0, -1.0), "dragged_xz": (-1.0, 1.0), "dragged_xx": (-2.0, 1.0), "dragged_yy": (-2.0 * nu, 0.0),
@@ -115,9 +128,10 @@ def _half_space(nu: float) -> dict[str, tuple[float, float]]:
 
 
 def _amplitudes(F: np.ndarray, nu: float) -> dict[str, np.ndarray]:
-    """Return the stress amplitudes (n, waves) by name, from the stress function of each wave.
+    """Return the stress amplitudes (n, waves) by name, from the stress function of each wave at n depths.
 
-    F: the function and its first two derivatives, (3, 2, n, waves). The second axis is (pressure, shear). nu: Poisson's ratio.
+    F: the function and its first two derivatives by depth, (3, 2, n, waves). The second axis is (pressure, shear). nu:
+    Poisson's ratio.
     """
     (p, q), (p1, q1), (p2, q2) = F
     return {
@@ -127,9 +141,10 @@ def _amplitudes(F: np.ndarray, nu: float) -> dict[str, np.ndarray]:
 
 
 def _across_film(waves: Waves, depth: float) -> tuple[np.ndarray, np.ndarray]:
-    """Return the two antiplane shear stresses that the film adds to those of a half-space.
+    """Return the two antiplane shear stresses (waves,) that the film adds to those of a half-space at one depth.
 
-    The first acts on planes of constant depth, the second on vertical planes along the wave.
+    depth: divided by the film thickness. The first stress acts on planes of constant depth, the second on vertical planes along
+    the wave.
     """
     up, down = waves.across * np.exp((depth - 1.0) * waves.x), waves.across * np.exp(-(depth + 1.0) * waves.x)
     return up - down, -up - down
@@ -141,9 +156,9 @@ def _across_body(waves: Waves, depth: float) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _assembled(of: Callable[[str, int], np.ndarray]) -> Radial:
-    """Return all stresses under pressure and traction, assembled from the transforms <f>_n.
+    """Return all stresses under pressure and traction, assembled from transforms of the stress amplitudes.
 
-    of: function (name of the amplitude f, order n) -> <f>_n.
+    of: function (name of the amplitude, order of the Bessel function) -> transform at depths and radii.
     """
     mean = (of("pressed_xx", 0) + of("pressed_yy", 0)) / 2.0
     difference = (of("pressed_xx", 2) - of("pressed_yy", 2)) / 2.0
@@ -152,10 +167,10 @@ def _assembled(of: Callable[[str, int], np.ndarray]) -> Radial:
 
 
 def _dragged(of: Callable[[str, int], np.ndarray]) -> tuple[np.ndarray, ...]:
-    """Return the stresses under a traction from transforms of orders 0 to 3.
+    """Return the stresses (rr, tt, zz, rz, rt, tz) under a traction from transforms of orders 0 to 3.
 
-    With psi between wave and radius: <cos^2 cos(kr cos)>, <sin^2 cos> are (J0 -+ J2)/2, <cos^3 sin(kr cos)> (3 J1 - J3)/4 and
-    <cos sin^2 sin> (J1 + J3)/4.
+    of: as in `_assembled`. With the angle psi between wave and radius, and J0 to J3 at k r: <cos^2 cos(kr cos)>, <sin^2 cos>
+    are (J0 -+ J2)/2, <cos^3 sin(kr cos)> (3 J1 - J3)/4 and <cos sin^2 sin> (J1 + J3)/4.
     """
     along, both = {}, {}
     for name in ("dragged_xx", "dragged_yy"):
@@ -177,15 +192,15 @@ def _dragged(of: Callable[[str, int], np.ndarray]) -> tuple[np.ndarray, ...]:
 
 @lru_cache(maxsize=64)
 def _nodes(radius: float, reach: float) -> tuple[np.ndarray, np.ndarray]:
-    """Return the nodes and weights of all waves x = k t up to `reach`.
+    """Return nodes and weights for integrals over x = k t up to `reach` (k: wavenumber, t: film thickness).
 
-    The nodes are dense enough to integrate J(k r) cos(k) up to r = 3.
+    radius: contact radius over t. The nodes are dense enough to integrate J(k r) cos(k) up to r = 3 contact radii.
     """
     return gauss((*_ENDS, *((12.0,) if reach > 12.0 else ()), reach), 2.0 * radius)
 
 
 def _bessel(k: np.ndarray, r: np.ndarray) -> np.ndarray:
-    """Return the Bessel functions J_0 to J_3 of k r: (4, k, r)."""
+    """Return the Bessel functions J_0 to J_3 of k r for all wavenumbers k and radii r: (4, k, r)."""
     from scipy import special  # slow to import, and this module is imported whenever tangential laws are listed
 
     x = np.outer(k, r)

@@ -1,11 +1,11 @@
-"""Response curves of a film on one body, interpolated from a table for any materials.
+"""Interpolate the response curves of a film on one body from a table that holds for any materials.
 
 The table makes sweeps over thousands of material pairs fast. Running `python -m stiction.solvers.layered.table` (two minutes)
 computes it from exact solutions and writes `curves.npz`. It has three coordinates: ln r over ln 200, where r is the ratio of
-moduli; the excess of `compliance.Layer`; and v = sqrt(r) W/(1 - W + sqrt(r) W), where W is the film's share of the
-compliance. v is 0 if the film has no effect and 1 for a rigid counterbody. The curves are Chebyshev series in these
-coordinates. E_P, D and E_S are within 0.4 % of exact solutions, and B within 0.8 %. Moduli that differ more are solved one by
-one.
+moduli; the excess of `compliance.Layer`; and v = sqrt(r) W/(1 - W + sqrt(r) W), where W is the film's share of the compliance.
+v is 0 if the film has no effect and 1 for a rigid counterbody. The curves (see `curves`) are Chebyshev series in these
+coordinates. E_P, D and E_S are within 0.4 % of exact solutions, and B within 0.8 %. Pairs with a ratio r outside 1/200 to 200
+are solved one by one.
 """
 
 from functools import cache
@@ -20,16 +20,17 @@ from stiction.solvers.layered.curves import CURVES, POWERS, TERMS, curves
 
 _RANGE = float(np.log(200.0))
 _SIZES = 13, 13, 9
-# Of so many independent curves, all others are sums: to 2e-4.
+# Number of independent curves whose sums give all others to 2e-4.
 _MODES = 24
 _FILE = "curves.npz"
 
 
 @on_one_thread
 def curves_of_films(share: np.ndarray, ratio: np.ndarray, excess: np.ndarray) -> np.ndarray:
-    """Return the coefficients (n, CURVES, TERMS) of `curves` for n films, each on one body.
+    """Return the response curves of n films, each on one body, as coefficients (n, CURVES, TERMS) of `curves`.
 
-    share, ratio, excess: fields of `compliance.Layer`, as arrays (n,).
+    share, ratio, excess (n,): the film's fraction of the compliance, its modulus over that of the body below, and 4 beta -
+    alpha with Dundurs' parameters, as in `compliance.Layer`.
     """
     places = np.stack([np.log(ratio) / _RANGE, excess, 2.0 * _together(share, ratio) - 1.0], axis=1)
     tabled = np.abs(places[:, 0]) <= 1.0
@@ -44,17 +45,17 @@ def curves_of_films(share: np.ndarray, ratio: np.ndarray, excess: np.ndarray) ->
 def _together(share, ratio):
     """Return the table coordinate v = sqrt(r) W/(1 - W + sqrt(r) W), for arrays or numbers.
 
-    share: the film's fraction W of the compliance. ratio: modulus ratio r.
+    share: the film's fraction W of the compliance. ratio: modulus r of the film over that of the body below.
     """
     root = np.sqrt(ratio)
     return root * share / (1.0 - share + root * share)
 
 
 def _interpolated(places: np.ndarray) -> np.ndarray:
-    """Interpolate the coefficients (n, CURVES, TERMS) at table coordinates (n, 3), -1 to 1."""
+    """Interpolate the coefficients (n, CURVES, TERMS) of the response curves at table coordinates (n, 3), -1 to 1."""
     table, modes = _table()
     series = [chebyshev.chebvander(column, size - 1) for column, size in zip(places.T, _SIZES, strict=True)]
-    if np.ptp(places[:, 2]) == 0.0:  # a sweep over materials on one kind of counterbody, rigid as a rule
+    if np.ptp(places[:, 2]) == 0.0:  # typical of sweeps against a rigid counterbody; one coordinate less saves time
         weights, table = series[:2], np.tensordot(series[2][0], table, axes=(0, 2))
     else:
         weights = series
@@ -66,9 +67,10 @@ def _interpolated(places: np.ndarray) -> np.ndarray:
 
 @cache
 def _table() -> tuple[np.ndarray, np.ndarray]:
-    """Return the Chebyshev coefficients (*_SIZES, _MODES) and the modes.
+    """Read the table and return its Chebyshev coefficients (*_SIZES, _MODES) and the modes.
 
-    The modes (_MODES, CURVES * TERMS) are converted from Chebyshev polynomials to powers of z.
+    A mode is one of the independent curves whose sums give all others. The modes (_MODES, CURVES * TERMS) are converted from
+    Chebyshev polynomials to powers of z, the coordinate of the curves.
     """
     with resources.files("stiction.solvers.layered").joinpath(_FILE).open("rb") as file:
         data = np.load(file)
@@ -77,22 +79,23 @@ def _table() -> tuple[np.ndarray, np.ndarray]:
 
 
 def _pair(place: tuple[float, float, float]) -> Pair:
-    """Return the pair of bodies at a point of the table, given by its three coordinates."""
+    """Return the pair of bodies at a point of the table, given by its three coordinates, each -1 to 1."""
     ratio, v = float(np.exp(place[0] * _RANGE)), (place[2] + 1.0) / 2.0
     share = v / (v + np.sqrt(ratio) * (1.0 - v))
     return (Layer(float(share), ratio, float(place[1])),)
 
 
 def make() -> tuple[np.ndarray, np.ndarray]:
-    """Compute the table and its modes from exact solutions.
+    """Compute the table and its modes from exact solutions; return both.
 
-    The solutions are at the Chebyshev extreme points of the three coordinates.
+    The table (*_SIZES, _MODES) holds Chebyshev coefficients, the modes (_MODES, CURVES * TERMS) the independent curves. The
+    solutions are at the Chebyshev extreme points of the three coordinates.
     """
     points = [-np.cos(np.pi * np.arange(size) / (size - 1)) for size in _SIZES]
     solved = np.zeros((*_SIZES, CURVES * TERMS))
     to_chebyshev = np.linalg.inv(POWERS)
     for at in np.ndindex(*_SIZES):
-        if at[2]:  # else no film is felt
+        if at[2]:  # at the first value of v the film has no effect and all coefficients are 0
             place = tuple(column[i] for column, i in zip(points, at, strict=True))
             solved[at] = (curves(_pair(place)) @ to_chebyshev).ravel()
     for axis, column in enumerate(points):

@@ -1,16 +1,16 @@
-"""Response of a film on a half-space to one wave of pressure or shear on its surface.
+"""Compute the response of a film on a half-space to one wave of pressure or shear on its surface.
 
-Lengths are in units of 1/k. z is the depth, and x = k t the depth of the interface. Along the wave there is plane strain,
-described by a stress function F. A pressure cos(xi) gives s_zz = -F cos, s_xz = F' sin, s_xx = F'' cos. A shear cos(xi),
-shifted by a quarter of the wave, gives s_zz = F sin, s_xz = F' cos, s_xx = -F'' sin. In both cases s_yy = nu (s_xx + s_zz),
-and
+Lengths are in units of 1/k (k: wavenumber). z is the depth, and x = k t the depth of the interface. Along the wave there is
+plane strain, described by a stress function F. A pressure cos(xi) gives s_zz = -F cos, s_xz = F' sin, s_xx = F'' cos. A shear
+cos(xi), shifted by a quarter of the wave, gives s_zz = F sin, s_xz = F' cos, s_xx = -F'' sin. In both cases s_yy = nu (s_xx +
+s_zz), and
 
     2 mu u_x = (1 - nu) F'' + nu F,   2 mu u_z = (1 - nu) F''' - (2 - nu) F'    (apart from the sign and the sine or cosine).
 
-On a half-space F = (a + b z) exp(-z): (1 + z) exp(-z) under pressure, -z exp(-z) under shear. A film adds four terms with
-zero traction on the surface. The half-space below has two terms. Six equations determine them, and are solved for all waves
-at once. The added part falls as exp(-x), so no digits cancel in a thick film. Across the wave (antiplane shear) there is a
-closed form. Source: the equations of plane and antiplane strain; O'Sullivan & King (1988) solve a layer in this way.
+On a half-space F = (a + b z) exp(-z): (1 + z) exp(-z) under pressure, -z exp(-z) under shear. A film adds four terms with zero
+traction on the surface. The half-space below has two terms. Six equations determine them, and are solved for all waves at once.
+The added part falls as exp(-x), so no digits cancel in a thick film. Across the wave (antiplane shear) there is a closed form.
+Source: the equations of plane and antiplane strain; O'Sullivan & King (1988) solve a layer in this way.
 """
 
 from dataclasses import dataclass
@@ -22,8 +22,8 @@ import numpy as np
 class CoatedBody:
     """Describe the elastic constants of a film bonded to a half-space.
 
-    ratio: ratio of the plane-strain moduli of film and body below, > 0, finite. nu, nu_below: Poisson's ratios of film and
-    body, 0 to 0.5.
+    ratio: ratio of the plane-strain moduli of film and body below, finite, >= 0 (0 if the body is rigid). nu, nu_below:
+    Poisson's ratios of film and body, 0 to 0.5.
     """
 
     ratio: float
@@ -38,15 +38,14 @@ class CoatedBody:
 
 @dataclass(frozen=True)
 class Waves:
-    """Store the amplitudes of waves in film and body, for wavenumbers x = k t (m,).
+    """Store the amplitudes of waves in film and body, for wavenumbers x = k t (m,), with the film thickness t.
 
-    added (4, 2, m): factors of exp(-z), z exp(-z), exp(-y) and y exp(-y), with y = x - z, in the stress function that the
-    film adds to that of a half-space. The second axis is (pressure, shear along the wave). below (2, 2, m): factors of
-    exp(-s) and s exp(-s), with s = z - x, in the stress function of the body.
+    z is the depth times k, y = x - z the distance from the interface upwards, s = z - x downwards. added (4, 2, m): factors of
+    exp(-z), z exp(-z), exp(-y) and y exp(-y) in the stress function that the film adds to that of a half-space. The second axis
+    is (pressure, shear along the wave). below (2, 2, m): factors of exp(-s) and s exp(-s) in the stress function of the body.
 
-    across, across_below (m,): displacements under shear across the wave, times the shear modulus of film or body. across is
-    the factor of exp(-y) + exp(-y - 2 z), added to the exp(-z) of a half-space. across_below is the factor of exp(-s) in the
-    body.
+    across, across_below (m,): displacements under shear across the wave, times the shear modulus of film or body. across is the
+    factor of exp(-y) + exp(-y - 2 z), added to the exp(-z) of a half-space. across_below is the factor of exp(-s) in the body.
     """
 
     x: np.ndarray
@@ -56,18 +55,20 @@ class Waves:
     across_below: np.ndarray
 
     def surface_compliances(self, nu: float) -> np.ndarray:
-        """Return the surface displacements (2, m) along and across a wave, each under unit shear in its own direction.
+        """Return the surface displacements (2, m) along and across m waves, each under unit shear in its own direction.
 
-        They are multiplied by k and the shear modulus of the film. On a half-space they are 1 - nu and 1.
+        They are multiplied by the wavenumber and the shear modulus of the film. On a half-space they are 1 - nu and 1. nu:
+        Poisson's ratio of the film.
         """
         F, _, F2, _ = _film(0.0, self.x)
         along = ((1.0 - nu) * (2.0 + np.sum(F2 * self.added[:, 1], axis=0)) + nu * np.sum(F * self.added[:, 1], axis=0)) / 2.0
         return np.stack([along, 1.0 + 2.0 * self.across * np.exp(-self.x)])
 
     def surface_coupling(self, nu: float) -> np.ndarray:
-        """Return the tangential surface displacement (m,) under a wave of unit pressure, positive towards the pressure.
+        """Return the tangential surface displacement (m,) under m waves of unit pressure, positive towards the pressure.
 
-        It is multiplied by k and the shear modulus of the film. On a half-space it is 1/2 - nu.
+        It is multiplied by the wavenumber and the shear modulus of the film. On a half-space it is 1/2 - nu. nu: Poisson's
+        ratio of the film.
         """
         F, _, F2, _ = _film(0.0, self.x)
         bent, stress = np.sum(F2 * self.added[:, 0], axis=0), np.sum(F * self.added[:, 0], axis=0)
@@ -75,9 +76,9 @@ class Waves:
 
 
 def waves(x: np.ndarray, body: CoatedBody) -> Waves:
-    """Return the amplitudes of waves in film and body under unit surface tractions.
+    """Return the amplitudes of waves in film and body under unit pressure and unit shear on the surface.
 
-    x: wavenumbers k t (m,) > 0, with t the film thickness.
+    x: wavenumber times film thickness (m,), > 0. body: elastic constants of film and body.
     """
     m = body.shear_ratio
     equations, right = np.zeros((x.size, 6, 6)), np.zeros((x.size, 6, 2))
@@ -104,7 +105,7 @@ def waves(x: np.ndarray, body: CoatedBody) -> Waves:
 def film_function(waves: Waves, depth: float) -> np.ndarray:
     """Return the stress function F that a film adds to that of a half-space, at one depth, with F' and F'': (3, 2, m).
 
-    depth: divided by the film thickness. The second axis is (pressure, shear).
+    depth: divided by the film thickness, 0 to 1. The second axis is (pressure, shear), the third the m waves.
     """
     return _sum(_film(depth * waves.x, waves.x), waves.added)
 
@@ -112,13 +113,16 @@ def film_function(waves: Waves, depth: float) -> np.ndarray:
 def body_function(waves: Waves, depth: float) -> np.ndarray:
     """Return the stress function F of the body below the film at one depth, with F' and F'': (3, 2, m).
 
-    depth: divided by the film thickness, >= 1. The second axis is (pressure, shear).
+    depth: divided by the film thickness, >= 1. The second axis is (pressure, shear), the third the m waves.
     """
     return _sum(_decaying((depth - 1.0) * waves.x), waves.below)
 
 
 def _sum(functions: np.ndarray, amplitudes: np.ndarray) -> np.ndarray:
-    """Return F, F' and F'' (3, 2, m) as the sum of basis functions times their amplitudes."""
+    """Return F, F' and F'' (3, 2, m) of m waves as the sum of basis functions times their amplitudes.
+
+    functions (derivatives, b, m): b basis functions and their derivatives. amplitudes (b, 2, m): under (pressure, shear).
+    """
     total = functions[:3, 0, None] * amplitudes[0]
     for function, amplitude in zip(functions[:3].swapaxes(0, 1)[1:], amplitudes[1:], strict=True):
         total += function[:, None] * amplitude
@@ -132,7 +136,11 @@ def _decaying(z) -> np.ndarray:
 
 
 def _film(z, x) -> np.ndarray:
-    """Return the four functions of depth z in a film, with their first three derivatives: (4, 4, m)."""
+    """Return the four basis functions in a film at depth z (m,), with their first three derivatives: (4, 4, m).
+
+    They are exp(-z), z exp(-z), exp(-y) and y exp(-y), with y = x - z and the depth x of the interface. The derivatives are by
+    z.
+    """
     z = np.broadcast_to(z, x.shape)
     down, up = _decaying(z), _decaying(x - z)
     up[1::2] *= -1.0
@@ -140,7 +148,7 @@ def _film(z, x) -> np.ndarray:
 
 
 def _weigh(amplitudes, z) -> np.ndarray:
-    """Return the stress function of a half-space and its first three derivatives (4, m).
+    """Return the stress function of a half-space at depth z (m,) and its first three derivatives: (4, m).
 
     amplitudes: factors of exp(-z) and z exp(-z).
     """
@@ -148,8 +156,10 @@ def _weigh(amplitudes, z) -> np.ndarray:
 
 
 def _continuous(F: np.ndarray, nu: float, softness: float) -> tuple[np.ndarray, ...]:
-    """Return the quantities that are continuous at the interface of film and body.
+    """Return the four quantities that are continuous at the interface of film and body.
 
-    They are the stress function F, F', and both displacements times 2 mu, with mu the shear modulus of the film.
+    They are the stress function, its derivative by depth, and the displacements along the wave and in depth times 2 mu, with mu
+    the shear modulus of the film. F: the stress function and its first three derivatives. nu: Poisson's ratio on this side.
+    softness: mu over the shear modulus on this side.
     """
     return F[0], F[1], softness * ((1.0 - nu) * F[2] + nu * F[0]), softness * ((1.0 - nu) * F[3] - (2.0 - nu) * F[1])

@@ -1,7 +1,7 @@
-"""Elastic compliance of two bodies under a sinusoidal shear traction, along and across the wavevector.
+"""Compute the elastic compliance of two bodies under a sinusoidal shear traction, along and across the wavevector.
 
-Two half-spaces with shear moduli G_i and Poisson's ratios nu_i, wavevector k, k = |k| (Johnson 1985, Contact Mechanics,
-section 3.6, Fourier transformed; an infinite G_i means a rigid body):
+Two half-spaces with shear moduli G_i and Poisson's ratios nu_i, wavevector k, k = |k| (Johnson 1985, Contact Mechanics, section
+3.6, Fourier transformed; an infinite G_i means a rigid body):
 
     C_L(k) = sum (1 - nu_i)/G_i / k    along k,        C_T(k) = sum 1/G_i / k    across k                                (1)
 
@@ -10,8 +10,8 @@ The traction (q_x, q_y) displaces one face relative to the other by
     u = [C_T I + (C_L - C_T) k k^T/k^2] q,    u_x = [S - N k_x^2/k^2] q_x/k - N k_x k_y q_y/k^3,  u_y alike               (2)
     S = sum 1/G_i,  N = sum nu_i/G_i.
 
-Sign: u is the motion of the upper body relative to the lower one. The traction q acts on the upper body, against u. For a
-film, C_L and C_T come from the layered half-space (see `layered.waves`). The model assumes that traction does not change the
+Sign: u is the motion of the upper body relative to the lower one. The traction q acts on the upper body, against u. For a film,
+C_L and C_T come from the layered half-space (see `layered.waves`). The model assumes that traction does not change the
 pressure. This is exact for two bodies of one material and for an incompressible body on a rigid one (Johnson 1985, section
 5.4).
 """
@@ -54,9 +54,9 @@ Body = HalfSpace | Film
 
 @dataclass(frozen=True)
 class ShearCompliance:
-    """Describe the tangential compliance of two elastic bodies.
+    """Describe the tangential compliance of two elastic bodies in contact.
 
-    bodies: two, each a half-space or a film on a half-space. Raises InputError if both are rigid.
+    bodies: two, each a half-space or a film on a half-space. Raises InputError if both are rigid half-spaces.
     """
 
     bodies: tuple[Body, Body]
@@ -72,13 +72,19 @@ class ShearCompliance:
 
     @property
     def near(self) -> float:
-        """Return the sum of 1/G over the two surface materials [1/Pa]; the film is the surface of a coated body."""
+        """Return the sum of 1/G over the two surface materials [1/Pa], with the shear modulus G.
+
+        The surface material of a body with a film is the film.
+        """
         of_films = (2.0 * (1.0 + body.poisson) / body.modulus for body in self.bodies if isinstance(body, Film))
         return self.sums[0] + sum(of_films)
 
     @property
     def sums(self) -> tuple[float, float]:
-        """Return S and N of (2) [1/Pa], summed over the bodies without a film."""
+        """Return the sums of 1/G and of nu/G over the bodies without a film [1/Pa].
+
+        G: shear modulus. nu: Poisson's ratio.
+        """
         bare = [body for body in self.bodies if isinstance(body, HalfSpace)]
         return sum(1.0 / body.shear_modulus for body in bare), sum(body.poisson / body.shear_modulus for body in bare)
 
@@ -86,8 +92,8 @@ class ShearCompliance:
     def at_zero(self) -> float:
         """Return the displacement per uniform traction [m/Pa].
 
-        It is t/G, summed over films on rigid substrates. It is 0 if any body or substrate is an elastic half-space, whose
-        displacement under uniform traction is not defined.
+        It is the sum of thickness over shear modulus of films on rigid substrates. It is 0 if any body or substrate is an
+        elastic half-space, whose displacement under uniform traction is not defined.
         """
         films = [body for body in self.bodies if isinstance(body, Film)]
         if self.sums[0] > 0.0 or any(film.far > 0.0 for film in films):
@@ -95,7 +101,10 @@ class ShearCompliance:
         return sum(film.thickness * 2.0 * (1.0 + film.poisson) / film.modulus for film in films)
 
     def times_k(self, k: np.ndarray) -> np.ndarray:
-        """Return k C_L and k C_T [1/Pa], shape (2, ...), for wavenumbers k > 0 [1/m], shape (...)."""
+        """Return the compliances along and across a wave, times the wavenumber k: k C_L and k C_T [1/Pa], (2, ...).
+
+        k: wavenumbers > 0 [1/m], (...).
+        """
         S, N = self.sums
         total = np.empty((2, *np.shape(k)))
         total[0], total[1] = S - N, S
@@ -107,8 +116,8 @@ class ShearCompliance:
     def coupling(self, k: np.ndarray) -> np.ndarray:
         """Return the coefficient M(k) [1/Pa] that couples pressure and shear, at wavenumbers k > 0 [1/m], any shape.
 
-        A wave of pressure p shifts the faces relative to each other by M p/k. A wave of shear likewise moves them apart. M is 0
-        for two equal bodies.
+        A wave of pressure p shifts the faces relative to each other by M p/k. A wave of shear q likewise moves them apart by M
+        q/k. M is 0 for two equal bodies.
         """
         total = np.zeros(np.shape(k))
         for sign, body in zip((1.0, -1.0), self.bodies, strict=True):
@@ -120,7 +129,11 @@ class ShearCompliance:
 
 
 def _of_film(film: Film, k: np.ndarray) -> np.ndarray:
-    """Return k C_L, k C_T and M [1/Pa] of a film on its substrate, shape (3, ...), for wavenumbers k [1/m]."""
+    """Return k C_L, k C_T and M [1/Pa] of a film on its substrate at the wavenumbers k [1/m], shape (...): (3, ...).
+
+    C_L and C_T are the tangential compliances along and across a wave. M/k is the tangential displacement per pressure of a
+    wave.
+    """
     coated = CoatedBody(film.plane_strain * film.far, film.poisson, film.substrate_poisson)
     values, place = np.unique(k * film.thickness, return_inverse=True)
     found = waves(values, coated)

@@ -1,4 +1,4 @@
-"""Coupled normal and tangential contact of height maps, for bodies of different elastic constants.
+"""Solve the coupled normal and tangential contact of height maps, for bodies of different elastic constants.
 
 The traction q on the upper body and the pressure p displace the faces tangentially (u_t) and normally (u_z) by (Johnson 1985,
 Contact Mechanics, eqs. 3.22 and 3.75; sign of q as in `compliance`)
@@ -6,8 +6,9 @@ Contact Mechanics, eqs. 3.22 and 3.75; sign of q as in `compliance`)
     u_t = C q + D p,    u_z = C_n p + D^T q,    D = M/(2 pi) (x, y)/r^2 *,                                                 (1)
     M = (1 - 2 nu_1)/(2 G_1) - (1 - 2 nu_2)/(2 G_2)
 
-In Fourier space D = -i M k/k^2. M is 0 for two bodies of one material, and for an incompressible body on a rigid one. For
-films M depends on k (see `compliance`). Dundurs' parameter beta is M over the sum of (1 - nu)/G.
+with the tangential and normal compliance operators C and C_n, Poisson's ratios nu, shear moduli G, and * for a convolution. In
+Fourier space D = -i M k/k^2. M is 0 for two bodies of one material, and for an incompressible body on a rigid one. For films M
+depends on k (see `compliance`). Dundurs' parameter beta is M over the sum of (1 - nu)/G.
 
 Pressure and traction are solved alternately (Panagiotopoulos 1975, Ing.-Arch. 44, 421). The pressure is solved with D^T q
 subtracted from the heights. The traction is then solved with D p subtracted from the rigid shift, and with the strength that
@@ -29,26 +30,26 @@ from stiction.solvers.shear.operators import ShearOperator
 from stiction.solvers.shear.path import SlidingPath, State, Weakening, after_step, follow, slip_step
 
 _MOST_TURNS = 60
-_PRESSED_IN = 16  # steps in which the load rises before the map is shifted
-_TOLERANCE = 1e-4  # change of the pressure in the last turn of a step
-_FREE_TURNS = 3  # before strengths are held back
-_PART = 0.3  # of the way to a new strength, for a point that has just begun or ceased to touch
-_OF_PRESSURE = 1e-6  # residual of the pressure
+_PRESSED_IN = 16  # number of steps in which the load rises before the map is shifted
+_TOLERANCE = 1e-4  # largest relative change of the pressure in the last turn of a step
+_FREE_TURNS = 3  # number of turns before changes of strength are limited
+_PART = 0.3  # fraction of the change of strength that a point makes after it has begun or ceased to touch
+_OF_PRESSURE = 1e-6  # tolerance of the pressure solver
 _MOST_STEPS = 2000
 
 Press = Callable[[np.ndarray], np.ndarray]
-"""From the displacement (rows, columns) [m] that shear adds between the faces to the pressure (rows, columns) [Pa]."""
+"""Function of the normal displacement (rows, columns) [m] due to shear, which returns the pressure (rows, columns) [Pa]."""
 
 Strength = Callable[[np.ndarray], np.ndarray]
-"""From the pressure to the shear strength, both (rows, columns) [Pa]."""
+"""Function of the pressure that returns the shear strength, both (rows, columns) [Pa]."""
 
 
 class Coupling:
-    """Compute the displacements that couple pressure and shear, the operator D of (1).
+    """Compute the tangential displacement that a pressure causes, and the normal displacement that a traction causes.
 
-    The map is periodic, or free of pressure and traction outside. compliance: of the two bodies. shape: (rows, columns).
-    size: (y, x) [m]. periodic: whether the map repeats. beta: largest magnitude of Dundurs' parameter over all waves. Raises
-    InputError for bodies with films on a map that is not periodic.
+    This is the operator D of (1). The map is periodic, or free of pressure and traction outside. compliance: of the two bodies.
+    shape: (rows, columns). size: (y, x) [m]. periodic: whether the map repeats. beta: largest magnitude of Dundurs' parameter
+    over all waves. Raises InputError for bodies with films on a map that is not periodic.
     """
 
     def __init__(self, compliance: ShearCompliance, shape: tuple[int, int], size: tuple[float, float], *, periodic: bool):
@@ -70,7 +71,7 @@ class Coupling:
             self._symbol = [float(mismatch[0, 0]) * rfft2(kernel) for kernel in _of_pixels(self._grid, pitch)]
 
     def dragged(self, pressure: np.ndarray) -> np.ndarray:
-        """Return the tangential displacement [m] (2, rows, columns) caused by a pressure [Pa].
+        """Return the tangential displacement [m] (2, rows, columns), along x and y, caused by a pressure [Pa].
 
         pressure: (rows, columns).
         """
@@ -80,7 +81,7 @@ class Coupling:
     def parted(self, traction: np.ndarray) -> np.ndarray:
         """Return the normal displacement [m] (rows, columns) caused by a traction [Pa].
 
-        traction: (2, rows, columns).
+        traction: (2, rows, columns), along x and y.
         """
         waves = rfft2(traction, s=self._grid)
         both = sum(symbol.conj() * wave for symbol, wave in zip(self._symbol, waves, strict=True))
@@ -94,21 +95,21 @@ class Pressing:
     """Solve the pressure of a map under a mean pressure, each time starting from the last solution.
 
     problem: the contact of the map without shear. pressure: first start (rows, columns) [Pa]. converged: whether all solutions
-    have converged.
+    so far have converged.
     """
 
     def __init__(self, problem: Problem, pressure: np.ndarray):
         self._problem, self._last, self.converged = problem, pressure, True
 
     def __call__(self, parted: np.ndarray) -> np.ndarray:
-        """Return the pressure [Pa] while shear adds a displacement [m] between the faces, both (rows, columns)."""
+        """Return the pressure [Pa] while shear displaces the faces normally by `parted` [m], both (rows, columns)."""
         problem = replace(self._problem, heights=self._problem.heights - parted)
         found = minimise(problem, self._last, tolerance=_OF_PRESSURE, most=_MOST_STEPS)
         self._last, self.converged = found.pressure, self.converged and found.converged
         return found.pressure
 
     def under(self, share: float) -> "Pressing":
-        """Return the same contact under a fraction of the mean pressure."""
+        """Return the solver of the same contact under a fraction `share` of the mean pressure."""
         return Pressing(replace(self._problem, mean=share * self._problem.mean), share * self._last)
 
 
@@ -118,8 +119,8 @@ class CoupledState(State):
 
     pressure, strength [Pa]: (rows, columns). strength is the shear strength that a point has before any slip. turns: number of
     alternating solutions of pressure and traction. change: relative change of the pressure in the last turn. misfit: sum of the
-    differences between the strengths used and those that the pressure gives, over the sum of the latter. It is caused by points
-    at the edge that would touch in every second turn.
+    differences between the strengths used and those that the pressure gives, over the sum of the latter. It arises at edge
+    points whose strength was fixed because they would otherwise touch in every second turn only.
     """
 
     pressure: np.ndarray = field(repr=False)
@@ -130,7 +131,7 @@ class CoupledState(State):
 
 
 def at_rest(shape: tuple[int, int]) -> CoupledState:
-    """Return the state before the faces touch: no pressure, traction or slip."""
+    """Return the state of a map before the faces touch: no pressure, traction or slip. shape: (rows, columns)."""
     zero = np.zeros((2, *shape))
     no = np.zeros(shape, dtype=bool)
     return CoupledState(0.0, 0.0, zero, zero, zero[0], no, no, 1.0, 0.0, True, zero[0], zero[0], 0, 0.0, 0.0)
@@ -141,12 +142,13 @@ def press_and_shear(
     shift: Sequence[float] = (0.0, 0.0), *, weakening: Weakening | None = None, tolerance: float = 1e-5,
     most: int = _MOST_STEPS,
 ) -> CoupledState:  # fmt: skip
-    """Solve pressure and traction of a map at a rigid shift, starting from the state before.
+    """Solve pressure and traction of a map at a rigid shift, starting from the state of the step before.
 
-    shift: (x, y) [m], measured from first contact. press: returns the pressure for a given normal displacement due to shear.
-    strength: returns the shear strength for a given pressure [Pa]. weakening: how strength falls with slip; None for constant
-    strength. tolerance: largest relative change of the pressure in the last turn. most: largest number of steps of the traction
-    solver. Points without contact move with the faces, so that their slip starts anew when they touch.
+    operator: tangential compliance. coupling: displacements that couple pressure and shear. shift: (x, y) [m], measured from
+    first contact. press: returns the pressure for a given normal displacement due to shear. strength: returns the shear
+    strength for a given pressure [Pa]. weakening: how strength falls with slip; None for constant strength. tolerance: largest
+    relative change of the pressure in the last turn. most: largest number of steps of the traction solver. Points without
+    contact move with the faces, so that their slip starts anew when they touch.
     """
     start, before, strengths = state, state.pressure, _Strengths()
     rigid = np.asarray(shift, dtype=float)[:, None, None] - state.slip
@@ -156,10 +158,10 @@ def press_and_shear(
         step = slip_step(operator, full, weakening, start, moved, 0.1 * tolerance, most)
         change = float(np.abs(pressure - before).sum() / pressure.sum())
         start, before = replace(start, traction=step.found.traction), pressure
-        if change <= tolerance and turn > 1:  # the first pressure does not know the new traction
+        if change <= tolerance and turn > 1:  # the first pressure was computed with the old traction
             break
     touching = full > 0.0
-    # Where faces are apart they take up no load, and slip freely: what they have moved by counts when they touch.
+    # Open points bear no traction and slip freely. Their displacement is stored, because it counts from when they touch.
     after = after_step(state, step, touching, moved - operator(step.found.traction))
     after["converged"] = after["converged"] and change <= tolerance
     return CoupledState(
@@ -168,11 +170,12 @@ def press_and_shear(
 
 
 class _Strengths:
-    """Limit how often the strength of a point changes between turns, so that the turns end.
+    """Limit how often the strength of a point changes between turns, so that the iteration ends.
 
-    A turn solves the pressure once and then the traction once. Some points at the edge would touch in one turn and not in the
-    next. After a few free turns, such a point first moves only part of the way to its new strength. After its second such
-    change it keeps its strength. misfit: difference of all strengths from those that the pressure gives, relative to their sum.
+    A turn solves the pressure once and then the traction once. Without a limit, some points at the edge would touch in one turn
+    and not in the next. After three free turns, such a point first changes by only a part of the way to its new strength. After
+    its second such change its strength is fixed. misfit: difference of all strengths from those that the pressure gives,
+    relative to the sum of the latter.
     """
 
     def __init__(self) -> None:
@@ -180,7 +183,10 @@ class _Strengths:
         self.misfit = 0.0
 
     def next(self, wanted: np.ndarray) -> np.ndarray:
-        """Return the strengths of the next turn from those that the pressure of this turn gives, both (rows, columns) [Pa]."""
+        """Return the strengths to use in the next turn [Pa] (rows, columns).
+
+        wanted: strengths that the pressure of this turn gives [Pa], (rows, columns).
+        """
         self._turn += 1
         touching = wanted > 0.0
         if self._turn > _FREE_TURNS:
@@ -194,10 +200,12 @@ def slide_coupled(
     operator: ShearOperator, coupling: Coupling, pressing: Pressing, strength: Strength, shifts: Sequence[float], *,
     pixel: float, weakening: Weakening | None = None,
 ) -> SlidingPath:  # fmt: skip
-    """Press a map of unlike bodies, then shift it through rigid shifts along x [m], in the given order.
+    """Press a map of bodies with unlike elastic constants, then shift it through rigid shifts along x [m], in the given order.
 
     The load rises in steps, because points already slip while it rises (Spence 1968). This slip does not weaken the points.
-    pressing: the contact under its full load. strength, weakening: as in `press_and_shear`. pixel: area of a point [m2].
+    operator: tangential compliance. coupling: displacements that couple pressure and shear. pressing: the contact under its
+    full load. strength: returns the shear strength for a given pressure [Pa]. weakening: how strength falls with slip; None for
+    constant strength. pixel: area of a point [m2].
     """
     state = at_rest(coupling.shape)
     for step in range(1, _PRESSED_IN + 1):
@@ -207,7 +215,7 @@ def slide_coupled(
 
     def advance(state: CoupledState, shift: float) -> CoupledState:
         if shift == state.shift:
-            return state  # points at their strength stay there: solved anew, rounding decides whether they stick
+            return state  # not solved again, because round-off would decide which points at their strength stick
         return press_and_shear(
             operator, coupling, state, pressing, strength, (shift, 0.0), weakening=weakening, tolerance=_TOLERANCE
         )
@@ -223,9 +231,10 @@ def slide_coupled(
 def force_when_all_slide(
     coupling: Coupling, pressing: Pressing, strength: Strength, pressure: np.ndarray
 ) -> tuple[float, bool]:  # fmt: skip
-    """Return the sum of strengths [Pa] when every point slides along x, and whether the iteration converged.
+    """Return the sum over points of the strengths [Pa] when every point slides along x, and whether the iteration converged.
 
-    Pressure and shear are computed alternately, because shear changes the pressure. pressure: first guess (rows, columns) [Pa].
+    Pressure and strength are computed alternately, because shear changes the pressure. strength: returns the shear strength for
+    a given pressure. pressure: first guess (rows, columns) [Pa].
     """
     strengths, change = _Strengths(), math.inf
     for _ in range(_MOST_TURNS):
@@ -238,7 +247,10 @@ def force_when_all_slide(
 
 
 def _of_pixels(shape: tuple[int, ...], pitch: tuple[float, float]) -> list[np.ndarray]:
-    """Return x/(2 pi r^2) and y/(2 pi r^2), each integrated over a pixel, on the grid of FFT distances."""
+    """Return x/(2 pi r^2) and y/(2 pi r^2), each integrated over a pixel, at every point of a periodic grid: (rows, columns).
+
+    x, y, r: distance from the first point. shape: (rows, columns). pitch: point spacings (y, x) [m].
+    """
     y, x = (np.fft.fftfreq(count, 1.0 / (count * step)) for count, step in zip(shape, pitch, strict=True))
     kernels = [np.zeros(shape), np.zeros(shape)]
     for across, sign_x in ((0.5, 1.0), (-0.5, -1.0)):
@@ -247,6 +259,7 @@ def _of_pixels(shape: tuple[int, ...], pitch: tuple[float, float]) -> list[np.nd
             logarithm, sign = 0.5 * np.log(at_x**2 + at_y**2), sign_x * sign_y / (2.0 * math.pi)
             kernels[0] += sign * (at_x * np.arctan(at_y / at_x) + at_y * logarithm)
             kernels[1] += sign * (at_y * np.arctan(at_x / at_y) + at_x * logarithm)
-    kernels[0][:, shape[1] // 2] = 0.0  # as far to either side: odd
+    # The kernels are odd, and 0 at points that are equally far from the first point on both sides.
+    kernels[0][:, shape[1] // 2] = 0.0
     kernels[1][shape[0] // 2] = 0.0
     return kernels

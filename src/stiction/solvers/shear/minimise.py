@@ -1,7 +1,7 @@
 """Compute the shear traction of a map under a rigid shift, by minimising elastic energy.
 
-C is the compliance, u = C q the displacement of the traction q, b the rigid shift minus all earlier slip, and s >= 0 the shear
-strength. The traction solves
+C is the compliance, u = C q the displacement of the traction q, b the rigid shift minus all earlier slip, s >= 0 the shear
+strength, and <> the mean over the map. The traction solves
 
     minimise  1/2 <q u> - <q b>    among all |q| <= s                                                                     (1)
 
@@ -20,17 +20,17 @@ import numpy as np
 
 from stiction.solvers.shear.operators import ShearOperator
 
-_ENOUGH = 1e-4  # share of the decrease along the gradient that a projected step must bring
-_AT = 8.0  # roundings below the strength: at it
+_ENOUGH = 1e-4  # least decrease of the energy by a projected step, over the decrease that the gradient predicts
+_AT = 8.0  # a traction at most this many rounding units below the strength counts as equal to it
 
 
 @dataclass(frozen=True)
 class Sheared:
     """Store the traction and slip of a map that is sheared by a rigid shift.
 
-    traction [Pa] and slip [m]: (components, rows, columns); the slip is 0 at points without strength. residual: distance of
-    the traction from the projected-gradient update, summed over points, divided by the summed strength. steps: iterations
-    used. converged: whether the residual reached the tolerance.
+    traction [Pa] and slip [m]: (components, rows, columns), one component (x) or two (x and y); the slip is 0 at points without
+    strength. residual: distance of the traction from its projected-gradient update, summed over points, divided by the summed
+    strength. steps: iterations used. converged: whether the residual reached the tolerance.
     """
 
     traction: np.ndarray
@@ -58,9 +58,10 @@ def shear(
 ) -> Sheared:
     """Compute the shear traction and slip of a map under a rigid shift, by solving (1).
 
-    strength: (rows, columns) [Pa], 0 outside of contact. shift: rigid shift minus earlier slip [m]. start: first guess of the
-    traction [Pa]. Both are (components, rows, columns). tolerance: largest accepted residual. most: largest number of steps.
-    All is computed in the precision of `start`. Without convergence the last state is returned with `converged` False.
+    operator: tangential compliance. strength: (rows, columns) [Pa], 0 outside of contact. shift: rigid shift minus earlier slip
+    [m]; start: first guess of the traction [Pa]; both are (components, rows, columns). tolerance: largest accepted residual.
+    most: largest number of steps. The computation has the precision of `start`. Without convergence the last state is returned
+    with `converged` False.
     """
     touching = _Touching(operator, strength.astype(start.dtype, copy=False))
     traction, shift = within(touching.read(start), touching.strength), touching.read(shift.astype(start.dtype, copy=False))
@@ -75,15 +76,15 @@ def shear(
             break
         moved = search.conjugate(traction, gradient) or search.projected(traction, gradient)
         if moved is None:
-            break  # no step lowers the energy: rounding
+            break  # round-off prevents any step that lowers the energy
         traction, gradient = moved
     return Sheared(touching.map(traction), touching.map(-gradient), residual, steps, residual <= tolerance)
 
 
 class _Touching:
-    """Represent the points with a strength; fields on them are (components, points), which saves most of a map.
+    """Represent the points whose strength is above 0; fields there are stored as (components, points), which saves memory.
 
-    strength: (points,) [Pa].
+    strength: (rows, columns) [Pa]; the attribute of this name holds it at the points, (points,).
     """
 
     def __init__(self, operator: ShearOperator, strength: np.ndarray):
@@ -92,40 +93,43 @@ class _Touching:
         self.of_point, self.strength = operator.of_point, strength.ravel()[self._at]
 
     def read(self, field: np.ndarray) -> np.ndarray:
-        """Return the values of a field (components, rows, columns) at the points."""
+        """Return the values (components, points) of a field (components, rows, columns) at the points with strength."""
         return field.reshape(len(field), -1)[:, self._at]
 
     def map(self, values: np.ndarray) -> np.ndarray:
-        """Return a field (components, rows, columns) with these values at the points, and 0 elsewhere."""
+        """Return a field (components, rows, columns) with these values at the points with strength, and 0 elsewhere."""
         field = np.zeros((len(values), math.prod(self._shape)), dtype=values.dtype)
         field[:, self._at] = values
         return field.reshape(-1, *self._shape)
 
     def displacement(self, traction: np.ndarray) -> np.ndarray:
-        """Return the displacement [m] caused by the traction [Pa], both (components, points)."""
+        """Return the displacement [m] caused by the traction [Pa], both (components, points), at the points with strength."""
         return self.read(self._operator(self.map(traction)))
 
     def inverse(self, displacement: np.ndarray) -> np.ndarray:
-        """Return the traction [Pa] that causes this displacement [m] on a map that sticks everywhere (preconditioner)."""
+        """Return the traction [Pa] that would cause a displacement [m] on a map that sticks everywhere.
+
+        Both are (components, points). The result serves as preconditioner.
+        """
         return self.read(self._operator.inverse(self.map(displacement)))
 
 
 class _Search:
-    """Take minimisation steps and store the previous search direction; fields are (components, points)."""
+    """Take minimisation steps and store the previous search direction; tractions and gradients are (components, points)."""
 
     def __init__(self, points: _Touching):
         self.points, self.strength, self.of_point = points, points.strength, points.of_point
         self._last: tuple[np.ndarray, np.ndarray, float] | None = None
 
     def conjugate(self, traction, gradient):
-        """Step along a conjugate direction; return traction and gradient, or None if the energy rises."""
+        """Take a step along a conjugate direction; return the new traction and gradient, or None if the energy would rise."""
         outward = -np.sum(gradient * traction, axis=0)
         at = 1.0 - _AT * float(np.finfo(traction.dtype).eps)
         bound = (size_of(traction) >= self.strength * at) & (outward > 0.0)
         free = np.where(bound, 0.0, gradient)
         prepared = np.where(bound, 0.0, self.points.inverse(free))
         stiffness = np.zeros(())
-        if len(traction) == 2:  # a point at its strength may turn; the longer its slip, the less
+        if len(traction) == 2:  # the traction of a slipping point may turn; a longer slip makes this stiffer
             stiffness = np.divide(outward, self.strength**2, out=np.zeros_like(outward), where=bound)
             turning = np.where(bound, _across(gradient, traction), 0.0)
             free += turning
@@ -143,11 +147,14 @@ class _Search:
             return moved, gradient + step * bent_by
         found = self._lower(traction, gradient, moved)
         if found is None:
-            self._last = None  # begin anew, along the gradient
+            self._last = None  # the next direction is the gradient alone
         return found
 
     def projected(self, traction, gradient):
-        """Step along the projected gradient, halving until the energy falls enough; return None if it never does."""
+        """Take a step along the projected gradient, halved until the energy falls enough; return the new traction and gradient.
+
+        Returns None if the energy never falls enough.
+        """
         length = 1.0 / self.of_point
         for _ in range(60):
             moved = within(traction - length * gradient, self.strength)
@@ -160,14 +167,18 @@ class _Search:
         return None
 
     def _lower(self, traction, gradient, moved, enough: float = 0.0):
-        """Return the new traction and its gradient if the energy fell by more than `enough`, otherwise None."""
+        """Return the traction `moved` and its gradient if its energy is lower by more than `enough`, otherwise None."""
         change = moved - traction
         turned = self.points.displacement(change)
         energy = float(np.sum(change * gradient) + 0.5 * np.sum(change * turned))
         return (moved, gradient + turned) if energy < -enough else None
 
     def _conjugated(self, direction, free, bound, traction):
-        """Return the conjugate direction by the rule of Polak and Ribiere, with its factor kept >= 0."""
+        """Return the search direction (components, points), made conjugate to the last one by the rule of Polak and Ribiere.
+
+        direction: preconditioned descent direction. free: gradient without the part that the strength blocks. bound: mask of
+        points at their strength. The factor of the last direction is never negative.
+        """
         descent = -float(np.sum(direction * free))
         if self._last is not None:
             before, old_free, old_descent = self._last
@@ -182,7 +193,7 @@ class _Search:
 
 
 def _across(vectors: np.ndarray, along: np.ndarray) -> np.ndarray:
-    """Return the component of each vector (2, points) perpendicular to `along`."""
+    """Return the component of each vector (2, points) perpendicular to the vectors `along` (2, points)."""
     square = np.sum(along * along, axis=0)
     share = np.divide(np.sum(vectors * along, axis=0), square, out=np.zeros_like(square), where=square > 0.0)
     return vectors - share * along

@@ -1,4 +1,4 @@
-"""State how shear lowers the work of adhesion at the edge of a contact (mode mixity).
+"""Define how shear lowers the work of adhesion at the edge of a contact (mode mixity).
 
 At the sheared edge of an adhesive contact, pressure releases the energy G_N per area and shear releases G_T. w is the work of
 adhesion. With x = G_T/w, y = G_N/w and the phase angle tan^2(psi) = x/y, the edge is in equilibrium where
@@ -34,10 +34,11 @@ _ANGLES = np.linspace(0.0, 0.5 * math.pi, 4001)
 
 @dataclass(frozen=True)
 class ModeMixity:
-    """Define a law of mode mixity at the edge of an adhesive contact.
+    """Define a law of mode mixity: how shear lowers the work of adhesion at the edge of a contact.
 
-    share: function that returns the remaining fraction y of the work of adhesion, from x = G_T/w (any shape) and zeta. grade,
-    source: of the law. evidence: what the law was compared with.
+    share: function (x, zeta) that returns the remaining fraction of the work of adhesion. x (any shape) is the energy that
+    shear releases per area over the work of adhesion, zeta the fraction of this energy that opens the edge, 0 to 1. grade: how
+    far the law reproduces its source. source: publication. evidence: what the law was compared with.
     """
 
     share: Callable[[np.ndarray, float], np.ndarray]
@@ -52,7 +53,7 @@ def _brittle(x: np.ndarray, zeta: float) -> np.ndarray:
 
 def _by_phase(x: np.ndarray, zeta: float) -> np.ndarray:
     narrow = np.cos((1.0 - zeta) * _ANGLES)
-    if zeta == 0.0:  # cos psi in both: nothing opens the edge
+    if zeta == 0.0:  # shear does not open the edge, and the interpolation below would divide by zero
         return np.ones_like(x)
     return np.interp(x, (np.sin(_ANGLES) / narrow) ** 2, (np.cos(_ANGLES) / narrow) ** 2)
 
@@ -79,4 +80,4 @@ MODE_MIXITIES: Mapping[str, ModeMixity] = {
         "PDMS spheres that slide slowly keep JKR's area; disputed",
     ),
 }
-"""Laws of the edge by their key; without one, shear leaves the adhesion alone."""
+"""Laws of mode mixity by their key; if none is chosen, shear does not change the adhesion."""

@@ -1,4 +1,4 @@
-"""Displacement of every point of a map under a shear traction, by fast Fourier transforms.
+"""Compute the displacement of every point of a map under a shear traction, by fast Fourier transforms.
 
 Arrays are (components, rows, columns), with one component (x) or two (x and y). Sliding is along x, the direction of the
 columns. One component neglects the traction across the sliding direction, which only Poisson's ratio causes.
@@ -7,7 +7,8 @@ Periodic: symbol (2) of `compliance`. The mean displacement is set to 0, so that
 Films on rigid substrates have a defined mean displacement and keep it.
 Mirrored: the map is one quarter of a period, and mirror images fill the rest. q_x is even about every side, q_y odd.
 Free: no traction acts outside the map, and the bodies are half-spaces. A uniform traction q_x on a pixel gives (Cerruti;
-Johnson 1985, Contact Mechanics, eq. 3.75, integrated over the pixel; differences over its corners, r^2 = x^2 + y^2)
+Johnson 1985, Contact Mechanics, eq. 3.75, integrated over the pixel; differences over its corners, r^2 = x^2 + y^2, S and N the
+sums of `compliance`)
 
     2 pi u_x = (S - N) [x asinh(y/|x|) + y asinh(x/|y|)] + N y asinh(x/|y|),        2 pi u_y = -N r                      (1)
 """
@@ -26,7 +27,7 @@ from stiction.solvers.shear.compliance import ShearCompliance
 class PeriodicShear:
     """Compute shear displacements of one period of a periodic map.
 
-    shape: (rows, columns); size: (y, x) [m].
+    compliance: of the two bodies. shape: (rows, columns). size: (y, x) [m].
     """
 
     def __init__(self, compliance: ShearCompliance, shape: tuple[int, int], size: tuple[float, float]):
@@ -49,7 +50,10 @@ class PeriodicShear:
         return _through(traction, self.shape, self._symbol)
 
     def inverse(self, displacement: np.ndarray) -> np.ndarray:
-        """Return the traction [Pa] that causes this displacement [m] on a map that sticks everywhere (preconditioner)."""
+        """Return the traction [Pa] that causes a displacement [m] on a map that sticks everywhere.
+
+        Both are (components, rows, columns). The result serves as preconditioner.
+        """
         alone = len(displacement) == 1
         return _through(displacement, self.shape, (self._inverse_along, None, None) if alone else self._inverse)
 
@@ -57,8 +61,8 @@ class PeriodicShear:
 class MirroredShear:
     """Compute shear displacements of a map that its mirror images continue on every side.
 
-    shape: (rows, columns); size: (y, x) [m]. One component is even about every side, so cosine transforms of the map suffice.
-    Two components need the transforms of a whole period.
+    compliance: of the two bodies. shape: (rows, columns). size: (y, x) [m]. One component is even about every side, so cosine
+    transforms of the map suffice. Two components need the transforms of a whole period.
     """
 
     def __init__(self, compliance: ShearCompliance, shape: tuple[int, int], size: tuple[float, float]):
@@ -79,7 +83,10 @@ class MirroredShear:
         return _even(traction, self._symbol) if len(traction) == 1 else self._quarter(self._period(_mirrored(traction)))
 
     def inverse(self, displacement: np.ndarray) -> np.ndarray:
-        """Return the traction [Pa] that causes this displacement [m] on a map that sticks everywhere (preconditioner)."""
+        """Return the traction [Pa] that causes a displacement [m] on a map that sticks everywhere.
+
+        Both are (components, rows, columns). The result serves as preconditioner.
+        """
         if len(displacement) == 1:
             return _even(displacement, self._inverse)
         return self._quarter(self._period.inverse(_mirrored(displacement)))
@@ -96,7 +103,7 @@ class MirroredShear:
 class FreeShear:
     """Compute shear displacements of a map without traction outside.
 
-    shape: (rows, columns); size: (y, x) [m]. Raises InputError for bodies with films.
+    compliance: of the two bodies. shape: (rows, columns). size: (y, x) [m]. Raises InputError for bodies with films.
     """
 
     def __init__(self, compliance: ShearCompliance, shape: tuple[int, int], size: tuple[float, float]):
@@ -115,33 +122,38 @@ class FreeShear:
         return _through(traction, self._doubled, self._symbol)[:, : self.shape[0], : self.shape[1]].copy()
 
     def inverse(self, displacement: np.ndarray) -> np.ndarray:
-        """Return a traction [Pa] that nearly causes this displacement [m] (preconditioner).
+        """Return a traction [Pa] that approximately causes this displacement [m], both (components, rows, columns).
 
-        It is exact for a periodic map that sticks everywhere.
+        It is exact for a periodic map that sticks everywhere, and serves as preconditioner.
         """
         return self._stuck.inverse(displacement)
 
 
-_THREADED = 1 << 17  # points from which on two threads are faster
+_THREADED = 1 << 17  # number of points from which two threads are faster than one
 
 ShearOperator = PeriodicShear | MirroredShear | FreeShear
 
 
 def _tensor(along, across, x, y, shape) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return xx, xy and yy of a compliance tensor of waves with wavevector k.
+    """Return the components xx, xy and yy of the compliance tensor of every wave.
 
-    The tensor is `across` I + (`along` - `across`) k k^T/k^2; (x, y) is the unit vector of k.
+    The tensor is `across` I + (`along` - `across`) k k^T/k^2; (x, y) is the unit vector of the wavevector k. shape: (rows,
+    columns) of the map.
     """
     both = (along - across) * x * y
     if shape[0] % 2 == 0:
-        both[shape[0] // 2] = 0.0  # this wave and its opposite are one on the grid: the product of components has no sign
+        both[shape[0] // 2] = 0.0  # the grid cannot tell this wave from its opposite, for which x y has the other sign
     if shape[1] % 2 == 0:
         both[:, -1] = 0.0
     return across + (along - across) * x * x, both, across + (along - across) * y * y
 
 
 def _through(field: np.ndarray, grid, symbol) -> np.ndarray:
-    """Zero-pad the field to the grid and multiply it by the symbol in Fourier space, in the precision of the field."""
+    """Zero-pad the field to the shape `grid`, multiply it by the symbol in Fourier space, and return the product on that grid.
+
+    field: (components, rows, columns), whose precision the result has. symbol: components xx, xy and yy of a tensor for each
+    wave.
+    """
     xx, xy, yy = (None if part is None else part.astype(field.dtype, copy=False) for part in symbol)
     workers = _workers(grid[0] * grid[1])
     waves = rfft2(field, s=grid, workers=workers)
@@ -162,7 +174,10 @@ def _workers(points: int) -> int:
 
 
 def _even(field: np.ndarray, symbol: np.ndarray) -> np.ndarray:
-    """Multiply a single component by the symbol in cosine-transform space, in the precision of the field."""
+    """Multiply a field with one component by the symbol in cosine-transform space, and return the product.
+
+    field: (1, rows, columns), whose precision the result has. symbol: (rows, columns), factor of each wave.
+    """
     workers = _workers(symbol.size)
     waves = dctn(field[0], workers=workers)
     waves *= symbol.astype(field.dtype, copy=False)
@@ -170,7 +185,10 @@ def _even(field: np.ndarray, symbol: np.ndarray) -> np.ndarray:
 
 
 def _mirrored(field: np.ndarray) -> np.ndarray:
-    """Complete a period by mirror images: the first component is even about every side, the second odd."""
+    """Return one period (components, 2 rows, 2 columns) that a field makes with its mirror images.
+
+    The first component is even about every side of the field, the second odd.
+    """
     parts = []
     for component, sign in zip(field, (1.0, -1.0), strict=False):
         rows = np.concatenate([component, sign * component[::-1]])
@@ -179,9 +197,10 @@ def _mirrored(field: np.ndarray) -> np.ndarray:
 
 
 def _of_pixels(shape, pitch, S, N) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return the displacement of every grid point per unit traction on one pixel [m/Pa], by (1).
+    """Return the displacement of every grid point per unit traction on the first pixel [m/Pa], by (1).
 
-    The three arrays are xx, xy and yy: displacement along the first letter, traction along the second.
+    The three arrays (rows, columns) are xx, xy and yy: displacement along the first letter, traction along the second. S, N:
+    sums of 1/G and nu/G over the bodies [1/Pa], with the shear modulus G and Poisson's ratio nu.
     """
     y, x = (np.fft.fftfreq(count, 1.0 / (count * step)) for count, step in zip(shape, pitch, strict=True))
     xx, xy, yy = np.zeros(shape), np.zeros(shape), np.zeros(shape)
@@ -195,5 +214,5 @@ def _of_pixels(shape, pitch, S, N) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
             xy -= sign * N * np.hypot(at_x, at_y)
     for axis, count in enumerate(shape):
         if count % 2 == 0:
-            np.moveaxis(xy, axis, 0)[count // 2] = 0.0  # as far to either side: odd
+            np.moveaxis(xy, axis, 0)[count // 2] = 0.0  # xy is odd, so 0 where both sides are equally far
     return xx, xy, yy

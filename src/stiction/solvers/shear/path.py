@@ -1,8 +1,8 @@
-"""Friction force on a height map that is shifted step by step, with slip history and slip weakening.
+"""Compute the friction force on a height map that is shifted step by step, with slip history and slip weakening.
 
-Each point keeps the slip of earlier steps. With slip weakening, the strength tau(s) falls with slip s. Each step then solves
-slip and strength alternately, starting from the earlier slip. Slip only grows in these iterations, so they end at the first
-equilibrium. If the force drops abruptly at one shift, the contact has ruptured, as it would on a stiff machine.
+Each point keeps the slip of earlier steps. With slip weakening, the strength falls with slip. Each step then solves slip and
+strength alternately, starting from the earlier slip. Slip only grows in these iterations, so they end at the first equilibrium.
+If the force drops abruptly at one shift, the contact has ruptured, as it would on a stiff machine.
 """
 
 from collections.abc import Callable, Sequence
@@ -19,24 +19,24 @@ from stiction.solvers.shear.operators import ShearOperator
 TOLERANCE = 1e-6
 MOST_STEPS = 2000
 _MOST_TURNS = 400
-_SETTLED = 1e-3  # change of the strength of a point within a turn, over its first strength
-_TURNING = 1e-4  # residual of the traction while strengths are found, in single precision; with 1e-6 peaks change by 1e-5
-_NONE = np.empty(0)  # in place of a map that is not kept
-_FINER = 8  # steps between the neighbours of the largest force
+_SETTLED = 1e-3  # largest change of a point's strength in the last iteration, over its first strength
+_TURNING = 1e-4  # tolerance of the traction while strengths change; a tolerance of 1e-6 changes peaks by 1e-5 only
+_NONE = np.empty(0)  # replaces a map that is not stored
+_FINER = 8  # number of smaller steps that replace each of the two steps around the largest force
 
 SHAPES: dict[str, Callable[[np.ndarray], np.ndarray]] = {
     "linear": lambda slip: np.maximum(1.0 - slip, 0.0),
     "exponential": lambda slip: np.exp(-slip),
 }
-"""How the strength falls with slip, by name: from slip/D_c to the fraction of tau_p - tau_r that remains."""
+"""Functions of slip over characteristic slip that return the remaining fraction of the strength that slip can remove."""
 
 
 @dataclass(frozen=True)
 class Weakening:
     """Describe how the shear strength falls with slip.
 
-    slip: characteristic slip D_c [m], > 0. residual: fraction of the strength that remains after large slip, 0 to 1. shape: a
-    key of SHAPES. Raises InputError for other values.
+    slip: characteristic slip [m], > 0. residual: fraction of the strength that remains after large slip, 0 to 1. shape: a key
+    of SHAPES, "linear" or "exponential". Raises InputError for other values.
     """
 
     slip: float
@@ -52,7 +52,7 @@ class Weakening:
             raise InputError("weakening.shape", self.shape, nearest(self.shape, list(SHAPES)))
 
     def share(self, slip: np.ndarray) -> np.ndarray:
-        """Return the fraction of the strength that remains after a slip [m], an array of any shape."""
+        """Return the fraction of the strength that remains after a slip [m], given as an array of any shape."""
         return self.residual + (1.0 - self.residual) * SHAPES[self.shape](slip / self.slip)
 
 
@@ -60,10 +60,11 @@ class Weakening:
 class State:
     """Store the state of a map at one rigid shift.
 
-    shift [m]. force: along x, sum of the traction over points [Pa]. traction [Pa] and slip since the start [m], both
-    (components, rows, columns). slipped: length of the slip path of each point [m], slides: whether the point is at its
-    strength, touching: whether it is in contact, all (rows, columns). stick: fraction of the touching points that stick.
-    loss: work dissipated by slip so far, summed over points [Pa m]. converged: whether all iterations ended.
+    shift [m]. force: along x, sum of the traction over points [Pa]; times the area of a point it is the force [N]. traction
+    [Pa] and slip since the start [m], both (components, rows, columns). slipped: length of the slip path of each point [m],
+    slides: whether the point is at its strength, touching: whether it is in contact, all (rows, columns). stick: fraction of
+    the touching points that stick. loss: work dissipated by slip so far, summed over points [Pa m]. converged: whether the
+    iterations of this step converged.
     """
 
     shift: float
@@ -85,8 +86,8 @@ StateT = TypeVar("StateT", bound=State)
 class SlidingPath:
     """Store the states of a map at all rigid shifts, and the state with the largest force.
 
-    strength: strength of each point before any slip (rows, columns) [Pa]. pixel: area of a point [m2]. limit: force at very
-    large shifts, summed over points [Pa]; None if strength falls with slip.
+    peak: state with the largest force. strength: strength of each point before any slip (rows, columns) [Pa]. pixel: area of a
+    point [m2]. limit: force at very large shifts, summed over points [Pa]; None if strength falls with slip.
     """
 
     states: tuple[State, ...]
@@ -97,19 +98,19 @@ class SlidingPath:
 
     @property
     def efficiency(self) -> float:
-        """Return the largest force of all states divided by the sum of all strengths."""
+        """Return the largest force of all states divided by the sum of the strengths of all points."""
         return self.peak.force / float(self.strength.sum())
 
     @property
     def largest(self) -> float:
         """Return the largest friction force [N] of the path.
 
-        If strength does not fall with slip, the result is at least the force at very large shifts.
+        If strength does not fall with slip, the force at very large shifts is included, also if no state was computed there.
         """
         return max(self.peak.force, self.limit or 0.0) * self.pixel
 
     def array(self, name: str) -> np.ndarray:
-        """Return the named value of all states: shift [m], stick [1], force [N] or loss [J]."""
+        """Return the value with this name of all states (states,): shift [m], stick [1], force [N] or loss [J]."""
         values = np.array([getattr(state, name) for state in self.states], dtype=float)
         return values * self.pixel if name in ("force", "loss") else values
 
@@ -117,9 +118,9 @@ class SlidingPath:
 def through_spring(path: SlidingPath, stiffness: float) -> tuple[np.ndarray, np.ndarray]:
     """Return the drive displacement [m] at each state of a map that a spring pulls, and a mask of the states that are reached.
 
-    stiffness: of the spring [N/m], > 0. At shift U and force F the drive is at U + F/stiffness. The drive only moves forward. A
-    state that would need it to move back is not reached; the map jumps to the next reachable state (slow drive, no inertia).
-    Raises InputError for a stiffness that is not positive.
+    path: states of the map. stiffness: of the spring [N/m], > 0. At the shift U and the force F the drive is at U +
+    F/stiffness. The drive only moves forward. A state that would need it to move back is not reached; the map jumps to the next
+    reachable state (slow drive, no inertia). Raises InputError for a stiffness that is not positive.
     """
     if not stiffness > 0.0:
         raise InputError("stiffness", stiffness, "> 0 N/m")
@@ -130,8 +131,9 @@ def through_spring(path: SlidingPath, stiffness: float) -> tuple[np.ndarray, np.
 def at_force(operator: ShearOperator, strength: np.ndarray, force: float, *, pixel: float, directions: int = 1) -> State:
     """Return the state of a map under a tangential force [N] along x, at constant strength.
 
-    The map starts without traction. strength: (rows, columns) [Pa]. pixel: area of a point [m2]. directions: as in
-    `slide_map`. Raises InputError if the force is negative or not below the sum of strengths.
+    The map starts without traction. operator: tangential compliance. strength: (rows, columns) [Pa]. pixel: area of a point
+    [m2]. directions: 1 neglects the traction across the sliding direction, 2 includes it. Raises InputError if the force is
+    negative or not below the sum of the strengths times the pixel area.
     """
     most = float(strength.sum()) * pixel
     if not 0.0 <= force < most:
@@ -152,8 +154,8 @@ def at_force(operator: ShearOperator, strength: np.ndarray, force: float, *, pix
 def full_shift(operator: ShearOperator, strength: np.ndarray, weakening: Weakening | None = None) -> float:
     """Return a rigid shift [m] at which every point of a map slips.
 
-    strength: (rows, columns) [Pa]. With a linear `weakening`, all points have also reached their residual strength at this
-    shift.
+    operator: tangential compliance. strength: (rows, columns) [Pa]. With a linear `weakening`, all points have also reached
+    their residual strength at this shift.
     """
     displaced = float(operator(strength[None])[0].max(where=strength > 0.0, initial=0.0))
     return displaced + (weakening.slip if weakening is not None else 0.0)
@@ -162,7 +164,8 @@ def full_shift(operator: ShearOperator, strength: np.ndarray, weakening: Weakeni
 def stuck_stiffness(operator: ShearOperator, touching: np.ndarray) -> float:
     """Return the tangential stiffness [Pa/m] of a map while all touching points stick.
 
-    It is the traction summed over points, divided by the rigid shift. touching: mask (rows, columns).
+    It is the traction summed over points, divided by the rigid shift. operator: tangential compliance. touching: mask (rows,
+    columns).
     """
     strength = np.where(touching, 1e3 / operator.of_point, 0.0)
     shift = np.ones((1, *touching.shape))
@@ -170,9 +173,10 @@ def stuck_stiffness(operator: ShearOperator, touching: np.ndarray) -> float:
 
 
 def weakening_length(operator: ShearOperator, strength: float, weakening: Weakening) -> float:
-    """Return the weakening length l_c = D_c/(S (tau_p - tau_r)) [m] for a strength tau_p [Pa].
+    """Return the length [m] over which the strength falls behind the tip of a slipping zone.
 
-    S = sum 1/G_i of the two surface materials, tau_r is the residual strength.
+    It is D_c/(S (tau_p - tau_r)) with the characteristic slip D_c, the strength tau_p = `strength` [Pa], the residual strength
+    tau_r, and S the sum of 1/G over the two surface materials (G: shear modulus).
     """
     return weakening.slip / (operator.near * strength * (1.0 - weakening.residual))
 
@@ -182,12 +186,13 @@ def slide_map(
     weakening: Weakening | None = None, directions: int = 1, tolerance: float = TOLERANCE, most_steps: int = MOST_STEPS,
     keep_maps: bool = True, done: Callable[[State], None] | None = None,
 ) -> SlidingPath:  # fmt: skip
-    """Shift a map through rigid shifts along x [m], in the given order, starting without traction.
+    """Shift a map through rigid shifts along x [m], in the given order, starting without traction; return all states.
 
-    strength: (rows, columns) [Pa], 0 outside of contact. pixel: area of a point [m2]. weakening: how strength falls with slip;
-    None for constant strength. directions: 1 neglects the traction across the sliding direction, 2 includes it. tolerance,
-    most_steps: of the traction solver at each shift. keep_maps, done: as in `follow`. With weakening, the steps around the
-    largest force are repeated with smaller steps. Raises InputError for strengths that are negative, not finite, or all 0.
+    operator: tangential compliance. strength: (rows, columns) [Pa], 0 outside of contact. pixel: area of a point [m2].
+    weakening: how strength falls with slip; None for constant strength. directions: 1 neglects the traction across the sliding
+    direction, 2 includes it. tolerance, most_steps: largest residual and number of steps of the traction solver at each shift.
+    keep_maps: whether states keep traction and slip. done: called with each state. With weakening, the steps around the largest
+    force are repeated with smaller steps. Raises InputError for strengths that are negative, not finite, or all 0.
     """
     strength = np.asarray(strength, dtype=float)
     if not np.isfinite(strength).all() or strength.min() < 0.0 or not strength.max() > 0.0:
@@ -212,11 +217,11 @@ def follow(
     advance: Callable[[StateT, float], StateT], start: StateT, shifts: Sequence[float], *, finer: bool,
     keep_maps: bool = True, done: Callable[[StateT], None] | None = None,
 ) -> tuple[tuple[StateT, ...], StateT]:  # fmt: skip
-    """Return the states at all rigid shifts [m], in their order, and the state with the largest force.
+    """Compute the states at rigid shifts [m] in the given order; return them and the state with the largest force.
 
-    advance: returns the state at the next shift. start: state before the first shift. finer: whether the steps around the
-    largest force are repeated with smaller steps. keep_maps: whether states keep traction and slip. done: called with each
-    state.
+    advance: function (state, shift) that returns the state at the next shift. start: state before the first shift. finer:
+    whether the steps around the largest force are repeated with smaller steps. keep_maps: whether states keep traction and
+    slip. done: called with each state.
     """
     states, state, before, peak, top = [], start, start, start, -1
     for index, shift in enumerate(shifts):
@@ -238,8 +243,8 @@ def follow(
 class SlipStep:
     """Store the result of one step of slip.
 
-    found: traction and slip. left: strength after the slip (rows, columns) [Pa]. settled: whether the iterations of slip and
-    strength ended.
+    found: traction and slip. left: strength that remains after the slip (rows, columns) [Pa]. settled: whether the iteration of
+    slip and strength converged.
     """
 
     found: Sheared
@@ -251,16 +256,17 @@ def slip_step(
     operator: ShearOperator, strength: np.ndarray, weakening: Weakening | None, state: State, moved: np.ndarray,
     tolerance: float, most: int,
 ) -> SlipStep:  # fmt: skip
-    """Return traction, slip and remaining strength of one step.
+    """Solve traction, slip and remaining strength of one step.
 
-    strength: of points that have not slipped (rows, columns) [Pa]. state: before the step. moved: rigid shift minus all
-    earlier slip [m] (components, rows, columns). tolerance, most: of the traction solver.
+    operator: tangential compliance. strength: of points that have not slipped (rows, columns) [Pa]. weakening: how strength
+    falls with slip; None for constant strength. state: before the step. moved: rigid shift minus all earlier slip [m]
+    (components, rows, columns). tolerance, most: largest residual and number of steps of the traction solver.
     """
     traction, left, settled = state.traction, strength, True
     if weakening is not None:
         traction, left, settled = _weakened(operator, strength, weakening, state, moved, max(tolerance, _TURNING), most)
     found = shear(operator, left, moved, traction, tolerance=tolerance, most=most)
-    if weakening is not None:  # points without strength slip with the faces
+    if weakening is not None:  # points that have lost all strength still slip, by the motion of the faces
         bare = (strength > 0.0) & (left == 0.0)
         found = replace(found, slip=np.where(bare, moved - operator(found.traction), found.slip))
     return SlipStep(found, left, settled)
@@ -270,9 +276,10 @@ def _weakened(
     operator: ShearOperator, strength: np.ndarray, weakening: Weakening, state: State, moved: np.ndarray, tolerance: float,
     most: int,
 ) -> tuple[np.ndarray, np.ndarray, bool]:  # fmt: skip
-    """Return traction, remaining strength, and whether the iterations ended, all as in `slip_step`.
+    """Return traction [Pa], remaining strength (rows, columns) [Pa], and whether the iteration converged.
 
-    Traction and strength are found alternately. Single precision is enough here, and takes a third of the time.
+    The arguments are those of `slip_step`. Traction and strength are computed alternately. Single precision is enough here, and
+    takes a third of the time.
     """
     left, settled = strength * weakening.share(state.slipped), False
     traction, moved = state.traction.astype(np.float32), moved.astype(np.float32)
@@ -290,7 +297,8 @@ def _weakened(
 def after_step(state: State, step: SlipStep, touching: np.ndarray, apart: np.ndarray | float = 0.0) -> dict[str, Any]:
     """Return all attributes of the state after a step but the shift, by name.
 
-    state: the state before the step. touching: mask (rows, columns) of points in contact. apart: slip of the other points [m].
+    state: the state before the step. step: result of the step. touching: mask (rows, columns) of points in contact. apart: slip
+    of the points without contact in this step [m].
     """
     found, slid = step.found, size_of(step.found.slip)
     sliding = touching & (size_of(found.traction) >= step.left * (1.0 - 1e-9))
@@ -303,6 +311,7 @@ def after_step(state: State, step: SlipStep, touching: np.ndarray, apart: np.nda
         "slides": sliding,
         "touching": touching,
         "stick": 1.0 - np.count_nonzero(sliding) / count if count else 0.0,
-        "loss": state.loss + float(np.sum(found.traction * found.slip, where=sliding)),  # the slip of others is a residual
+        # Only sliding points count, because the slip of sticking points is a numerical residual.
+        "loss": state.loss + float(np.sum(found.traction * found.slip, where=sliding)),
         "converged": step.settled and found.converged,
     }

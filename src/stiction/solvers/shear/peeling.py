@@ -1,19 +1,20 @@
 """Solve the adhesive contact of a periodic map that a tangential force peels.
 
 The map is solved with the attraction of `boundary_elements.adhesive`. A law of `mode_mixity` lowers the work of adhesion w at
-every point to y w. The touching points stick and bear the force T; points that do not touch bear no shear. The energy G_T
-that shear releases at a point of the edge follows from virtual crack closure (Rybicki & Kanninen 1977, Eng. Fract. Mech. 9,
-931):
+every point to y w. The touching points stick and bear the tangential force T; points that do not touch bear no shear. The
+energy G_T per area that shear releases at a point of the edge follows from virtual crack closure (Rybicki & Kanninen 1977, Eng.
+Fract. Mech. 9, 931):
 
     G_T = c q s/2                                                                                                         (1)
 
-q is the traction of the point, and s the slip of its neighbours outside the contact. The constant c is that of discs, whose
-mean G_T is beta T^2/(32 pi a^3) (Savkoor & Briggs 1977): within 3 % at radii of 6 to 40 points. Pixels make G_T uneven, so it
-is smoothed along the edge over a few points. Every point of the map takes G_T of the nearest point of the edge. Contact and
-shear are solved alternately until the area stays. In these iterations the contact only shrinks.
+q is the traction of the point, and s the slip of its neighbours outside the contact. The constant c is that of discs of radius
+a, whose mean G_T is beta T^2/(32 pi a^3) with the tangential compliance beta (Savkoor & Briggs 1977): within 3 % at radii of 6
+to 40 points. Pixels make G_T uneven, so it is smoothed along the edge over a few points. Every point of the map takes G_T of
+the nearest point of the edge. Contact and shear are solved alternately until the area stays. In these iterations the contact
+only shrinks.
 
-`peel_map` applies given forces to a contact that sticks. `slide_and_peel` shifts a contact whose points slip at their
-strength; G_T is still that of a contact that sticks under the same force, as in the closed forms.
+`peel_map` applies given forces to a contact that sticks. `slide_and_peel` shifts a contact whose points slip at their strength;
+G_T is still that of a contact that sticks under the same force, as in the closed forms.
 """
 
 from collections.abc import Callable, Sequence
@@ -31,21 +32,21 @@ from stiction.solvers.shear.operators import PeriodicShear, ShearOperator
 from stiction.solvers.shear.path import MOST_STEPS, TOLERANCE, SlidingPath, State, Weakening, after_step, follow, slip_step
 
 _OF_DISCS = 1.04
-_ALONG = 2.0  # points, standard deviation of the smoothing
+_ALONG = 2.0  # standard deviation of the smoothing, in points
 _MOST_TURNS = 40
-_STAYS = 2e-3  # change of the number of touching points, or of the force, in a turn
-_APPROACH = 0.7  # of the way to the force that the present contact bears
+_STAYS = 2e-3  # largest relative change of the number of touching points, or of the force, in the last iteration
+_APPROACH = 0.7  # part of the difference to the force that the present contact bears, by which one iteration raises the force
 
 
 @dataclass(frozen=True)
 class Peeled:
     """Store the adhesive contact of a map under a tangential force.
 
-    force: T [N]. area: contact area, corrected for pixel size [m2]. share: smallest remaining fraction of the work of adhesion.
-    released: energy G_T released at the nearest edge point, averaged over the points of the map [J/m2]; 0 without a law of mode
-    mixity. peeled: whether the contact is lost, or no adhesion remains at some point. turns: number of iterations. converged:
-    whether at most 0.2 % of the touching points changed in the last one; True if none was needed. touching: mask (rows,
-    columns).
+    force: tangential force [N]. area: contact area, corrected for pixel size [m2]. share: smallest remaining fraction of the
+    work of adhesion. released: energy that shear releases at the nearest edge point, averaged over the points of the map
+    [J/m2]; 0 without a law of mode mixity. peeled: whether the contact is lost, or no adhesion remains at some point. turns:
+    number of iterations. converged: whether at most 0.2 % of the touching points changed in the last iteration; True if none
+    was needed. touching: mask (rows, columns).
     """
 
     force: float
@@ -64,10 +65,11 @@ def peel_map(
 ) -> list[Peeled]:  # fmt: skip
     """Shear an adhesive periodic map by tangential forces [N], in rising order, until it peels.
 
-    heights, size, modulus, load, work, reach: as in `solve_adhesive`, but the grid is not refined. compliance: of the bodies
-    under shear. mode_mixity: a key of MODE_MIXITIES; None if shear does not change adhesion. zeta: fraction of the shear
-    energy that opens the edge, 0 to 1. If the contact peels, the list ends with that state. Raises InputError for values out
-    of bounds.
+    Returns the contact at each force; if the contact peels, the list ends with that state. heights: (rows, columns) [m]. size:
+    (y, x) [m]. modulus: effective modulus E* [Pa]. load: normal load [N]. work: work of adhesion [J/m2]. reach: range of
+    attraction [m]. compliance: of the bodies under shear. mode_mixity: a key of MODE_MIXITIES; None if shear does not change
+    adhesion. zeta: fraction of the shear energy that opens the edge, 0 to 1. The grid is not refined, unlike in
+    `solve_adhesive`. Raises InputError for values out of bounds.
     """
     if mode_mixity is not None and mode_mixity not in MODE_MIXITIES:
         raise InputError("mode_mixity", mode_mixity, nearest(mode_mixity, list(MODE_MIXITIES)))
@@ -89,7 +91,11 @@ def peel_map(
 def _at_force(
     state: AdhesiveState, operator: ShearOperator, force: float, work: float, mode_mixity: str | None, zeta: float
 ) -> tuple[AdhesiveState, Peeled]:
-    """Return the contact under a tangential force [N], starting from the contact under a smaller force."""
+    """Return the contact under a tangential force [N], as a state to continue from and as a result.
+
+    state: the contact under a smaller force, from which the iteration starts. work: work of adhesion [J/m2]. mode_mixity: a key
+    of MODE_MIXITIES, or None. zeta: fraction of the shear energy that opens the edge.
+    """
     released, left = np.zeros(state.gap.shape), np.ones(state.gap.shape)
     converged, turn = mode_mixity is None or force == 0.0, 0
     while not converged and turn < _MOST_TURNS and state.touching.any():
@@ -108,8 +114,8 @@ def _at_force(
 class PeelingState(State):
     """Store the state of an adhesive map at one rigid shift.
 
-    contact: the contact under its remaining adhesion. share: remaining fraction of the work of adhesion at every point (rows,
-    columns).
+    contact: the adhesive contact with its remaining work of adhesion. share: remaining fraction of the work of adhesion at
+    every point (rows, columns).
     """
 
     contact: AdhesiveState = field(repr=False)
@@ -120,11 +126,12 @@ def slide_and_peel(
     contact: AdhesiveState, operator: ShearOperator, strength: Callable[[AdhesiveState], np.ndarray], shifts: Sequence[float],
     *, work: float, law: ModeMixity, zeta: float, weakening: Weakening | None = None,
 ) -> SlidingPath:  # fmt: skip
-    """Shift an adhesive map through rigid shifts [m], in the given order, while shear lowers its adhesion.
+    """Shift an adhesive map through rigid shifts along x [m], in the given order, while shear lowers its adhesion.
 
-    contact: without shear. strength: returns the shear strength of every point of a contact (rows, columns) [Pa]. work: work of
-    adhesion [J/m2]. law: law of mode mixity. zeta: fraction of the shear energy that opens the edge, 0 to 1. weakening: how
-    strength falls with slip. Contact that is lost does not come back when the force falls.
+    contact: the map without shear. operator: tangential compliance. strength: returns the shear strength of every point of a
+    contact (rows, columns) [Pa]. work: work of adhesion [J/m2]. law: law of mode mixity. zeta: fraction of the shear energy
+    that opens the edge, 0 to 1. weakening: how strength falls with slip; None for constant strength. Contact that is lost does
+    not come back when the force falls.
     """
     full, zero, none = strength(contact), np.zeros((1, *contact.gap.shape)), np.zeros(contact.gap.shape, dtype=bool)
     start = PeelingState(
@@ -140,7 +147,7 @@ def slide_and_peel(
             stays = force <= acting + _STAYS * abs(acting)
             if stays:
                 break
-            acting += _APPROACH * (force - acting)  # from below, as contact that is lost does not come back
+            acting += _APPROACH * (force - acting)  # approached from below, because lost contact does not come back
             share = np.minimum(share, law.share(unit(contact.touching) * acting**2 / work, zeta))
             contact = contact.with_share(share)
         after = after_step(state, step, contact.touching)
@@ -152,13 +159,16 @@ def slide_and_peel(
 
 
 class _UnitRelease:
-    """Compute the energy G_T that a unit force releases at the edge, and keep it until the contact changes."""
+    """Compute the energy that a tangential unit force releases at the contact edge; reuse it until the contact changes."""
 
     def __init__(self, operator: ShearOperator):
         self._operator, self._touching, self._released = operator, np.zeros(0, dtype=bool), np.zeros(0)
 
     def __call__(self, touching: np.ndarray) -> np.ndarray:
-        """Return G_T/T^2 of every point (rows, columns); T is the force over the area of a point [Pa]."""
+        """Return the energy per area that shear releases at the nearest edge point, over T^2, for every point (rows, columns).
+
+        T is the tangential force over the area of a point [Pa], so the unit is J/(m2 Pa2). touching: mask (rows, columns).
+        """
         if not np.array_equal(touching, self._touching):
             self._touching = touching
             self._released = energy_released(self._operator, touching, 1.0) if touching.any() else np.zeros(touching.shape)
@@ -166,10 +176,10 @@ class _UnitRelease:
 
 
 def energy_released(operator: ShearOperator, touching: np.ndarray, total: float) -> np.ndarray:
-    """Return the energy G_T [J/m2] that shear releases at the edge, for every point (rows, columns).
+    """Return the energy [J/m2] that shear releases at the contact edge, for every point (rows, columns).
 
-    Each point takes the value of the nearest edge point. touching: mask of the points that touch and stick. total: force on
-    them, divided by the area of a point [Pa].
+    Each point takes the value of the nearest edge point. touching: mask (rows, columns) of the points that touch and stick.
+    total: tangential force on them, divided by the area of a point [Pa].
     """
     shift = np.ones((1, *touching.shape))
     strength = np.where(touching, 1e6 / operator.of_point, 0.0)
