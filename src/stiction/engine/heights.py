@@ -214,7 +214,7 @@ class HeightParameters(TypedDict, total=False):
 
 @with_keywords(HeightParameters)
 def height_distribution(key: str, **parameters: Unpack[HeightParameters]) -> Heights:
-    """Return a height distribution by its name.
+    """Return the height distribution with this name.
 
     Parameters
     ----------

@@ -1,4 +1,7 @@
-"""Choose which loops run: plain Python, shared compiled loops (quick to compile), or one loop per regime (quick to run)."""
+"""Choose which loops run: plain Python, compiled loops that all laws share, or one compiled loop per regime.
+
+A regime is a smooth part of an asperity law. Shared loops are quick to compile, loops for one regime are quick to run.
+"""
 
 import os
 from collections.abc import Iterator

@@ -1,4 +1,4 @@
-"""List the models that can be applied to a contact, with the names that a comparison shows and a user may ask for."""
+"""List the models that can be applied to a contact, with their names in a comparison."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -18,28 +18,32 @@ from stiction.records.registry import (
 )
 from stiction.solving.choice import RECOMMENDED, Choice
 
-# Greenwood & Williamson's sum takes any asperity law, and this film law any of them.
+# The sum that accepts any asperity law, and the film law that accepts any asperity law.
 _SUM, _SUITS_ALL = "greenwood_williamson_1966", "sequential"
-# The asperity law used with laws of growing junctions: it flows, and its error on benchmark surfaces is small.
+# The asperity law used with laws of junction growth: it has plastic flow, and its error on benchmark surfaces is small.
 _FLOWS = "zhao_maietta_chang_2000"
-# Of a map that is solved at some loads in a few seconds.
+# Largest number of points of a map that is solved at a few loads within seconds.
 _POINTS = 300_000
 
 
 @dataclass(frozen=True)
 class Candidate:
-    """Store a model that can be applied to a contact, with its laws and options, and its name in a comparison."""
+    """Store a model that can be applied to a contact.
+
+    name: its name in a comparison. choice: the keys of the model, its laws and options.
+    """
 
     name: str
     choice: Choice
 
 
 def candidates(subject: Subject) -> list[Candidate]:
-    """Return every rough-surface model that a comparison tries, and the Greenwood-Williamson sum over other asperity laws.
+    """Return every rough-surface model that a comparison tries, and the Greenwood-Williamson sum over each other asperity law.
 
-    Laws of junction growth are offered only for a contact without a film and without a pressure coefficient, with an
-    asperity law that flows. On a coated contact each model takes its own film law or "sequential", and each other film
-    law is a candidate of its own. The solution of a map takes every point, or a sample of the points of a large map.
+    subject: the contact. Laws of junction growth are included only for a contact without a film and without a pressure
+    coefficient; they are combined with an asperity law that has plastic flow. On a coated contact each model is combined with
+    its own film law or "sequential", and each other film law is a candidate of its own. The model that solves the map uses
+    every point of a small map, and a sample of the points of a large one.
     """
     models = of_kind(RoughSurface)
     taken = {model.asperity for model in models.values()}
@@ -50,7 +54,7 @@ def candidates(subject: Subject) -> list[Candidate]:
     ]
     listed += [Candidate(key, Choice(_SUM, asperity=key)) for key in of_kind(AsperityLaw) if key not in taken]
     if not subject.has_film:
-        if subject.known("pressure_coefficient") is not None:  # which laws of growth would leave out
+        if subject.known("pressure_coefficient") is not None:  # laws of junction growth would ignore it
             return listed
         return listed + [
             Candidate(key, Choice(_SUM, asperity=_FLOWS, tangential=key))
@@ -63,7 +67,8 @@ def candidates(subject: Subject) -> list[Candidate]:
         for film in films.values()
         if film.solved_as_one
         for candidate in listed
-        if models[candidate.choice.model_key].asperity and candidate.choice != Choice(_SUM)  # which is the film by itself
+        # The plain sum is omitted, because the film law combined with it is added on its own below.
+        if models[candidate.choice.model_key].asperity and candidate.choice != Choice(_SUM)
     ]
     listed = [_with_film(candidate, models[candidate.choice.model_key]) for candidate in listed] + as_one
     return listed + [_alone(film) for film in films.values() if film.interchangeable and film.key != _SUITS_ALL]
@@ -79,15 +84,16 @@ def _of_map(model: RoughSurface, subject: Subject) -> Candidate:
 
 def _with_film(candidate: Candidate, model: RoughSurface) -> Candidate:
     if not model.asperity:
-        return candidate  # its own error states that it supports no films
+        return candidate  # solving it raises the error that it supports no films
     film = model.default_film or _SUITS_ALL
     return Candidate(f"{candidate.name} + {film}", replace(candidate.choice, film=film))
 
 
 def _as_one(candidate: Candidate, model: RoughSurface, film: FilmLaw) -> Candidate:
-    """Return a candidate whose film law solves film and body as one elastic solid.
+    """Return the candidate combined with a film law that solves film and body as one elastic solid.
 
-    The candidate keeps the tangential law of the model, or takes the equivalent law for layered bodies.
+    The tangential law of the model stays, unless it does not suit the film law; then the equivalent law for layered bodies is
+    used.
     """
     tangential = find(model.tangential, TangentialLaw) if model.tangential != "none" else None
     like = tangential.like if tangential is not None and friction_incompatibility(film, tangential) else ""
@@ -98,7 +104,7 @@ def _as_one(candidate: Candidate, model: RoughSurface, film: FilmLaw) -> Candida
 def _alone(film: FilmLaw) -> Candidate:
     """Return a candidate that combines a film law with the asperity law of its source.
 
-    The model is the one that has the tangential law of the film law, or else the Greenwood-Williamson sum.
+    The rough-surface model is the one that has the tangential law of the film law, or else the Greenwood-Williamson sum.
     """
     model = next(
         (key for key, one in of_kind(RoughSurface).items() if one.asperity and one.tangential == film.tangential), _SUM
@@ -107,10 +113,10 @@ def _alone(film: FilmLaw) -> Candidate:
 
 
 def choice_of(name: str | None, given: Mapping[str, Any], subject: Subject) -> Choice:
-    """Return the choice that a name stands for, with the laws and options in `given`.
+    """Return the selected model and laws for a name of a model and the keyword arguments of the user.
 
-    name: the key of a rough-surface model, or a name that a comparison shows for this contact; None for the default
-    model. Raises InputError for an unknown name.
+    name: the key of a rough-surface model, or a name that a comparison shows for this contact; None for the default model.
+    given: keys of laws and values of options by keyword. subject: the contact. Raises InputError for an unknown name.
     """
     if name is None:
         return Choice.of(None, given)
@@ -134,8 +140,8 @@ def choice_of(name: str | None, given: Mapping[str, Any], subject: Subject) -> C
 def with_interface(choice: Choice, groups: Groups) -> Choice:
     """Return the choice with the interface law that uses most of the stated interface properties.
 
-    The law is "none" if no shear strength is stated. The choice stays unchanged if it names a tangential law, or if the
-    model has one.
+    groups: dimensionless groups of the contact. The law is "none" if no shear strength is stated. The choice stays unchanged if
+    it names a tangential law, or if the model has one.
     """
     if choice.tangential is not None or find(choice.model_key, RoughSurface).tangential != "none":
         return choice

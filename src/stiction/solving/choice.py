@@ -17,7 +17,7 @@ DEFAULT_MODEL, RECOMMENDED = "soft_coating_2015", "recommended"
 class LawKeywords(TypedDict, total=False):
     """List the keyword arguments for laws and options of the public functions, for code completion in editors.
 
-    A test compares the list with the registry. Laws of other packages may add options, which are also passed as
+    A test compares the list with the registry of laws. Laws of other packages may add options, which are also passed as
     keywords.
     """
 
@@ -50,11 +50,12 @@ class LawKeywords(TypedDict, total=False):
 
 @dataclass(frozen=True)
 class Choice:
-    """Name a model with its laws and options, as keys of the registry.
+    """Name a model with its laws and options, by their keys.
 
-    model: None for the default model; asperity, tangential ("none" for contact only), film: laws that replace those of
-    the model; options: values by name, None for a default; beside: added laws by keyword, "none" to omit a law that the
-    contact would need.
+    model: key of the model; None for the default model. asperity, tangential, film: keys of laws that replace those of the
+    model; None for those of the model, and tangential = "none" for contact without friction. options: values by name, None for
+    a default. beside: keys of additional laws (menisci, ageing ...) by keyword, "none" to omit a law that the contact would
+    need.
     """
 
     model: str | None = None
@@ -65,25 +66,25 @@ class Choice:
     beside: Mapping[str, str | None] = field(default_factory=dict)
 
     def __post_init__(self):
-        for name, value in (self.arguments() | {"model": None}).items():  # an unknown model is refused with the known ones
+        for name, value in (self.arguments() | {"model": None}).items():  # the model is checked where it is looked up
             if not (value is None or isinstance(value, str)):
                 raise InputError(name, value, "text: the name of a law or of an option")
 
     @classmethod
     def of(cls, model: str | None, given: Mapping[str, Any]) -> "Choice":
-        """Return the choice of a model from the keyword arguments `given`: names of laws, and options."""
+        """Return the choice of a model with the keyword arguments `given`, which hold keys of laws and values of options."""
         words = dict(given)
         laws = {name: words.pop(name) for name in _OF_MODEL[1:] if name in words}
         beside = {name: key for name in LAWS if (key := words.pop(name, None)) is not None}
         return cls(model, options=words, beside=beside, **laws)
 
     def laws(self) -> dict[str, str | None]:
-        """Return the keys of model and laws by keyword; None for a default."""
+        """Return the keys of the model and of all laws, by keyword; None for a default."""
         return {name: getattr(self, name) if name in _OF_MODEL else self.beside.get(name) for name in LAWS}
 
     @property
     def model_key(self) -> str:
-        """Return the key of the model; the default model if none is named."""
+        """Return the key of the model, which is the default model if none is named."""
         return DEFAULT_MODEL if self.model is None else self.model
 
     @property
@@ -98,11 +99,11 @@ class Choice:
         return " + ".join([self.model_key, *laws, *options])
 
     def with_changes(self, laws: Mapping[str, str | None], options: Mapping[str, str | None]) -> "Choice":
-        """Return the choice with other laws and options; a value of None changes nothing."""
+        """Return the choice with other laws and options, given by keyword; a value of None changes nothing."""
         changed = {name: value for name, value in {**laws, **options}.items() if value is not None}
         words = {**self.laws(), **self.options, **changed}
         return Choice.of(words.pop("model"), words)
 
     def arguments(self) -> dict[str, Any]:
-        """Return the choice as keyword arguments of `solve`."""
+        """Return the choice as the keyword arguments of `solve` that select it."""
         return self.laws() | dict(self.options)

@@ -1,4 +1,4 @@
-"""Look up the selected model and laws in the registry, and refuse laws that do not suit each other."""
+"""Look up the selected model and laws by their keys, and raise errors for laws that cannot be combined."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
@@ -27,11 +27,12 @@ from stiction.solving.choice import Choice
 
 @dataclass(frozen=True)
 class ResolvedLaws:
-    """Hold a model with its laws and all their options.
+    """Store a model with its laws and all their options.
 
-    asperity: None for a theory in closed form. film: None for a bare contact. tangential: None for contact only.
-    ignored: keys of selected laws that have no effect on this contact. additions: further laws of the contact by
-    keyword, see `registry.Addition`. dry: whether the user omitted menisci by name.
+    model: the rough-surface model. asperity: None for a theory in closed form or on a map. tangential: None for contact without
+    friction. film: None for a bare contact. options: values by name. ignored: selected laws that have no effect on this
+    contact, as texts. additions: additional laws (menisci, ageing ...) by keyword. dry: whether the user excluded menisci by
+    name.
     """
 
     model: RoughSurface
@@ -45,15 +46,15 @@ class ResolvedLaws:
 
     @property
     def law(self) -> Law:
-        """Return the combined law of an asperity: the asperity law with the tangential law."""
+        """Return the combined law of a single asperity: the asperity law with the tangential law."""
         assert self.asperity is not None, "a theory in closed form has no asperity law"
         return Law(self.asperity, self.tangential, self.options)
 
     @property
     def yielded(self) -> str:
-        """Return what limits the friction of yielded junctions, one of registry.YIELDED.
+        """Return what limits the friction of junctions that have yielded, one of registry.YIELDED.
 
-        It is "" for contact only, or if the law does not state it.
+        It is "" without friction, or if the law does not state it.
         """
         if self.tangential is None:
             return ""
@@ -61,28 +62,28 @@ class ResolvedLaws:
         return (taken or [self.tangential.yielded])[0]
 
     def with_option(self, name: str, value: str) -> "ResolvedLaws":
-        """Return the same laws with one option changed."""
+        """Return the same laws with the option `name` set to `value`."""
         return replace(self, options={**self.options, name: value})
 
     def without(self, keyword: str, **changes: Any) -> "ResolvedLaws":
-        """Return the same laws without the addition (menisci, ageing ...) that this keyword of `solve` selects.
+        """Return the same laws without the additional law (menisci, ageing ...) that this keyword of `solve` selects.
 
         changes: other fields to replace.
         """
         return replace(self, additions={name: law for name, law in self.additions.items() if name != keyword}, **changes)
 
     def records(self) -> list[Record]:
-        """Return the records of all laws in use, including those that their options add."""
+        """Return the records of the model and of all laws in use, including laws that options add."""
         asperity = None if self.film is not None and self.film.own_asperity else self.asperity
         laws = [law for law in (self.model, asperity, self.tangential, self.film, *self.additions.values()) if law is not None]
         return [record for law in laws for record in (law, *law.parts(self.options))]
 
 
 def resolve_laws(choice: Choice, coated: bool, groups: Groups | None = None) -> ResolvedLaws:
-    """Return the laws of a choice for a contact with or without a film.
+    """Look up the laws of a choice for a contact with (coated) or without a film.
 
-    groups: dimensionless groups of the contact; stated ones can require additional laws, such as menisci. Raises
-    InputError for unknown keys, for options that none of the laws has, and for laws that do not suit each other.
+    groups: dimensionless groups of the contact; stated ones can require additional laws, such as menisci. Raises InputError for
+    unknown keys, for options that none of the laws has, and for laws that cannot be combined.
     """
     model = find(choice.model_key, RoughSurface)
     key = choice.tangential or model.tangential
@@ -102,7 +103,7 @@ def resolve_laws(choice: Choice, coated: bool, groups: Groups | None = None) -> 
             field, value = ("asperity", asperity.key) if choice.asperity else (law.keyword, law.key)
             raise InputError(field, value, f"another law, because {reason}")
     if film is not None and (reason := friction_incompatibility(film, tangential)):
-        assert tangential is not None  # without friction there is nothing that could not suit
+        assert tangential is not None  # without a tangential law the film law is always compatible
         raise InputError("tangential", tangential.key, f"another law, because {reason}")
     options = _options(choice, model, asperity, tangential, film)
     _refuse_junctions(film, tangential, options)
@@ -112,9 +113,9 @@ def resolve_laws(choice: Choice, coated: bool, groups: Groups | None = None) -> 
 def _additions(
     choice: Choice, groups: Groups | None, model: RoughSurface, tangential: TangentialLaw | None, film: FilmLaw | None
 ) -> dict[str, Addition]:
-    """Return the added laws by keyword: the named ones, and the defaults that the stated quantities require.
+    """Return the additional laws by keyword: those that are named, and defaults that the stated quantities require.
 
-    Raises InputError for an unknown key, and for a law that does not suit the others.
+    Raises InputError for an unknown key, and for a law that cannot be combined with the others.
     """
     additions: dict[str, Addition] = {}
     for keyword, kind in kinds_of_additions().items():
@@ -132,7 +133,7 @@ def _additions(
 
 
 def _refuse_junctions(film: FilmLaw | None, tangential: TangentialLaw | None, options: Mapping[str, str]) -> None:
-    """Raise InputError if the law for yielded junctions cannot be combined with the film law."""
+    """Raise InputError if the selected law for yielded junctions cannot be combined with the film law."""
     if film is None or options.get(JUNCTIONS, NO_JUNCTIONS) == NO_JUNCTIONS:
         return
     for law in () if tangential is None else tangential.parts(options):
@@ -141,7 +142,7 @@ def _refuse_junctions(film: FilmLaw | None, tangential: TangentialLaw | None, op
 
 
 def _ignored(choice: Choice, coated: bool) -> tuple[str, ...]:
-    """Return the film law that was selected although the contact has no film, as a text; () if none was.
+    """Return the film law that was selected for a contact without a film, as a text; () if none was.
 
     Raises InputError for an unknown key.
     """
@@ -168,7 +169,7 @@ def _film(choice: Choice, model: RoughSurface) -> FilmLaw:
 
 
 def _refuse_parts(choice: Choice, model: RoughSurface, tangential: TangentialLaw | None, coated: bool) -> None:
-    """Raise InputError for laws and options that cannot be combined with a theory in closed form."""
+    """Raise InputError for laws and options that cannot be combined with a theory that does not sum over asperities."""
     if coated and not model.on_film:
         raise InputError("model", model.key, "a model for coated contacts, because this contact has a film")
     if model.on_film and not coated:

@@ -1,4 +1,4 @@
-"""Solve contact theories in closed form, which are not sums over asperities."""
+"""Solve contact theories in closed form, which do not sum over asperities."""
 
 from dataclasses import dataclass
 from typing import Any
@@ -14,9 +14,9 @@ from stiction.solving.problem_base import Problem, with_coefficient
 
 @dataclass(frozen=True)
 class ClosedFormProblem(Problem):
-    """Represent a contact theory in closed form, which is not a sum over asperities.
+    """Represent contacts under a theory in closed form, which does not sum over asperities.
 
-    Friction, if any, is computed by a law of the interface.
+    Friction, if any, is computed by a law of the interface from load and contact area.
     """
 
     @property
@@ -28,7 +28,7 @@ class ClosedFormProblem(Problem):
         return self.record.adheres
 
     def near(self, load: np.ndarray) -> np.ndarray:
-        """Return an estimate of the separations (n, m) at which normalised loads (n, m) are carried."""
+        """Return an estimate of the separations (n, m), over sigma, at which n contacts carry the normalised loads (n, m)."""
         assert self.record.separation_near is not None
         return self.record.separation_near(load, self.groups, **select_options(self.record, self.options))
 
@@ -61,12 +61,12 @@ class ClosedFormProblem(Problem):
 
     @property
     def map(self) -> Any:
-        """Return the map of the contact if the theory uses it, else None."""
+        """Return the height map of the contact if the theory uses it, else None."""
         return None if self.record.area_on_map is None or self.subject is None else self.subject.map
 
     @property
     def way(self) -> str:
-        """Describe how the area is computed, for theories that can compute it in more than one way; otherwise ""."""
+        """Return the name of the method that computes the area, for theories with more than one method; otherwise ""."""
         return "" if self.record.way is None else self.record.way(self.map)
 
     def _area(self, load: np.ndarray) -> np.ndarray:

@@ -1,8 +1,8 @@
 """Check validity conditions that apply to the results of every model, besides the ranges that authors claim.
 
-A rule limits a quantity of `solving.state`, of the results, or of the contact, and names the problems to which it
-applies. The bounds are round numbers. The text of each rule states what fails beyond them. An "impossible" result is
-never recommended.
+A rule limits one quantity: a number of `solving.state`, a result, or a property of the contact. A function with each rule tells
+to which problems the rule applies. The bounds are round numbers. The text of each rule states what fails beyond them. A model
+with an "impossible" result is never recommended.
 """
 
 from collections.abc import Callable, Iterable, Mapping
@@ -23,7 +23,7 @@ from stiction.solving.on_map import MapProblem
 from stiction.solving.problem import Problem, lost_in_rounding
 from stiction.solving.state import state_of
 
-# A theory that ends at full contact ends there to rounding.
+# Theories that end at full contact may exceed an area fraction of 1 by round-off.
 _ROUNDING = 1e-9
 
 
@@ -32,17 +32,17 @@ def _any(problem: Problem) -> bool:
 
 
 def _by_numbers(problem: Problem) -> bool:
-    """Return whether the model uses roughness numbers; False for a solution on a height map."""
+    """Return whether the model uses roughness numbers; False for a model that solves a height map."""
     return problem.record.of_map is None
 
 
 def _at_random(problem: Problem) -> bool:
-    """Return whether the roughness numbers are statistics; False for asperities that are listed one by one."""
+    """Return whether the model uses roughness numbers that are statistics; False for asperities that are listed one by one."""
     return _by_numbers(problem) and not problem.heights.listed.size
 
 
 def _of_asperities(problem: Problem) -> bool:
-    """Return whether the theory neglects the interaction between contacts."""
+    """Return whether the theory neglects the elastic interaction between contact spots."""
     return not problem.record.up_to_full_contact
 
 
@@ -51,7 +51,7 @@ def _does_not_adhere(problem: Problem) -> bool:
 
 
 def leaves_out_liquid(problem: Problem) -> bool:
-    """Return whether the contact has a liquid that its model ignores."""
+    """Return whether the contact has a liquid that its model neglects."""
     return (
         problem.groups.meniscus_index is not None
         and "meniscus" not in problem.chosen.additions
@@ -68,18 +68,18 @@ def _shears_the_interface(problem: Problem) -> bool:
 
 
 def _does_not_grow(problem: Problem) -> bool:
-    """Return whether friction on a bare contact neglects junction growth.
+    """Return whether friction is computed on a bare contact without junction growth.
 
-    False for contacts with a film, because no law covers junction growth on films.
+    The result is False for contacts with a film, because no law covers junction growth on films.
     """
     grows = problem.chosen.yielded != "interface" or problem.options.get("shear") == "junction_growth"
     return not grows and not problem.groups.has_film
 
 
 def _elastic_on_a_film(problem: Problem) -> bool:
-    """Return whether film and body are one elastic solid and the asperity law is valid in a range of the plasticity index.
+    """Return whether film and body are solved as one elastic solid, by a law that is valid in a range of the plasticity index.
 
-    The plasticity index is computed without the film.
+    Elastic results are then checked with a plasticity index of the film, because the usual index is computed without the film.
     """
     film, asperity = problem.chosen.film, problem.chosen.asperity
     if film is None or asperity is None or not film.solved_as_one:
@@ -122,12 +122,15 @@ RULES: tuple[tuple[Validity, Callable[[Problem], bool]], ...] = (
 
 
 def warnings_of_results(problem: Problem, results: Mapping[str, np.ndarray]) -> list[ValidityWarning]:
-    """Return every validity warning about these normalised results, from the records in use and from RULES."""
+    """Return every validity warning about normalised results, from the ranges of the laws in use and from RULES.
+
+    results: arrays by name.
+    """
     return without_repeats(warnings_about(problem.subject, rules_of(problem), _known(problem, results)))
 
 
 def warnings_of_rounding(carried: np.ndarray, asked: np.ndarray) -> list[ValidityWarning]:
-    """Return a validity warning if requested loads were lost in round-off.
+    """Return a validity warning if requested loads were lost in round-off, in a list; empty if none was.
 
     carried, asked: computed and requested normalised loads, arrays of one shape.
     """
@@ -138,15 +141,15 @@ def warnings_of_rounding(carried: np.ndarray, asked: np.ndarray) -> list[Validit
     off = np.abs(carried[lost] / asked[lost] - 1.0).max()
     off_by = f"the computed load differs by up to {off:.2g} times the requested one"
     why = f"the requested load is below round-off {where}, or the load leaps past it: {off_by}"
-    return [ValidityWarning(why, kind="impossible")]  # at the requested load there is no result
+    return [ValidityWarning(why, kind="impossible")]  # because there is no result at the requested load
 
 
-# What a point of a curve may be: as its model claims; outside of a range; not possible at all.
+# State of a point of a curve: inside all validity ranges, outside of one, or physically impossible.
 WITHIN, OUTSIDE, IMPOSSIBLE = range(3)
 
 
 def points_outside(problem: Problem, curve: Mapping[str, np.ndarray]) -> np.ndarray:
-    """Return WITHIN, OUTSIDE or IMPOSSIBLE for each point (m,) of the curve of a single contact.
+    """Return the state of each point (m,) of the curve of a single contact: WITHIN, OUTSIDE or IMPOSSIBLE.
 
     curve: normalised results (1, m) by name.
     """
@@ -157,7 +160,7 @@ def points_outside(problem: Problem, curve: Mapping[str, np.ndarray]) -> np.ndar
 
 
 def rules_of(problem: Problem) -> list[Validity]:
-    """Return every validity range that results of this problem can violate, each once.
+    """Return every validity range that results of this problem can leave, each once.
 
     The list does not depend on the values of the contacts.
     """
@@ -167,15 +170,18 @@ def rules_of(problem: Problem) -> list[Validity]:
 
 
 def excludes(rule: Validity) -> bool:
-    """Return whether results that violate this range are impossible, so that a sample of uncertain inputs is excluded."""
+    """Return whether a sample of uncertain inputs is excluded if its results leave this range.
+
+    This holds for ranges beyond which results are impossible, and for the mean contact pressure above the hardness.
+    """
     return rule.kind == "impossible" or rule.quantity == "mean_pressure_over_hardness"
 
 
 def rules_left(problem: Problem, results: Mapping[str, np.ndarray]) -> list[np.ndarray]:
-    """Return a mask for each rule of `rules_of`, True where results violate the rule.
+    """Return a mask for each range of `rules_of`, True where results lie outside the range.
 
-    Masks are (n, m) over contacts and points, or (n, 1) for rules that do not depend on points. results: normalised,
-    with the dimensions of the contacts first.
+    Masks are (n, m) over n contacts and m points, or (n, 1) for ranges that do not depend on points. results: normalised arrays
+    by name, with the dimensions of the contacts first.
     """
     known, contacts = _known(problem, results), len(problem.groups)
     found = []
@@ -193,10 +199,10 @@ def rules_left(problem: Problem, results: Mapping[str, np.ndarray]) -> list[np.n
 
 
 def _known(problem: Problem, results: Mapping[str, np.ndarray]) -> dict[str, Any]:
-    """Return the quantities that rules limit; None if unknown."""
+    """Return the values of all quantities that the rules limit, by name; None if unknown."""
     if "groups" not in problem.shared:
         problem.shared["groups"], problem.shared["of_contact"] = _of_groups(problem), {}
-    # touching_asperities is per asperity among the results, and a number of them where that can be known
+    # The result touching_asperities is a fraction; the rule needs a number, which state_of gives if it is known.
     known = problem.shared["groups"] | dict(results) | {"touching_asperities": None} | state_of(problem, results)
     of_contact = problem.shared["of_contact"]
     for name in {rule.quantity for rule in rules_of(problem)} - known.keys():
@@ -207,7 +213,7 @@ def _known(problem: Problem, results: Mapping[str, np.ndarray]) -> dict[str, Any
 
 
 def _of_groups(problem: Problem) -> dict[str, Any]:
-    """Return the dimensionless groups of the contacts (n, 1), and quantities derived from them; None if unknown.
+    """Return the dimensionless groups of the contacts (n, 1), and quantities derived from them, by name; None if unknown.
 
     They are read from the problem, because the contact would recompute all of them at each access.
     """
@@ -224,9 +230,9 @@ def _of_groups(problem: Problem) -> dict[str, Any]:
 
 
 def _rules_for(problem: Problem) -> list[Validity]:
-    """Return the rules that apply to a problem, and the ranges that its records claim."""
+    """Return the rules of RULES that apply to a problem, and the ranges that the laws in use claim."""
     rules = [rule for rule, applies in RULES if applies(problem)]
-    if _hardens(problem):  # it may bear more than its hardness: then that is only an assumption that fails
+    if _hardens(problem):  # a hardening metal may bear more than its hardness, so exceeding it is not impossible
         hardness = "nominal_pressure_over_hardness"
         rules = [replace(rule, kind="assumption") if rule.quantity == hardness else rule for rule in rules]
     return [*rules, *(rule for record in problem.records() for rule in record.validity)]
@@ -235,7 +241,7 @@ def _rules_for(problem: Problem) -> list[Validity]:
 def _hardens(problem: Problem) -> bool:
     """Return whether the metal work-hardens under a law that includes hardening.
 
-    A law without hardening never lets spots bear more than the hardness H.
+    Under a law without hardening no contact spot bears more than the hardness.
     """
     hardening = problem.groups.hardening
     known = any("hardening" in (*record.needs, *record.takes) for record in problem.records())
@@ -243,7 +249,7 @@ def _hardens(problem: Problem) -> bool:
 
 
 def without_repeats(warnings: Iterable[ValidityWarning]) -> list[ValidityWarning]:
-    """Return the validity warnings without those that a stronger warning on the same quantity implies.
+    """Return the validity warnings without those that a warning of kind "impossible" on the same quantity implies.
 
     For example, a value above 1 is also above 0.1.
     """

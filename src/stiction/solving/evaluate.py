@@ -1,4 +1,4 @@
-"""Evaluate the model of the 2015 paper quickly: NumPy arrays in and out, without labels."""
+"""Evaluate the model of the 2015 paper quickly: NumPy arrays in and out, without labels or units."""
 
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -19,11 +19,13 @@ from stiction.solving.problem import AsperitySum, problem_of
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
-_POINTS, _LAWS = 16384, 4096  # at a time, scattered or on a grid: bounds the memory
+_POINTS, _LAWS = 16384, 4096  # most points, or parameter sets on a grid, that are computed at a time, to bound the memory
 
 
 class Evaluation(NamedTuple):
-    """Hold the results of `evaluate`, per asperity and normalised.
+    """Store the results of `evaluate`, per asperity and normalised.
+
+    R is the asperity radius, sigma the standard deviation of the heights, and K = (4/3) E* with the contact modulus E*.
 
     Parameters
     ----------
@@ -61,7 +63,7 @@ def evaluate(
     Parameters
     ----------
     h : array_like (...)
-        Mean separation over sigma.
+        Mean separation over sigma, the standard deviation of the asperity heights.
     theta, lam : array_like (...)
         Elastic and plastic adhesion index, above 0.
     nu : array_like (...)
@@ -69,7 +71,7 @@ def evaluate(
     hardness_to_yield : array_like (...)
         Hardness over yield stress, 1 or more.
     n_E, n_H : array_like (...), optional
-        Modulus and hardness of a film over those of the substrate, above 0; all three numbers of a film or none.
+        Modulus and hardness of a film over those of the substrate, above 0; n_E, n_H and tau together, or none of them.
     tau : array_like (...), optional
         Film thickness over sigma, 0 or more.
     variant : str
@@ -81,8 +83,8 @@ def evaluate(
     Returns
     -------
     Evaluation
-        float64 arrays in the broadcast shape of all arguments, good to 1e-10; the load relative to the integral of the absolute
-        value.
+        float64 arrays in the broadcast shape of all arguments. Relative errors are at most 1e-10; that of the load is relative
+        to the integral of its absolute value.
 
     Raises
     ------
@@ -91,7 +93,7 @@ def evaluate(
 
     Notes
     -----
-    Equations: docs/explanation/theory.md, sections 2 to 4. It is fastest where h varies along axes of its own.
+    Equations: docs/explanation/theory.md, sections 2 to 4. The computation is fastest if h varies along axes of its own.
 
     Examples
     --------
@@ -126,7 +128,7 @@ def evaluate(
 
 
 def _array(value, name: str, allowed: str) -> np.ndarray:
-    """Return the value as an array of floats.
+    """Return the value as an array of floats; name, allowed: field and allowed values, for the error.
 
     Raises InputError also for a value with a unit, which NumPy would drop silently.
     """
@@ -136,7 +138,7 @@ def _array(value, name: str, allowed: str) -> np.ndarray:
 
 
 def _checked(name: str, value) -> np.ndarray:
-    """Return the value as an array of floats within the bounds of its quantity."""
+    """Return the value as an array of floats, or raise InputError if it leaves the bounds of the quantity `name`."""
     quantity = QUANTITIES[name]
     array = _array(value, name, quantity.allowed)
     if array.size == 0:
@@ -158,7 +160,7 @@ def _separations(h) -> np.ndarray:
 
 
 def _regimes(laws: dict[str, np.ndarray], choice: Choice) -> list[Regime]:
-    """Return the regimes of the law for flat arrays of groups.
+    """Return the regimes (smooth parts) of the 2015 asperity law for flat arrays of dimensionless groups, by name.
 
     A film has the Poisson ratio and the work of adhesion of the substrate, and is treated as a half-space.
     """
@@ -170,7 +172,10 @@ def _regimes(laws: dict[str, np.ndarray], choice: Choice) -> list[Regime]:
 
 
 def _chunks(columns: list[np.ndarray], size: int) -> Iterator[tuple[slice, list[np.ndarray]]]:
-    """Yield the broadcast columns in flat chunks of C order, each with its slice; only one chunk is copied at a time."""
+    """Yield the broadcast columns in flat chunks of at most `size` elements in C order, each with its slice of the flat result.
+
+    Only one chunk is copied at a time.
+    """
     start = 0
     pieces_of: Any = np.nditer(columns, flags=["external_loop", "buffered", "zerosize_ok"], order="C", buffersize=size)
     for piece in pieces_of:

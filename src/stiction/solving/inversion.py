@@ -1,4 +1,7 @@
-"""Find the mean separation at which a contact carries a given load, and the largest tension that it carries."""
+"""Find the mean separation at which a contact carries a given load, and the largest tension that it carries.
+
+Separations are over sigma, the standard deviation of the heights. Loads are per asperity and normalised.
+"""
 
 import math
 from collections.abc import Callable, Iterator
@@ -14,23 +17,23 @@ from stiction.engine.summation import FARTHEST
 from stiction.solving.closed_form import ClosedFormProblem
 from stiction.solving.problem import LOAD, AsperitySum, Problem
 
-# Separations searched first, the last far beyond any model's claim; and on, where heights or adhesion reach farther, by
-# factors: twelve steps double.
+# Separations that are searched first; the last is far beyond the range of any model. If heights or adhesion reach farther, the
+# search goes on by these factors, which double a separation in twelve steps.
 _FIRST = np.linspace(10.0, -10.0, 161)
 _BEYOND = 2.0 ** (np.arange(1, 13) / 12.0)
-_WAY_POINTS = 16  # memory that finding a load takes of each law, as points; with it half a block is 12,500 laws (tiers)
-# A root needs no further step if what it leaves of the load is this share of that, or of the sizes of its parts; it is good if
-# it is so many times this. No more steps than that.
+_WAY_POINTS = 16  # memory that the search needs for each contact, in points; half a block is then 12,500 contacts (tiers)
+# A root needs no further step if its load error is below _LEFT times the load, or _ROUNDING times the sum of absolute terms. It
+# is accepted up to _GOOD times this error, after at most _STEPS steps.
 _LEFT, _ROUNDING, _GOOD, _STEPS = 1e-14, 5e-16, 10.0, 3
-# A theory's rate of separation by load is taken between loads in this ratio; evaluations at most.
+# Ratio of the two loads from which the slope of a theory is estimated, and largest number of evaluations.
 _RATIO, _MOST = 1.01, 7
 
 
 class Unreachable(Exception):
     """Report a load that a contact does not carry at any separation.
 
-    law: index of the contact; at: index of the load; low, high: range of the loads that it carries, normalised. Without
-    adhesion low is 0, and 0 itself is not carried.
+    law: index of the contact. at: index of the load. low, high: range of the loads that the contact carries, normalised.
+    Without adhesion low is 0, and 0 itself is not carried.
     """
 
     def __init__(self, law: int, at: int, low: float, high: float):
@@ -40,11 +43,12 @@ class Unreachable(Exception):
 
 @dataclass(frozen=True)
 class Inversion:
-    """Hold the separations at which n contacts carry m loads, per asperity, normalised.
+    """Store the separations at which n contacts carry m loads each.
 
-    h (n, m): separations. residual (n, m): load error over the load, or over the largest tension where the load is
-    negligible. evaluations: largest number of evaluations for one root. tension (n,): largest tension on the branch of
-    the problem, 0 without adhesion. where (n,): separation of the largest tension, NaN without adhesion.
+    h (n, m): separations over sigma. residual (n, m): load error over the load, or over the largest tension if the load is
+    negligible. tension (n,): largest tension on the branch (loading or unloading) of the problem, normalised, 0 without
+    adhesion. where (n,): separation of the largest tension, NaN without adhesion. evaluations: largest number of evaluations
+    for one root.
     """
 
     h: np.ndarray
@@ -54,7 +58,7 @@ class Inversion:
     evaluations: int = 0
 
     def with_rows(self, rows: np.ndarray, found: "Inversion") -> "Inversion":
-        """Copy the separations found for some contacts into these arrays, and return this inversion.
+        """Copy the separations found for some contacts into these arrays, in place, and return the whole inversion.
 
         rows: indices of these contacts. found: their inversion.
         """
@@ -67,10 +71,10 @@ _ARRAYS = ("h", "residual", "tension", "where")
 
 
 def pull_off(problem: Problem) -> tuple[np.ndarray, np.ndarray]:
-    """Return the largest tension per asperity (n,), and the separation (n,) where it acts.
+    """Return the largest tension per asperity (n,), normalised, and the separation (n,), over sigma, where it acts.
 
-    The tension is 0, and the separation NaN, for contacts that carry no tension. Only the branch of the problem is
-    searched. Source: the minimum of the load over separation (Fuller & Tabor 1975).
+    The tension is 0, and the separation NaN, for contacts that carry no tension. Only the branch (loading or unloading) of the
+    problem is searched. Source: the minimum of the load over separation (Fuller & Tabor 1975).
     """
     if isinstance(problem, AsperitySum) and problem.heights.density is gaussian_density and len(problem.groups) == 1:
         tension, where, holds = problem.largest_tension
@@ -81,21 +85,21 @@ def pull_off(problem: Problem) -> tuple[np.ndarray, np.ndarray]:
 
 
 def separations_at(problem: Problem, targets: np.ndarray, refuse: bool = True) -> Inversion:
-    """Find the separations at which each contact carries each load (n, m).
+    """Find the separations at which n contacts carry the normalised loads targets (n, m).
 
-    Several separations may carry one load. On approach from afar, the function returns the first one after the largest
-    tension: it is on the branch that is stable under a given load. For smooth laws the search starts from interpolation
-    nodes and is finished with the sums of the engine. Otherwise the root is bracketed on a grid and found by
-    Chandrupatla's method. Raises Unreachable for a load that cannot be carried; with refuse=False its separation is
-    NaN.
+    Several separations may carry one load. On approach from afar, the function returns the first one after the largest tension:
+    it is on the branch that is stable under a given load. For smooth laws and Gaussian heights a fast method finds starting
+    values, which are refined with the sums over asperities. Otherwise the root is bracketed on a grid and found by
+    Chandrupatla's method. Raises Unreachable for a load that cannot be carried; with refuse=False its separation is NaN.
     """
     return _whole([inversion for inversion, _, _ in _by_blocks(problem, targets, refuse)])
 
 
 def solved_at(problem: Problem, targets: np.ndarray, refuse: bool = True) -> tuple[Inversion, dict[str, np.ndarray]]:
-    """Return the separations that carry the loads, and the normalised results (n, m) there.
+    """Return the separations at which contacts carry the normalised loads targets (n, m), and the results (n, m) there by name.
 
-    Where a load cannot be carried, the results are those at separation 0. The last sums of the search are reused.
+    The results of a load that cannot be carried are those at separation 0 if refuse is False; otherwise Unreachable is raised.
+    The last sums of the search are reused.
     """
     parts, tables = [], []
     for inversion, sums, some in _by_blocks(problem, targets, refuse):
@@ -106,9 +110,9 @@ def solved_at(problem: Problem, targets: np.ndarray, refuse: bool = True) -> tup
 
 
 def _by_blocks(problem: Problem, targets: np.ndarray, refuse: bool) -> Iterator[tuple[Inversion, np.ndarray | None, Any]]:
-    """Yield the inversion, the sums (regimes, n, m, 5) and the problem of each block of contacts.
+    """Find separations as `separations_at` does, and yield the inversion, the sums and the problem of each block of contacts.
 
-    Sums are None or NaN where the search did not compute them.
+    The sums (regimes, n, m, 5) at the separations are None or NaN where the search did not compute them.
     """
     for rows in blocks(len(problem.groups), max(targets.shape[1], _WAY_POINTS)):
         some = problem.with_groups(rows)
@@ -124,9 +128,10 @@ def _whole(parts: list[Inversion]) -> Inversion:
 
 
 def _of_block(problem: Problem, targets: np.ndarray, refuse: bool) -> tuple[Inversion, np.ndarray | None]:
-    """Find separations as `separations_at` does, for one block; also return the sums (regimes, n, m, 5) there, or None.
+    """Find separations as `separations_at` does, for one block of contacts; also return the sums over asperities there.
 
-    The fast method is used for all contacts that it suits, and the robust method for the others.
+    A fast method is used for all contacts for which it succeeds, and the method of brackets for the others. The sums are
+    (regimes, n, m, 5), NaN where they were not computed, or None if none was.
     """
     sums = None
     if isinstance(problem, ClosedFormProblem):
@@ -150,9 +155,10 @@ def _of_block(problem: Problem, targets: np.ndarray, refuse: bool) -> tuple[Inve
 
 
 def _quickly(problem: AsperitySum, targets: np.ndarray) -> tuple[Inversion, np.ndarray, np.ndarray]:
-    """Find separations with the fast method for smooth laws.
+    """Find the separations at the loads targets (n, m) with the fast method for Gaussian heights.
 
-    Also returns a mask (n,) of the contacts for which it succeeded, and the sums (regimes, n, m, 5) there.
+    Returns the inversion, a mask (n,) of the contacts for which the method succeeded, and the sums (regimes, n, m, 5) at the
+    separations.
     """
     start, (tension, where, holds) = problem.approach.starts(targets), problem.largest_tension
     carried = np.where((tension > 0.0)[:, None], targets >= -tension[:, None], targets > 0.0)
@@ -168,9 +174,9 @@ def _quickly(problem: AsperitySum, targets: np.ndarray) -> tuple[Inversion, np.n
 
 
 def _where(known: np.ndarray, sums: np.ndarray) -> np.ndarray:
-    """Return sums (regimes, n, m, 5), NaN except at the pairs (n, m) for which they are known.
+    """Return a table (regimes, n, m, 5) that holds known sums, and NaN elsewhere.
 
-    known: mask (n, m) of k pairs. sums: (regimes, k, 5).
+    known: mask (n, m) of the k pairs whose sums are known. sums: (regimes, k, 5).
     """
     table = np.full((len(sums), *known.shape, sums.shape[-1]), np.nan)
     table[:, known] = sums
@@ -178,10 +184,11 @@ def _where(known: np.ndarray, sums: np.ndarray) -> np.ndarray:
 
 
 def _polished(problem: AsperitySum, law, h, target, slope, enough) -> tuple[np.ndarray, np.ndarray, np.ndarray, int]:
-    """Refine separations (k,) by Newton's method with a known slope.
+    """Refine the separations h (k,), over sigma, by Newton's method with a known slope of the load.
 
-    Returns separations; errors of the load there, NaN unless small enough; the sums (regimes, k, 5); the number of
-    evaluations.
+    law, target, slope, enough (k,): index of the contact, requested load, derivative of the load by the separation, and load
+    error at which no further step is needed. Returns separations; load errors there, NaN if too large; the sums (regimes, k,
+    5); and the number of evaluations.
     """
     h, sums, times = h.copy(), problem.sums(h, law), 1
     excess = sums[..., LOAD].sum(axis=0) - target
@@ -198,9 +205,9 @@ def _polished(problem: AsperitySum, law, h, target, slope, enough) -> tuple[np.n
 
 
 def _from_tables(problem: ClosedFormProblem, targets: np.ndarray) -> tuple[Inversion, np.ndarray]:
-    """Find separations with the estimate that a theory without adhesion provides.
+    """Find the separations at the loads targets (n, m) for a theory without adhesion that provides an estimate.
 
-    The secant method on the logarithm of the load starts from that estimate. Also returns a mask (n,) of success.
+    The secant method on the logarithm of the load starts from this estimate. Returns the inversion and a mask (n,) of success.
     """
     laws = len(targets)
     near, nearer = problem.near(targets), problem.near(targets * _RATIO)
@@ -231,20 +238,23 @@ def _log_of(share: np.ndarray) -> np.ndarray:
 
 
 def _relative(excess: np.ndarray, targets: np.ndarray, tension: np.ndarray) -> np.ndarray:
-    """Return load errors (n, m), each divided by the load or by the largest tension, whichever is larger."""
+    """Return load errors (n, m), each divided by the size of the load, or by the largest tension if the load is negligible.
+
+    excess: load errors (n, m). targets: requested loads (n, m). tension: largest tensions (n,).
+    """
     tension = tension[:, None]
     scale = np.where(np.abs(targets) > NOTHING * tension, np.abs(targets), np.where(tension > 0.0, tension, 1.0))
     return excess / scale
 
 
 def _robustly(problem: Problem, targets: np.ndarray, refuse: bool) -> Inversion:
-    """Find separations as `separations_at` does, by bracketing, for any law."""
+    """Find separations as `separations_at` does, for any law, by brackets on a grid of separations."""
     h, loads, size = _loads_past(problem, targets)
     tension, where = _tension_past(problem, h, loads, size)
     if not targets.size:
         return Inversion(targets.copy(), targets.copy(), tension, where)
     adheres = tension > 0.0
-    start = np.where(adheres, np.searchsorted(-h, -where, side="right"), 1)  # the first grid point nearer
+    start = np.where(adheres, np.searchsorted(-h, -where, side="right"), 1)  # first grid point below the largest tension's
     nearer = np.arange(h.size) >= start[:, None]
     reached = nearer[:, None, :] & (loads[:, None, :] >= targets[:, :, None])
     first = np.argmax(reached, axis=2)
@@ -260,10 +270,10 @@ def _robustly(problem: Problem, targets: np.ndarray, refuse: bool) -> Inversion:
 
 
 def _tension_past(problem: Problem, h: np.ndarray, loads: np.ndarray, size: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the largest tension (n,) and its separation (n,), as in Inversion.
+    """Return the largest tension (n,) and its separation (n,); 0 and NaN for contacts without tension.
 
-    loads: (n, H) at the descending separations h (H,); size: scale (n,) of the loads, below which a tension is
-    round-off.
+    loads: (n, H) at the descending separations h (H,), over sigma. size: scale (n,) of the loads, of which a tension is a
+    round-off error if it is tiny in comparison.
     """
     tension, where = largest_tension(problem.load_at, np.broadcast_to(h, loads.shape), loads)
     if problem.heights.tops.size and (problem.groups.theta is not None or problem.groups.meniscus_height is not None):
@@ -279,8 +289,9 @@ def _tension_past(problem: Problem, h: np.ndarray, loads: np.ndarray, size: np.n
 def _below_tops(problem: Problem) -> np.ndarray:
     """Return descending separations (n, m), over sigma, around the highest asperities, where the largest tension may lie.
 
-    A few asperities adhere there before many are compressed. The separations span multiples of theta^(-2/3). With menisci
-    they also span multiples of the meniscus height and of the distance at which compression overcomes the pull.
+    At these separations a few asperities adhere before many are compressed. The separations span multiples of theta^(-2/3)
+    (theta: adhesion index). With menisci they also span multiples of the meniscus height and of the distance at which
+    compression overcomes the pull.
     """
     groups = problem.groups
     steps = 2.0 ** np.arange(-3.0, 6.0, 0.25)
@@ -296,8 +307,9 @@ def _below_tops(problem: Problem) -> np.ndarray:
 def largest_tension(load: Callable, h: np.ndarray, loads: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return the largest tension (n,), 0 if no load is negative, and its separation (n,), NaN then.
 
-    load(h, law): elementwise load of these contacts; loads (n, H): loads at the ordered separations h (n, H). The
-    minimum is searched between the two neighbours of the lowest load.
+    load(h, law): function that returns the loads of the contacts with the indices `law` at the separations h, element by
+    element. h, loads (n, H): ordered separations and the loads there. The minimum of the load is searched between the two
+    neighbours of the lowest load.
     """
     laws = np.arange(len(loads))
     lowest = np.argmin(loads, axis=1)
@@ -315,11 +327,11 @@ def largest_tension(load: Callable, h: np.ndarray, loads: np.ndarray) -> tuple[n
 
 
 def _loads_past(problem: Problem, targets: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return descending separations (H,), the loads (n, H) there, and the scale (n,) of the loads.
+    """Return descending separations (H,), over sigma, the loads (n, H) there, and the scale (n,) of the loads.
 
-    The separations start where the load is below the smallest target and almost nothing touches. They end far beyond
-    the range of any model, where compression exceeds all tension. Asperities of listed heights, which may be nearly alike, are
-    pressed until they carry the largest target. The scale does not depend on this range.
+    The separations start where the load is below the smallest target and almost nothing touches. They end far beyond the range
+    of any model, where compression exceeds all tension. Asperities of listed heights, which may be nearly alike, are pressed
+    until they carry the largest target. The scale does not depend on this range.
     """
     h, loads = _FIRST, problem.loads_on_grid(_FIRST)
     size = np.abs(loads).max(axis=1)
@@ -340,9 +352,10 @@ def _loads_past(problem: Problem, targets: np.ndarray) -> tuple[np.ndarray, np.n
 
 
 def _touches(loads: np.ndarray, size: np.ndarray, smallest: np.ndarray) -> np.ndarray:
-    """Return a mask (n,) of contacts that still touch at the largest separation of the table.
+    """Return a mask (n,) of contacts that still touch at the largest separation, the first column of `loads` (n, H).
 
-    Their load there is not yet negligible, or their largest tension may lie at larger separations.
+    Their load there is not yet negligible or not below the smallest target, or their largest tension may lie at larger
+    separations. size: scale (n,) of the loads. smallest: smallest target (n,).
     """
     farthest = loads[:, 0]
     tension = (farthest < -NO_TENSION * size) & (np.argmin(loads, axis=1) == 0)
@@ -350,7 +363,10 @@ def _touches(loads: np.ndarray, size: np.ndarray, smallest: np.ndarray) -> np.nd
 
 
 def _roots(problem: Problem, law: np.ndarray, targets: np.ndarray, bracket: tuple) -> tuple[np.ndarray, np.ndarray, int]:
-    """Return separations within brackets at which contacts carry the targets, with load errors and number of evaluations."""
+    """Return the separations (k,) within brackets at which contacts carry loads, with load errors and number of evaluations.
+
+    law: indices (k,) of the contacts. targets: loads (k,). bracket: lower and upper separations, (k,) each.
+    """
     from scipy.optimize.elementwise import find_root
 
     if not targets.size:

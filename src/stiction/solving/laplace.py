@@ -1,7 +1,8 @@
-"""Limit the pull of menisci to the Laplace pressure gamma/r on the area A_n - A, where the solids do not touch.
+"""Limit the pull of menisci to the Laplace pressure on the area where the solids do not touch.
 
-Meniscus laws describe one asperity each. Where neighbouring menisci merge, their sum counts the shared area
-repeatedly and can exceed this limit, which no real pull can.
+This pull is gamma/r (A_n - A), with surface tension gamma, Kelvin radius r, nominal area A_n and contact area A. Meniscus laws
+describe one asperity each. Where neighbouring menisci merge, their sum counts the shared area repeatedly and can exceed this
+limit, which no real pull can.
 """
 
 import numpy as np
@@ -14,10 +15,11 @@ _LOAD, _AREA = QUANTITIES.index("load"), QUANTITIES.index("area")
 
 
 def most_pull(groups: Groups) -> np.ndarray | None:
-    """Return two factors (2, n) of the upper bound of meniscus pull.
+    """Return two factors (2, n) from which the upper bound of the meniscus pull of n contacts is computed.
 
     The first is gamma/(r N) over K R^(1/2) sigma^(3/2), the largest pull per asperity, with surface tension gamma, Kelvin
-    radius r and asperity density N. The second is pi N R sigma. The result is None if the asperity density is unknown, or
+    radius r and asperity density N (K: 4/3 of the contact modulus, R: asperity radius, sigma: rms height). The second is pi N R
+    sigma, which converts a normalised area to an area fraction. The result is None if the asperity density is unknown, or
     without a liquid.
     """
     if groups.roughness_parameter is None or groups.meniscus_index is None or groups.meniscus_height is None:
@@ -27,16 +29,20 @@ def most_pull(groups: Groups) -> np.ndarray | None:
 
 
 def pull_and_bound(sums: np.ndarray, regimes: list[Regime], most: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the meniscus pull in the sums over asperities, and its upper bound, each (...,).
+    """Return the meniscus pull in the sums over asperities, and its upper bound, each (...,), per asperity and normalised.
 
-    The bound is gamma (A_n - A)/r. sums: (regimes, ..., 5). most: factors (2, ...) of `most_pull`.
+    sums: (regimes, ..., 5), of which the regimes with the state "meniscus" pull. most: factors (2, ...) of `most_pull`. The
+    bound is the Laplace pressure times the nominal area minus the contact area.
     """
     pull = -sums[_of_menisci(regimes), ..., _LOAD].sum(axis=0)
     return pull, most[0] * np.clip(1.0 - most[1] * sums[..., _AREA].sum(axis=0), 0.0, 1.0)
 
 
 def bounded(sums: np.ndarray, regimes: list[Regime], most: np.ndarray) -> np.ndarray:
-    """Scale the meniscus loads in the sums (regimes, ..., 5) down to their upper bound, in place, and return the sums."""
+    """Scale the meniscus loads in the sums (regimes, ..., 5) down to their upper bound, in place, and return the sums.
+
+    most: factors (2, ...) of `most_pull`.
+    """
     pull, bound = pull_and_bound(sums, regimes, most)
     above = pull > bound
     if above.any():

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 # The dimension of results over methods; `method` itself would be taken for an argument of xarray's `sel`.
 METHOD = "asperity_method"
 _MU = "friction_coefficient"
-# Fewer than this many of the asperities found in a scan: how high they are is then chance.
+# Least number of asperities of a scan that must touch; the heights of fewer asperities are a matter of chance.
 FEW_TOUCH = 10
 _MEANINGS = {
     "by_method": ("friction, each method", "static friction coefficient, for each method of finding asperities"),
@@ -32,16 +32,19 @@ _MEANINGS = {
 
 
 def as_measured(data: "xarray.Dataset", measured: Any) -> "xarray.Dataset":
-    """Return a result with the asperity method and with the history, sources and warnings of its scans as attributes."""
+    """Return a result of `solve` with attributes on the scans: asperity method, history, sources and warnings.
+
+    measured: roughness that was measured on scans.
+    """
     sources = " ".join(dict.fromkeys([*data.attrs["sources"].split(), *measured.sources()]))
     data = with_warnings(data, map(ValidityWarning, measured.validity_warnings)) if measured.validity_warnings else data
     return data.assign_attrs(measured.attributes(), sources=sources)
 
 
 def _at_loads(contact: Contact, like: "xarray.Dataset", choice: Choice, heights: Heights | str | None) -> np.ndarray:
-    """Solve the contact at the loads of a result; return friction coefficient and touching share (2, *shape).
+    """Solve the contact at the loads of a result; return friction coefficient and touching fraction (2, *shape of the result).
 
-    NaN where a load cannot be carried or the model refuses the contact.
+    like: the result of `solve`. The values are NaN where a load cannot be carried or the model does not accept the contact.
     """
     import xarray
 
@@ -62,7 +65,7 @@ def _over(array: Any, like: "xarray.DataArray") -> np.ndarray:
 def _read_off(results: Mapping, contact: Contact, like: "xarray.DataArray") -> np.ndarray:
     """Return friction coefficient and fraction of touching asperities as one array (2, *shape of `like`).
 
-    results: arrays by name. NaN where the load is not compressive, and for results that the model does not have.
+    results: arrays by name. The values are NaN where the load is not compressive, and for results that the model does not have.
     """
     asperities = contact.roughness.asperity_density * contact.nominal_area
     touching = _over(results["touching_asperities"], like) if "touching_asperities" in results else np.nan
@@ -77,13 +80,13 @@ def with_method_spread(
     choice: Choice,
     heights: Heights | str | None = None,
 ) -> "xarray.Dataset":
-    """Return the result of `solve` with the friction coefficients of all asperity methods.
+    """Return the result of `solve` with the friction coefficients of all asperity methods added.
 
-    contacts: the same bodies with the roughness from each method; counts: number of asperities that each method found,
-    0 for methods that give averages only. Adds friction_coefficient_by_method (asperity_method, points), its range over
-    the methods as friction_coefficient_low and friction_coefficient_high, and found_touching_by_method, the number of
-    found asperities that touch, NaN for averages only. Below FEW_TOUCH touching asperities friction depends on the
-    assumed tail of the heights, and `outside_validity` warns. A result without friction is returned unchanged.
+    contacts: the same bodies with the roughness from each method, by the name of the method. counts: number of asperities that
+    each method found, 0 for methods that give averages only. Adds friction_coefficient_by_method (asperity_method, points), its
+    range over the methods as friction_coefficient_low and friction_coefficient_high, and found_touching_by_method, the number
+    of found asperities that touch, NaN for averages only. If fewer than ten of them touch, friction depends on the assumed tail
+    of the heights, and `outside_validity` warns. A result without friction is returned unchanged.
     """
     if _MU not in data:
         return data
@@ -101,9 +104,9 @@ def with_method_spread(
 
 
 def _on_the_tail(data: "xarray.Dataset") -> str:
-    """Describe the methods and loads at which fewer than FEW_TOUCH of the found asperities touch.
+    """Describe at which methods and loads fewer than ten of the found asperities touch.
 
-    "" if there are none, or if the model has no asperities.
+    The text is "" if there are none, or if the model has no asperities.
     """
     if "touching_asperities" not in data:
         return ""
@@ -127,9 +130,10 @@ def _on_the_tail(data: "xarray.Dataset") -> str:
 def with_range_over_methods(
     data: "xarray.Dataset", methods: list[str], each: np.ndarray, points, name: str
 ) -> "xarray.Dataset":
-    """Return the dataset with a quantity by each asperity method, and its lowest and highest value, added.
+    """Return the dataset with a quantity by each asperity method, and its lowest and highest value over the methods, added.
 
-    each: values (methods, points). name: name of the quantity.
+    methods: their names. each: values (methods, points). points: names of the other dimensions. name: name of the quantity,
+    which the names of the three new variables begin with.
     """
     tables = ((METHOD, *points), each), (points, np.fmin.reduce(each)), (points, np.fmax.reduce(each))
     added = {

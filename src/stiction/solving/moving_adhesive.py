@@ -22,7 +22,7 @@ __all__ = ["AdhesiveMap", "PeelingMap", "without_mode_mixity"]
 def without_mode_mixity(problem: MapProblem) -> MapProblem:
     """Return the problem in which shear does not change the adhesion.
 
-    Raises InputError for mode mixity without adhesion.
+    Raises InputError if a law of mode mixity (how shear lowers adhesion) is selected for a contact without adhesion.
     """
     law = problem.options.get("mode_mixity", "none")
     if law != "none" and not problem.adheres:
@@ -32,7 +32,7 @@ def without_mode_mixity(problem: MapProblem) -> MapProblem:
 
 @dataclass(frozen=True)
 class AdhesiveMap(MovingMap):
-    """Represent an adhesive map at several loads, without an effect of shear on adhesion.
+    """Represent an adhesive map at one load that is displaced tangentially; shear does not change its adhesion.
 
     All touching points have the same strength.
     """
@@ -50,7 +50,7 @@ class AdhesiveMap(MovingMap):
 
 @dataclass(frozen=True)
 class PeelingMap(AdhesiveMap):
-    """Represent an adhesive map at several loads; shear lowers the adhesion at its edges by a law of mode mixity."""
+    """Represent an adhesive map at one load that is displaced; shear lowers its adhesion by a law of mode mixity."""
 
     def path(self, index: int, shifts: np.ndarray, weakening: "Weakening | None") -> "SlidingPath":
         from stiction.solvers.shear.peeling import slide_and_peel
@@ -72,7 +72,7 @@ class PeelingMap(AdhesiveMap):
 
 
 def _remark(problem: MapProblem) -> str:
-    """Return a remark on the grade and evidence of the law of mode mixity; "" if there is no such law."""
+    """Return a remark for the user on the grade and evidence of the selected law of mode mixity; "" if there is no such law."""
     name = problem.options["mode_mixity"]
     if name == "none":
         return ""
@@ -81,12 +81,12 @@ def _remark(problem: MapProblem) -> str:
 
 
 def _attraction(problem: MapProblem) -> tuple[float, float]:
-    """Return work of adhesion [J/m2] and range of attraction [m]."""
+    """Return the work of adhesion [J/m2] and the range of attraction [m] of the contact."""
     return attraction_of(problem.surface(), problem.contact, bodies_of(problem.contact), problem.options["adhesion"])
 
 
 def _adhesive_state(problem: MapProblem, one: "MapContact") -> "AdhesiveState":
-    """Return the adhesive contact of the map at a solved load, with the gap of every point."""
+    """Solve the adhesive map again at the load of the contact `one`, and return it with the gap of every point."""
     from stiction.solvers.boundary_elements.adhesive import adhesive_state
 
     surface, bodies = problem.surface(), bodies_of(problem.contact)
@@ -98,9 +98,9 @@ def _adhesive_state(problem: MapProblem, one: "MapContact") -> "AdhesiveState":
 
 
 def _strength(problem: MapProblem, one: "MapContact", contact: "AdhesiveState") -> np.ndarray:
-    """Return the shear strength of every point [Pa] (rows, columns).
+    """Return the shear strength of every point [Pa] (rows, columns), 0 for points that do not touch.
 
-    It is the strength of the whole contact, divided equally among its points.
+    It is the friction force of the whole contact, divided equally among the touching points.
     """
     touching = contact.touching
     count = int(np.count_nonzero(touching))

@@ -19,11 +19,12 @@ __all__ = ["MovingMap"]
 
 @dataclass(frozen=True)
 class MovingMap:
-    """Represent a solved map at several loads, which is displaced tangentially; shear does not change its pressure.
+    """Represent a solved map at several loads that is displaced tangentially; shear does not change its pressure.
 
-    contacts: solved without shear, for each load. strengths: shear strength of their points (rows, columns) [Pa]. operator:
-    computes shear displacements. remark: what the solution neglects, for the user; "" if nothing. farther: largest displacement
-    to solve by default, divided by the displacement at which every point slips if shear does not change the pressure.
+    problem: contact and laws. contacts: solved without shear, for each load. strengths: shear strength of their points (rows,
+    columns) [Pa]. operator: computes shear displacements. remark: what the solution neglects, for the user; "" if nothing.
+    farther: largest displacement to solve by default, divided by the displacement at which every point slips if shear does not
+    change the pressure.
     """
 
     farther: ClassVar[float] = 1.0
@@ -36,7 +37,10 @@ class MovingMap:
 
     @classmethod
     def of(cls, problem: MapProblem, contacts: "tuple[MapContact, ...]") -> "MovingMap":
-        """Return the moving map of solved contacts. Raises InputError if the strength of points is not known."""
+        """Return the moving map of contacts solved without shear, one for each load.
+
+        Raises InputError if the strength of points is not known.
+        """
         strengths = tuple(problem.strengths(one) for one in contacts)
         return cls(problem, contacts, strengths, operator_of(problem, problem.surface()))
 
@@ -46,11 +50,14 @@ class MovingMap:
         return self.contacts[0].nominal_area
 
     def pixel(self, index: int) -> float:
-        """Return the area of a point [m2]."""
+        """Return the area of a point [m2] of the map at the load of this index."""
         return self.nominal_area / self.strengths[index].size
 
     def path(self, index: int, shifts: np.ndarray, weakening: "Weakening | None") -> "SlidingPath":
-        """Return the states of the map at all rigid shifts [m], at the load of this index."""
+        """Return the states of the map at all rigid shifts [m], in their order, at the load of this index.
+
+        weakening: how strength falls with slip; None for constant strength.
+        """
         from stiction.solvers.shear.path import slide_map
 
         strength, pixel = self.strengths[index], self.pixel(index)
@@ -61,18 +68,18 @@ class MovingMap:
         return self.remark
 
     def results(self, paths: "list[SlidingPath]") -> "dict[str, np.ndarray]":
-        """Return further results of each load (m,), by name."""
+        """Return further results of each load (m,), by name, from the paths of all loads."""
         return {}
 
     def curves(self, paths: "list[SlidingPath]") -> "dict[str, np.ndarray]":
-        """Return further results of each load and displacement (m, k), by name; areas are those of the solved map."""
+        """Return further results of each load and displacement (m, k), by name; areas [m2] are those of the solved map."""
         return {}
 
 
 def operator_of(problem: MapProblem, surface: "HeightMap") -> "ShearOperator":
-    """Return the operator that computes shear displacements of a map.
+    """Return the operator that computes shear displacements of a map with the bodies of this problem.
 
-    The map is one period, or a window that its mirror images continue.
+    surface: the map, which is one period of an endless surface, or a window that its mirror images continue.
     """
     from stiction.solvers.shear.operators import MirroredShear, PeriodicShear
 

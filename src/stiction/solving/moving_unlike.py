@@ -1,4 +1,4 @@
-"""Displace a map of unlike bodies tangentially: pressure and shear are coupled.
+"""Displace a map of two bodies with unlike elastic constants tangentially: pressure and shear are coupled.
 
 A window that is not periodic is completed to a whole period by its mirror images, because the coupled tractions are not
 symmetric about its sides.
@@ -23,17 +23,20 @@ if TYPE_CHECKING:
 
 __all__ = ["UnlikeBodies", "are_unlike", "effect_of_coupling"]
 
-_LEAST_BETA = 1e-3  # Dundurs' parameter from which on pressure and shear are coupled; below, forces change by less than 1e-4
+_LEAST_BETA = 1e-3  # Dundurs' parameter beta from which coupling is computed; below, it changes forces by less than 1e-4
 
 
 def are_unlike(problem: MapProblem) -> bool:
-    """Return whether the elastic constants of the two bodies differ so that pressure and shear are coupled."""
+    """Return whether the elastic constants of the two bodies differ so much that pressure and shear must be coupled."""
     return _coupling_of(problem, problem.surface()).beta > _LEAST_BETA
 
 
 @dataclass(frozen=True)
 class UnlikeBodies(MovingMap):
-    """Represent a map of unlike bodies, whose pressure and shear are coupled; the contacts are those of a whole period."""
+    """Represent a map of bodies with unlike elastic constants, whose pressure and shear are coupled.
+
+    The contacts are those of a whole period: of a window together with its mirror images.
+    """
 
     farther: ClassVar[float] = 1.5
 
@@ -46,7 +49,7 @@ class UnlikeBodies(MovingMap):
 
     @cached_property
     def surface(self) -> "HeightMap":
-        """Return one period of the map."""
+        """Return one period of the map: the periodic map itself, or the window with its mirror images."""
         return _period(self.problem.surface())
 
     @cached_property
@@ -65,7 +68,7 @@ class UnlikeBodies(MovingMap):
         return path if pressing.converged else replace(path, states=tuple(replace(s, converged=False) for s in path.states))
 
     def pressing(self, index: int) -> "Pressing":
-        """Return the solver of the pressure at the load of this index."""
+        """Return a solver of the pressure at the load of this index, which starts from the contact without shear."""
         from stiction.solvers.boundary_elements.compliance import Compliance
         from stiction.solvers.boundary_elements.measures import rms_step
         from stiction.solvers.boundary_elements.minimise import Problem
@@ -87,7 +90,10 @@ class UnlikeBodies(MovingMap):
         return math.inf if hardness is None or self.problem.options["yielding"] == "none" else float(hardness)
 
     def strength_at(self, index: int, pressure: np.ndarray) -> np.ndarray:
-        """Return the strength of every point under another pressure, both (rows, columns) [Pa]."""
+        """Return the shear strength of every point under another pressure, both (rows, columns) [Pa].
+
+        index: of the load.
+        """
         return self.problem.strengths(self._with_pressure(index, pressure))
 
     def _with_pressure(self, index: int, pressure: np.ndarray) -> "MapContact":
@@ -115,7 +121,8 @@ class UnlikeBodies(MovingMap):
 def effect_of_coupling(problem: MapProblem, contacts: "tuple[MapContact, ...]") -> float:
     """Return the largest relative change of friction that the coupling of pressure and shear causes, over all loads.
 
-    All points slide, each at the strength that its pressure gives. Menisci are included in the load.
+    contacts: solved without shear, one for each load. All points slide, each at the strength that its pressure gives. The pull
+    of menisci is included in the load.
     """
     from stiction.solvers.shear.coupled import force_when_all_slide
 
@@ -144,7 +151,7 @@ def _coupling_of(problem: MapProblem, surface: "HeightMap") -> "Coupling":
 
 
 def _period(surface: "HeightMap") -> "HeightMap":
-    """Return a periodic map, or a window and its mirror images, as one period."""
+    """Return a periodic map unchanged, and a window together with its mirror images as one period."""
     if surface.periodic:
         return surface
     rows, columns = surface.size

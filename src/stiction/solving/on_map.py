@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from stiction.surfaces.heightmap import HeightMap
     from stiction.surfaces.measured import Measured
 
-# Results that are of every contact: name in the table of quantities -> name of the number of a MapContact.
+# Results that every contact has: name in the table of quantities -> name of the attribute of MapContact.
 _PLAIN = {
     "load_share_plastic": "plastic_share",
     "points_in_contact": "points",
@@ -30,9 +30,9 @@ _PLAIN = {
     "area_solution_error": "area_error",
     "load_error": "load_error",
 }
-_SOLVED = ("solution_residual", "solution_error", "area_solution_error", "load_error")  # of solutions without adhesion
-# Loads of a curve that has to be quick: how many; the heaviest as nominal pressure over modulus times gradient, and over the
-# hardness; the lightest over it.
+_SOLVED = ("solution_residual", "solution_error", "area_solution_error", "load_error")  # only solutions without adhesion
+# Loads of a quick curve: their number; the heaviest as nominal pressure over modulus times gradient, and over the hardness; the
+# lightest over the heaviest.
 _FEW, _HEAVY, _OF_HARDNESS, _LIGHT = 5, 0.2, 0.3, 0.02
 _MOST_POINTS = 1_100_000
 
@@ -54,7 +54,7 @@ class MapProblem(Problem):
 
     @property
     def menisci(self) -> bool:
-        """Return whether menisci between the faces are solved; False if the liquid is ignored."""
+        """Return whether menisci between the faces are solved; False without a liquid or if it is neglected."""
         liquid = self.groups.meniscus_index is not None
         return liquid and not self.chosen.dry and not self.adheres
 
@@ -77,7 +77,7 @@ class MapProblem(Problem):
 
     @cached_property
     def factors(self) -> dict[str, Any]:
-        """Return the units by which normalised results are multiplied, by scale, e.g. "N"."""
+        """Return the units by which normalised results are multiplied, by name of the SI unit, e.g. "N"."""
         return self.contact.scales().factors()
 
     @property
@@ -93,11 +93,11 @@ class MapProblem(Problem):
         return replace(self, subject=self.subject.replace(liquid=None), chosen=chosen)
 
     def surface(self) -> "HeightMap":
-        """Return the map that is solved. Raises InputError if it cannot be solved."""
+        """Return the height map that is solved; raise InputError if it cannot be solved."""
         return self._measured.solvable.one()
 
     def curve(self, load: np.ndarray) -> "MapCurve":
-        """Solve the map at normalised loads (m,)."""
+        """Solve the map at normalised loads (m,), and return the contacts."""
         contact, surface = self.contact, self.surface()
         unit = self.factors["N"]
         if not self.adheres and not (load > 0.0).all():
@@ -111,7 +111,7 @@ class MapProblem(Problem):
         load = np.asarray(load, dtype=float)
         curve = self.curve(load.reshape(-1))
         factors = self.factors
-        whole = self.contact.nominal_area / curve.array("nominal_area")  # of the contact over the map
+        whole = self.contact.nominal_area / curve.array("nominal_area")  # area of the contact over area of the map
         planes = curve.array("separation")
         results = {
             "load": load.reshape(-1),
@@ -137,7 +137,10 @@ class MapProblem(Problem):
         return {name: table.reshape(load.shape) for name, table in results.items()}
 
     def few_of(self, load: np.ndarray) -> np.ndarray:
-        """Return a few normalised loads (1, k), from light contact to about a third of full contact or of the hardness."""
+        """Return a few normalised loads (1, k), from light contact to about a third of full contact or of the hardness.
+
+        The argument is not used, because solving a map at many loads is slow. Raises InputError for a map with too many points.
+        """
         from stiction.solvers.boundary_elements.measures import waves
         from stiction.solvers.boundary_elements.sampled import fewest_points
 
@@ -155,11 +158,14 @@ class MapProblem(Problem):
         return np.geomspace(_LIGHT * most, most, _FEW)[None] * contact.nominal_area / self.factors["N"]
 
     def _mean_height(self) -> float:
-        """Return the mean height of the asperities above the mean plane [m], the origin of all separations."""
+        """Return the mean height of the asperities above the mean plane of the map [m], from which separations are measured."""
         return float(self._measured.mean_heights[self._measured.method])
 
     def _friction(self, map_contact: "MapContact") -> float:
-        """Return the tangential force of the whole contact, normalised."""
+        """Return the normalised tangential force of the whole contact with all points at full strength.
+
+        map_contact: solved map, whose force is scaled to the nominal area of the contact.
+        """
         assert self.chosen.tangential is not None
         whole = self.contact.nominal_area / map_contact.nominal_area
         of_points = POINT_SHEARS.get(self.options.get("shear", ""))
@@ -173,19 +179,20 @@ class MapProblem(Problem):
             force = sum(float(each.sum()) for _, each in of_points(self.contact, self.chosen.tangential.key, map_contact))
             return force * whole / self.factors["N"]
         force, extent = whole / self.factors["N"], whole / self.factors["m^2"]
-        if map_contact.pressure is None:  # the whole load and area stand for those of the points
+        if map_contact.pressure is None:  # without point pressures the law gets the total load and area
             return float(self._sheared(np.array([map_contact.load * force]), map_contact.area * extent, "elastic"))
         of_states = (self._sheared(p * pixel * force, area * extent, state) for state, p, pixel, area in points_of(map_contact))
         return float(sum(of_states))
 
     def map_friction(self, map_contact: "MapContact") -> float:
-        """Return the tangential force [N] of the solved map `one` with all its points at full strength."""
+        """Return the tangential force [N] of a solved map with all its points at full strength."""
         return self._friction(map_contact) * self.factors["N"] * map_contact.nominal_area / self.contact.nominal_area
 
     def strengths(self, map_contact: "MapContact") -> np.ndarray:
         """Return the shear strength of every point of a solved map [Pa] (rows, columns), 0 outside of contact.
 
-        Raises InputError without a tangential law, and for adhesive contact, where point strengths are unknown.
+        Raises InputError without a tangential law, and for adhesive contact, where pressures and strengths of points are
+        unknown.
         """
         if self.chosen.tangential is None:
             raise InputError("tangential", "none", "a tangential law, which gives the shear strength of each point")
@@ -205,7 +212,7 @@ class MapProblem(Problem):
         return strength
 
     def _forces(self, map_contact: "MapContact") -> Iterator[tuple[str, np.ndarray]]:
-        """Yield each state of points in contact with the tangential force of every point in that state [N]."""
+        """Yield each state of points in contact, "elastic" or "plastic", with the tangential force [N] of its points."""
         assert self.chosen.tangential is not None
         of_points = POINT_SHEARS.get(self.options.get("shear", ""))
         if of_points is not None:
@@ -217,16 +224,16 @@ class MapProblem(Problem):
             yield state, each * unit["N"] / whole
 
     def _sheared(self, loads: np.ndarray, area: float, state: str) -> float:
-        """Return the total tangential force of map points, by the tangential law, normalised.
+        """Return the total normalised tangential force of points of the map, by the tangential law.
 
-        loads: normal load of each point. area: contact area of each point. state: of the points, elastic or plastic.
+        loads: normalised load (n,) of each point. area: normalised contact area of each point. state: "elastic" or "plastic".
         """
         return self._each_sheared(loads, area, state).sum()
 
     def _each_sheared(self, loads: np.ndarray, area: float, state: str) -> np.ndarray:
-        """Return the tangential force (n,) of each map point, by the tangential law, normalised.
+        """Return the normalised tangential force (n,) of each point of the map, by the tangential law.
 
-        loads: normal load (n,) of each point. area: contact area of each point. state: of the points, elastic or plastic.
+        loads: normalised load (n,) of each point. area: normalised contact area of each point. state: "elastic" or "plastic".
         """
         assert self.chosen.tangential is not None
         return resistances(self.chosen.tangential, self.groups, loads[None], np.full((1, loads.size), area), state)[0]

@@ -1,4 +1,4 @@
-"""Show users the registered models, and the bibliography entries of a result."""
+"""Return what is known of the registered models and laws, and the bibliography entries of a result."""
 
 from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING, Any, NotRequired, TypedDict, cast
@@ -13,9 +13,9 @@ if TYPE_CHECKING:
 
 
 class ModelRow(TypedDict):
-    """Define what `models` returns of one model, law or method.
+    """Define the keys of the dictionaries that `models` returns, one for each model, law or method.
 
-    Keys that not every kind of record has come last.
+    Keys that only some kinds of laws have come last.
     """
 
     key: str
@@ -57,17 +57,17 @@ class ModelRow(TypedDict):
 
 
 def models(keys: Iterable[str] | None = None) -> list[ModelRow]:
-    """Return what is known of every model, law and method.
+    """Return what is known of every model, law and method of finding asperities.
 
     Parameters
     ----------
     keys : iterable of str, optional
-        Only the records with these keys; by default all.
+        Only the models, laws and methods with these keys; by default all.
 
     Returns
     -------
     list of ModelRow
-        One dict for each record. `text`, in Markdown, holds assumptions, equations and check numbers.
+        One dict for each of them. `text`, in Markdown, holds assumptions, equations and check numbers.
 
     Raises
     ------
@@ -118,7 +118,7 @@ def _row(record: Record) -> ModelRow:
 
 
 def _measured(record: FilmLaw) -> list[str]:
-    """Return the measured errors of a film law on a sphere: a line per option and modulus."""
+    """Return the measured errors of a film law on a sphere as lines of text, one per set of options and modulus ratio."""
     lines = []
     for table in summary(record.key):
         for row, n_E in enumerate(table["n_E"]):
@@ -131,7 +131,7 @@ def _measured(record: FilmLaw) -> list[str]:
 
 
 def _parameters(record: Record) -> dict[str, list[str]]:
-    """Return the allowed values of each option of an asperity method as text, the default first; {} for other records."""
+    """Return the allowed values of each option of an asperity method as texts, the default first; {} for other records."""
     texts: dict[str, list[str]] = {}
     for name, option in record.parameters.items() if isinstance(record, AsperityMethod) else ():
         others = [str(value) for value in option.values if value != option.default] or [option.allowed]
@@ -140,13 +140,13 @@ def _parameters(record: Record) -> dict[str, list[str]]:
 
 
 def _limit(limit: Limit) -> str:
-    """Return one limiting case of a record as text: parent model, values of groups, results that agree, tolerance."""
+    """Return one limiting case of a law as text: parent model, values of groups, results that agree, and tolerance."""
     values = [f"{name} = {value:g}" for name, value in limit.groups.items()]
     values += [f"{name} {value}" for name, value in limit.options.items()]
     return f"{limit.parent} at {', '.join(values)}: {' and '.join(limit.quantities)} within {limit.within:.0e}"
 
 
-# What the kinds of records have beyond the common columns, and how it is put.
+# Fields that only some kinds of records have, and the function that converts each for `models`.
 _MORE: dict[str, Callable[[Any], Any]] = {
     "traits": sorted,
     "wants": dict,
@@ -208,7 +208,7 @@ def cite(what: "xarray.Dataset | str | Iterable[str] | None" = None) -> str:
 
 
 def entries(keys: Iterable[str] | None = None) -> str:
-    """Return the BibTeX entries with these keys, from the bibliography and the records; by default all.
+    """Return the BibTeX entries with these keys, from the bibliography and from the laws; by default all.
 
     Raises InputError for an unknown key.
     """

@@ -1,4 +1,4 @@
-"""Select and combine parts of the sums over asperities by the labels of their regimes."""
+"""Select and combine parts of the sums over asperities by the labels of their regimes (smooth parts of asperity laws)."""
 
 import numpy as np
 
@@ -7,7 +7,7 @@ from stiction.quantities.quotient import quotient
 
 
 def sum_selected(parts: np.ndarray, chosen: list[bool]) -> np.ndarray:
-    """Return the sum (n, m) of the selected regimes of `parts` (regimes, n, m).
+    """Return the sum (n, m) over the selected regimes of `parts` (regimes, n, m).
 
     chosen: whether each regime is selected.
     """
@@ -15,26 +15,26 @@ def sum_selected(parts: np.ndarray, chosen: list[bool]) -> np.ndarray:
 
 
 def states_of(regimes: list[Regime]) -> list[str]:
-    """Return the states of asperities to report: elastic and plastic, and elastic-plastic if a regime has it."""
+    """Return the states of asperities to report: "elastic", "plastic", and "elastic-plastic" if a regime has it."""
     return list(
         dict.fromkeys(["elastic", "plastic", *(regime.state for regime in regimes if regime.state == "elastic-plastic")])
     )
 
 
 def share_beyond(regimes: list[Regime], parts: np.ndarray) -> np.ndarray:
-    """Return the share (n, m) of the summed |parts| in regimes beyond the half-space limit of the film.
+    """Return the fraction (n, m) of the summed |parts| in regimes pressed deeper than the film's law is valid.
 
-    parts: (regimes, n, m). The share is 0 where all parts are 0.
+    parts: (regimes, n, m), loads or friction forces. The fraction is 0 where all parts are 0.
     """
     sizes = np.abs(parts)
     return quotient(sum_selected(sizes, [not regime.in_half_space for regime in regimes]), sizes.sum(axis=0), 0.0)
 
 
 def share_without(regimes: list[Regime], loads: np.ndarray, friction: np.ndarray) -> np.ndarray:
-    """Return the share (n, m) of the load in regimes without full tangential resistance.
+    """Return the fraction (n, m) of the load that is on asperities without full tangential resistance.
 
-    These regimes (regimes, n, m) resist nothing, or resist only until they yield. The share is relative to the net
-    load, which attractive regimes reduce, and is at most 1; 0 where all loads are 0.
+    loads, friction: (regimes, n, m). Regimes without friction count, and regimes of which a part flows plastically. The
+    fraction is relative to the net load, which attractive regimes reduce, and is at most 1; it is 0 where all loads are 0.
     """
     flowing = np.array([regime.yields_by_degrees for regime in regimes])[:, None, None]
     lost, net = np.where(flowing | (friction == 0.0), np.abs(loads), 0.0).sum(axis=0), np.abs(loads.sum(axis=0))

@@ -1,13 +1,13 @@
-"""Compute the friction of the points of a solved map from their pressures.
+"""Compute the friction force of each point of a solved map from its pressure.
 
     lesser            tau = min(alpha p, tau_0)                                                                           (1)
     junction_growth   tau_0 on the area that carries the load under combined stresses, p^2 + 9 tau_0^2 = H^2              (2)
 
 p is the pressure, H the hardness, tau_0 the shear strength of the interface and alpha its pressure coefficient. (1): friction
 cannot exceed the strength of the sheared material (Orowan 1943, Proc. Inst. Mech. Eng. 150, 140). (2): Tabor (1959, Proc. R.
-Soc. A 251, 378), with his value of 9 for the factor of tau_0^2. Spots with a pressure above (H^2 - 9 tau_0^2)^(1/2) flow
-under the shear and grow until their pressure has this value. For spots that flow mu = tau_0/(H^2 - 9 tau_0^2)^(1/2), which is
-his 1/[9 (c^-2 - 1)]^(1/2) for c = 3 tau_0/H. Both are reconstructed and were not compared with print (grade C).
+Soc. A 251, 378), with his value of 9 for the factor of tau_0^2. Spots with a pressure above (H^2 - 9 tau_0^2)^(1/2) flow under
+the shear and grow until their pressure has this value. For spots that flow mu = tau_0/(H^2 - 9 tau_0^2)^(1/2), which is his
+1/[9 (c^-2 - 1)]^(1/2) for c = 3 tau_0/H. Both are reconstructed and were not compared with print (grade C).
 """
 
 import math
@@ -22,18 +22,19 @@ from stiction.quantities.errors import InputError
 if TYPE_CHECKING:
     from stiction.solvers.boundary_elements.solve import MapContact
 
-# State of points and the force that each of them bears [N].
+# Pairs of a state ("elastic" or "plastic") and the forces of all points in this state [N].
 OfPoints = Iterator[tuple[str, np.ndarray]]
 
-_TABOR = 9.0  # alpha of combined stresses, from his measurements
+_TABOR = 9.0  # factor of tau_0^2 in (2), from Tabor's measurements
 
 
 def points_of(map_contact: "MapContact") -> Iterator[tuple[str, np.ndarray, float, float]]:
     """Yield each group of points of a solved map: state, pressures [Pa], area of a pixel [m2], contact area of each point [m2].
 
-    The first group are the points that do not flow, the second those that flow, if there are any. The contact area of a point
-    is its pixel minus its share of the excess area at contact edges. That excess is subtracted from the points that do not
-    flow; if their area does not suffice, all points are reduced by one factor.
+    The first group, "elastic", are the points below the hardness; the second, "plastic", those at the hardness, if there are
+    any. The contact area of a point is smaller than its pixel, because pixels at contact edges touch in part. The total excess
+    is subtracted from the elastic points, each by the same factor; if their area does not suffice, all points are reduced by
+    one factor.
     """
     assert map_contact.pressure is not None
     pixel = map_contact.nominal_area / map_contact.pressure.size
@@ -49,7 +50,7 @@ def points_of(map_contact: "MapContact") -> Iterator[tuple[str, np.ndarray, floa
 
 
 def _lesser(contact: Contact, law: str, map_contact: "MapContact") -> OfPoints:
-    """Yield each state of points with the tangential force of each point [N], by equation (1)."""
+    """Yield the state of each group of points, elastic and plastic, with the force of each of its points [N] by (1)."""
     strength, (_, coefficient) = _strength(contact), contact.interface_at()
     if coefficient is None:
         raise InputError(
@@ -62,7 +63,10 @@ def _lesser(contact: Contact, law: str, map_contact: "MapContact") -> OfPoints:
 
 
 def _junction_growth(contact: Contact, law: str, map_contact: "MapContact") -> OfPoints:
-    """Yield each group of points, elastic and plastic, with the tangential force of its points [N] by equation (2)."""
+    """Yield the state of each group of points, elastic and plastic, with the force of each of its points [N] by (2).
+
+    law: key of the tangential law; only the law of constant strength is allowed.
+    """
     from stiction.contact.pair import Pair
 
     strength = _strength(contact)
@@ -82,13 +86,13 @@ def _junction_growth(contact: Contact, law: str, map_contact: "MapContact") -> O
 
 
 def _strength(contact: Contact) -> float:
-    """Return the strength of the interface [Pa], at most the strength of the weaker body."""
+    """Return the shear strength of the interface [Pa], at most that of the weaker body; raise InputError if none is stated."""
     if contact.interface_strength is None:
         raise InputError("interfacial_shear_strength", None, "the interfacial shear strength, as text with a unit of pressure")
     return float(contact.interface_strength)
 
 
-# Value of the option `shear` -> forces of the points of a map under a contact and the key of its tangential law.
+# Functions that yield the forces of the points of a map, by the value of the option `shear` that selects them.
 POINT_SHEARS: Mapping[str, Callable[[Contact, str, "MapContact"], OfPoints]] = {
     "lesser": _lesser,
     "junction_growth": _junction_growth,

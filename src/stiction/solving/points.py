@@ -24,12 +24,12 @@ from stiction.solving.problem import Problem, with_requested_load
 
 @dataclass(frozen=True)
 class Points:
-    """Hold the loads or mean separations at which the contacts of a problem are solved.
+    """Store the loads or mean separations at which the contacts of a problem are solved.
 
-    name: "load" or "mean_separation". value: the requested number or array with named dimensions, in the units of the
-    contact. factors: units of the contact, by scale. dims: dimensions of the results, those of the contacts first.
-    wanted: normalised values in the shape of dims. narrow: the same values, with length 1 along dimensions on which they do not
-    depend.
+    name: "load" or "mean_separation". value: the requested number or array with named dimensions, in the units of the contact.
+    factors: units of the contact, by name of the SI unit. dims: dimensions of the results with their sizes, those of the
+    contacts first. wanted: normalised values in the shape of dims. narrow: the same values, with length 1 along dimensions on
+    which they do not depend.
     """
 
     problem: Problem
@@ -47,20 +47,20 @@ class Points:
 
     @property
     def coords(self) -> dict[str, Any]:
-        """Return the coordinates of the contacts and of these points."""
+        """Return the coordinates of the contacts and of the requested points, by name."""
         return self.problem.coords | coordinates_of(self.value)
 
     def rows(self, rows: np.ndarray) -> "Points":
-        """Return the points of the contacts at these indices, along one dimension."""
+        """Return the points of the contacts with these indices, all along the one dimension "contact"."""
         some = self.table[rows]
         problem = replace(self.problem.with_groups(rows), dims={"contact": len(rows)})
         return replace(self, problem=problem, wanted=some, narrow=some)
 
 
 def points_of(problem: Problem, load: Any = None, separation: Any = None) -> Points:
-    """Return the points of a request that states either a load or a separation.
+    """Return the points of a request that states either a load or a separation, in the units of the contact.
 
-    Raises InputError if both or neither are stated.
+    Raises InputError if both or neither are stated, and for a separation if the model does not compute separations.
     """
     if (separation is None) == (load is None):
         raise InputError("separation or load", "both" if load is not None else None, "exactly one of the two")
@@ -73,7 +73,7 @@ def points_of(problem: Problem, load: Any = None, separation: Any = None) -> Poi
 
 
 def points_at(problem: Problem, name: str, value: Any) -> Points:
-    """Return the points for a value that `requested_points` has checked.
+    """Return the points for loads or separations that `requested_points` has checked.
 
     name: "load" or "mean_separation".
     """
@@ -84,14 +84,18 @@ def points_at(problem: Problem, name: str, value: Any) -> Points:
 
 
 def normalised(value: Any, unit: Any, dims: Mapping[str, int]) -> np.ndarray:
-    """Return a value divided by its unit, broadcast to the shape of these dimensions."""
+    """Return a value divided by its unit, broadcast to the shape of these dimensions.
+
+    value, unit: numbers or arrays with named dimensions. dims: names and sizes of the dimensions.
+    """
     return np.broadcast_to(aligned(value, dims) / aligned(unit, dims), tuple(dims.values()))
 
 
 def requested_points(subject: Subject, name: str, value: Any) -> Any:
     """Validate the requested separations or loads; return a number, or an array with named dimensions.
 
-    A plain sequence gets a dimension with the name of its quantity, and becomes a Variable: it labels its own points.
+    subject: the contact. name: quantity of the value. A plain sequence gets a dimension with the name of its quantity, and
+    becomes a Variable, whose values are also the coordinate of that dimension.
     """
     if isinstance(subject, Contact):
         if is_series(value):
@@ -105,9 +109,9 @@ def requested_points(subject: Subject, name: str, value: Any) -> Any:
 
 
 def coordinates_of(*values: Any) -> dict[str, Any]:
-    """Return the coordinates of arrays with named dimensions; load and mean_separation only if they are dimensions.
+    """Return the coordinates of arrays with named dimensions, by name; load and mean_separation only if they are dimensions.
 
-    A Variable of one dimension labels the points of that dimension.
+    The values of a Variable of one dimension are the coordinate of that dimension.
     """
     named = coordinates((str(value.name or ""), value) for value in values if hasattr(value, "coords"))
     rows = [value for value in values if hasattr(value, "dims") and not hasattr(value, "coords")]
@@ -118,9 +122,10 @@ def coordinates_of(*values: Any) -> dict[str, Any]:
 
 @dataclass(frozen=True)
 class Solved:
-    """Hold normalised results at points: arrays by name, in the shape of the points.
+    """Store normalised results at points.
 
-    found, carried: for requested loads, the inversion that found the separations, and the loads computed at these separations.
+    tables: arrays by name, in the shape of the points. found, carried: for requested loads, the separations that were found and
+    the loads computed there; None for requested separations.
     """
 
     tables: dict[str, np.ndarray]
@@ -129,10 +134,10 @@ class Solved:
 
 
 def solve_points(points: Points, refuse: bool = True) -> Solved:
-    """Solve a problem at its points.
+    """Solve a problem at its points, and return the normalised results.
 
-    Raises Unreachable for a load that cannot be carried; with refuse=False its separation is NaN, and its results are
-    those at separation 0. Raises InputError for points that the model does not support.
+    Raises Unreachable for a load that cannot be carried; with refuse=False its separation is NaN, and its results are those at
+    separation 0. Raises InputError for points that the model does not support.
     """
     problem, wanted = points.problem, points.wanted
     if points.name == "mean_separation":
@@ -148,7 +153,10 @@ def solve_points(points: Points, refuse: bool = True) -> Solved:
 
 
 def check_reach(separation: np.ndarray, name: str = "separation") -> None:
-    """Raise InputError for separations over sigma outside the range of the sums."""
+    """Raise InputError for separations (over sigma) whose magnitude exceeds the largest one that can be computed.
+
+    name: field of the error.
+    """
     farthest = float(np.abs(separation).max(initial=0.0))
     if not farthest <= FARTHEST:
         raise InputError(name, InWords(f"{farthest:.4g} sigma"), f"at most {FARTHEST:g} sigma")
@@ -156,7 +164,10 @@ def check_reach(separation: np.ndarray, name: str = "separation") -> None:
 
 @contextmanager
 def in_words(points: Points) -> Iterator[None]:
-    """Convert Unreachable to an InputError that states which loads can be carried."""
+    """Within the context, convert the exception Unreachable to an InputError that states which loads can be carried.
+
+    points: the requested points, with the units in which loads are shown.
+    """
     try:
         yield
     except Unreachable as error:
@@ -179,7 +190,10 @@ def in_words(points: Points) -> Iterator[None]:
 
 
 def _at_loads(points: Points) -> dict[str, np.ndarray]:
-    """Return the results (contacts, points) of a theory that has no separations."""
+    """Return the results (contacts, points) by name of a model that computes no separations.
+
+    Raises InputError for a tensile load if the model neglects adhesion.
+    """
     problem = points.problem
     if (points.wanted < 0.0).any() and not problem.adheres:
         least = float(np.min(points.value))
@@ -189,7 +203,10 @@ def _at_loads(points: Points) -> dict[str, np.ndarray]:
 
 
 def _summed(points: Points) -> dict[str, np.ndarray]:
-    """Return the results at the requested separations; separations common to all contacts use the faster grid sums."""
+    """Return the results at the requested separations, by name, in the shape of the points.
+
+    Separations common to all contacts use the faster sums on a grid.
+    """
     problem, shape = points.problem, points.wanted.shape
     contacts, own = len(problem.groups), len(problem.shape)
     per_contact = points.table.shape[1]

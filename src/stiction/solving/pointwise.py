@@ -1,6 +1,6 @@
 """Solve many contacts at once.
 
-A contact that the model refuses, or that cannot carry the load, gets NaN with the reason.
+A contact that the model does not accept, or that cannot carry the load, gets NaN and a code for the reason.
 """
 
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
@@ -22,27 +22,28 @@ from stiction.solving.problem import lost_in_rounding, make_problem
 from stiction.solving.results import summary_of, variables_of, with_shares
 
 T = TypeVar("T")
-# Some of many contacts: dimension -> slice.
+# A part of many contacts, as a slice along each dimension.
 Region = dict[str, slice]
 
-# The first validity warnings of every point: bit 0 to 2. What is refused or not carried has no results.
+# Reasons for a missing result, bits 0 to 2 of the validity warnings of a point.
 WHY_NOT = (
     "the contact is refused: a number of it is out of bounds, or the model does not converge",
     "the load is carried at no separation",
     "the load is below round-off: it is the small difference of large adhesive and compressive loads",
 )
 REFUSED, _NOT_CARRIED, _LOST = range(3)
-# The last bit: nothing is known of a point yet.
+# The last bit marks a point that has not been computed yet.
 NOT_COMPUTED = np.uint32(1 << 31)
 
 
 @dataclass(frozen=True)
 class BatchResult:
-    """Hold the results of many contacts.
+    """Store the results of many contacts.
 
-    variables: (dimensions, values in the units of the contact, attributes) by name. validity_warnings: dimensions,
-    and an array of bits (uint32): first one bit for each of WHY_NOT, then one for each rule. subject: the contacts as
-    the model takes them. attributes: models and sources as in `solve`, if all results are requested.
+    variables: (dimensions, values in the units of the contact, attributes) by name. validity_warnings: dimensions, and an array
+    of bits (uint32): first one bit for each reason of WHY_NOT, then one for each rule. rules: validity ranges that results can
+    leave. subject: the contacts in the form that the model uses. attributes: models and sources as in `solve`, if all results
+    are requested.
     """
 
     variables: dict[str, tuple]
@@ -61,11 +62,12 @@ def solve_batch(
     keep: Collection[str] | None = None,
     heights: Heights | str | None = None,
 ) -> BatchResult:
-    """Solve many contacts at points, without building a dataset.
+    """Solve many contacts at separations or loads, without building a dataset.
 
-    keep: names of the requested results. Results are NaN where a load cannot be carried, and where the model refuses a
-    contact or does not converge. Raises InputError if the request is invalid or all contacts are refused,
-    ArithmeticError if no contact converges.
+    subject: the contacts. choice: model and laws. separation, load: exactly one of them, as in `solve`. keep: names of the
+    requested results, None for all. Results are NaN where a load cannot be carried, and where the model does not accept a
+    contact or does not converge. Raises InputError if the request is invalid or no contact is accepted, ArithmeticError if no
+    contact converges.
     """
     points = points_of(make_problem(subject, choice, heights), load, separation)
     problem = points.problem
@@ -82,12 +84,15 @@ def solve_batch(
 
 
 def meanings_of(rules: Sequence[Validity]) -> list[str]:
-    """Return the meaning of each bit of `BatchResult.validity_warnings`."""
+    """Return the meaning of each bit of `BatchResult.validity_warnings`, as texts, from bit 0 on."""
     return [*WHY_NOT, *(f"{rule.quantity} is not {rule.range}: {rule.why}" for rule in rules)]
 
 
 def _solved(points: Points) -> tuple[Solved, np.ndarray]:
-    """Return the results, and bits (contacts, points): bit i is set if the reason WHY_NOT[i] prevents a result."""
+    """Return the results at the points, and why results are missing, as bits (contacts, points).
+
+    Bit i is set if the reason WHY_NOT[i] prevents a result.
+    """
     try:
         return _taken(points)
     except (InputError, ArithmeticError):
@@ -97,7 +102,10 @@ def _solved(points: Points) -> tuple[Solved, np.ndarray]:
 
 
 def _in_parts(points: Points) -> tuple[Solved, np.ndarray]:
-    """Solve contacts in parts, so that refused ones have NaN. Raises the last refusal if all contacts are refused."""
+    """Solve contacts in parts, so that those that the model does not accept get NaN and the others get results.
+
+    Returns the results and the bits of WHY_NOT (contacts, points). Raises the last error if no contact is accepted.
+    """
     shape, every = points.table.shape, np.arange(len(points.problem.groups))
     tables: dict[str, np.ndarray] = {}
     inversion, refusal, why_not = None, None, np.full(shape, 1 << REFUSED, dtype=np.uint32)
@@ -118,10 +126,10 @@ def _in_parts(points: Points) -> tuple[Solved, np.ndarray]:
 
 
 def bisected(region: Region, solve: Callable[[Region], T]) -> Iterator[tuple[Region, T | Exception]]:
-    """Yield (part, result) for all parts of a region of contacts.
+    """Solve a region of contacts in parts as large as possible; yield (part, result) for each.
 
-    A part that raises is bisected along its longest dimension. A single refused contact yields its InputError or
-    ArithmeticError.
+    A part for which `solve` raises InputError or ArithmeticError is bisected along its longest dimension. A single contact
+    yields the error as its result.
     """
     waiting = [region]
     while waiting:
@@ -140,7 +148,7 @@ def bisected(region: Region, solve: Callable[[Region], T]) -> Iterator[tuple[Reg
 def tiles(sizes: Mapping[str, int], room: int) -> dict[str, int]:
     """Return the length of a tile along each dimension, so that it holds at most `room` contacts.
 
-    The last dimensions are kept whole first.
+    sizes: lengths of the dimensions. The last dimensions are filled first.
     """
     lengths: dict[str, int] = {}
     for dim in reversed(list(sizes)):
@@ -150,7 +158,7 @@ def tiles(sizes: Mapping[str, int], room: int) -> dict[str, int]:
 
 
 def pieces(region: Region, room: int) -> Iterator[Region]:
-    """Yield a region in parts of at most `room` contacts."""
+    """Yield the parts into which a region is divided so that each holds at most `room` contacts."""
     steps = tiles({dim: some.stop - some.start for dim, some in region.items()}, room)
     starts = (range(some.start, some.stop, steps[dim]) for dim, some in region.items())
     for corner in product(*starts):
@@ -167,9 +175,9 @@ def _halves(region: Region) -> list[Region]:
 
 
 def _taken(points: Points) -> tuple[Solved, np.ndarray]:
-    """Return the results of contacts that the model does not refuse, and the bits of WHY_NOT.
+    """Return the results at the points, NaN where a load cannot be carried, and the bits of WHY_NOT (contacts, points).
 
-    A theory without separations is not evaluated for tensile loads.
+    A model that computes no separations is not evaluated for tensile loads.
     """
     lost = rounded = np.zeros(points.wanted.shape, dtype=bool)
     if points.problem.needs_load:
@@ -185,10 +193,7 @@ def _taken(points: Points) -> tuple[Solved, np.ndarray]:
 
 
 def _without(tables: Mapping[str, np.ndarray], lost: np.ndarray) -> dict[str, np.ndarray]:
-    """Return the result tables with NaN where results are lost; the requested load stays.
-
-    lost: mask of contacts and points without a result.
-    """
+    """Return the result tables with NaN where the mask `lost` is True; the requested load stays."""
     if not lost.any():
         return dict(tables)
     return {name: np.where(lost, np.nan, table) if name != "load" else table for name, table in tables.items()}

@@ -29,16 +29,19 @@ from stiction.solving.parts import share_beyond, share_without, states_of, sum_s
 from stiction.solving.problem_base import Problem, with_coefficient
 from stiction.solving.unused import refuse_ignored_strength
 
-_RESOLVED = 1e-6  # of a load: what is carried may differ by less without a word
-_ROUNDING = 1e-14  # of the pull of menisci
-_KEPT = 8  # problems of a contact: a few models at a time
-_FEW = 16  # contacts of a cached problem: more need much memory, and take longer to solve than to prepare
-_COUNT, LOAD, _AREA, SLIP_LIMITED, _YIELD_LIMITED = range(5)  # as summation.QUANTITIES
+_RESOLVED = 1e-6  # relative difference of computed and requested load that is accepted without a warning
+_ROUNDING = 1e-14  # relative round-off error of the pull of menisci
+_KEPT = 8  # cached problems of a contact, enough for a few models
+_FEW = 16  # most contacts of a cached problem; more need much memory, and take longer to solve than to prepare
+_COUNT, LOAD, _AREA, SLIP_LIMITED, _YIELD_LIMITED = range(5)  # in the order of summation.QUANTITIES
 
 
 @dataclass(frozen=True)
 class AsperitySum(Problem):
-    """Represent a sum over asperities: the engine integrates the regimes of the laws over the asperity heights."""
+    """Represent contacts under a sum over asperities.
+
+    The engine integrates the regimes (smooth parts) of the asperity law over the distribution of asperity heights.
+    """
 
     @property
     def law(self) -> Law:
@@ -54,7 +57,7 @@ class AsperitySum(Problem):
 
     @cached_property
     def regimes(self) -> list[Regime]:
-        """Return the regimes of the solids, followed by those of additional laws, such as menisci."""
+        """Return the regimes (smooth parts of the laws) of the solids, then those of additional laws, such as menisci."""
         return [*self._solids(), *(regime for law in self.chosen.additions.values() for regime in law.regimes(self.groups))]
 
     def _solids(self) -> list[Regime]:
@@ -81,7 +84,7 @@ class AsperitySum(Problem):
 
     @cached_property
     def load_alone(self) -> "AsperitySum":
-        """Return the problem without its tangential law, whose kinks would split pieces of the sum.
+        """Return the problem without its tangential law, whose kinks would split the integrals for the load.
 
         The problem itself is returned if its model needs that law.
         """
@@ -95,15 +98,16 @@ class AsperitySum(Problem):
 
     @cached_property
     def approach(self) -> Approach:
-        """Return the loads along the approach, for Gaussian heights."""
+        """Return the object that finds separations at given loads, with the loads along the approach; for Gaussian heights."""
         return Approach(self.load_alone.regimes)
 
     @cached_property
     def largest_tension(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Return the largest tension (n,) on approach, its separation (n,), and a mask (n,) of contacts where both are valid.
 
-        Heights are Gaussian. The values are not valid where the pull of menisci reaches its upper bound, which the approach
-        ignores.
+        Heights are Gaussian. Tensions are per asperity and normalised, separations over sigma. The values are not valid where
+        the pull of menisci reaches its upper bound, which the approach neglects, or where the searched separations do not cover
+        the whole approach.
         """
         estimate, where, plain = self.approach.lowest
         tension, holds, adheres = np.zeros_like(estimate), plain.copy(), np.flatnonzero(estimate > 0.0)
@@ -119,14 +123,17 @@ class AsperitySum(Problem):
         return np.concatenate([self.sums(h[some], law[some])[..., LOAD].sum(axis=0) for some in blocks(h.size)])
 
     def forces(self, h: np.ndarray, law: np.ndarray) -> np.ndarray:
-        """Return the slip-limited and yield-limited tangential force per asperity (2, k).
+        """Return the slip-limited and yield-limited tangential force per asperity (2, k), normalised.
 
-        h, law: pairs (k,) of separation and contact index.
+        h, law (k,): separations over sigma, and indices of the contacts.
         """
         return self.sums(h, law)[..., [SLIP_LIMITED, _YIELD_LIMITED]].sum(axis=0).T
 
     def sums_at(self, h: np.ndarray) -> np.ndarray:
-        """Return the sums of the engine (regimes, n, m, 5) at the separations h (n, m)."""
+        """Return the sums over asperities (regimes, n, m, 5) at the separations h (n, m), over sigma.
+
+        The five values, per asperity: number touching, load, area, slip-limited and yield-limited tangential force.
+        """
         law = np.repeat(np.arange(len(h)), h.shape[1])
         return self.sums(h.reshape(-1), law).reshape(len(self.regimes), *h.shape, 5)
 
@@ -136,7 +143,7 @@ class AsperitySum(Problem):
         return self._on_grid(h)[..., LOAD].sum(axis=0)
 
     def _summed_alone(self, law: TangentialLaw, h: np.ndarray) -> np.ndarray:
-        """Return the force per asperity (n, m) of a law that replaces the tangential law."""
+        """Return the force per asperity (n, m) of the law `law` in place of the tangential law, at the separations h (n, m)."""
         plain = replace(self.chosen, additions={}, model=replace(self.record, regimes=None), tangential=law)
         return replace(self, chosen=plain).sums_at(h)[..., SLIP_LIMITED].sum(axis=0)
 
@@ -151,7 +158,7 @@ class AsperitySum(Problem):
         return self._at_sums(h, self.sums_at(h))
 
     def with_sums(self, h: np.ndarray, sums: np.ndarray) -> dict[str, np.ndarray]:
-        """Return the results (n, m) at the separations h (n, m), from known sums (regimes, n, m, 5).
+        """Return the results (n, m) by name at the separations h (n, m), from known sums over asperities (regimes, n, m, 5).
 
         Sums that are NaN are computed and filled in, in place.
         """
@@ -161,7 +168,7 @@ class AsperitySum(Problem):
         return self._at_sums(h, sums)
 
     def _at_sums(self, h: np.ndarray, sums: np.ndarray) -> dict[str, np.ndarray]:
-        """Return the results (n, m) from the sums (regimes, n, m, 5) at the separations h (n, m)."""
+        """Return the results (n, m) by name from the sums over asperities (regimes, n, m, 5) at the separations h (n, m)."""
         results = self._by_name(sums)
         if (published := self._as_published()) is not None:
             sums = published.sums_at(h).sum(axis=0)
@@ -170,11 +177,15 @@ class AsperitySum(Problem):
 
     @cached_property
     def most_pull(self) -> np.ndarray | None:
-        """Return the factors (2, n) of the upper bound of meniscus pull; None without menisci, or if the bound is unknown."""
+        """Return two factors (2, n) of the upper bound of meniscus pull; None without menisci, or if the bound is unknown."""
         return most_pull(self.groups) if "meniscus" in self.chosen.additions else None
 
     def sums(self, h: np.ndarray, law: np.ndarray) -> np.ndarray:
-        """Return the sums of the engine (regimes, k, 5) at pairs (k,) of separation and law."""
+        """Return the sums over asperities (regimes, k, 5) at k pairs of a separation h, over sigma, and a contact index.
+
+        The five values, per asperity: number touching, load, area, slip-limited and yield-limited tangential force. The pull of
+        menisci is limited to its upper bound.
+        """
         sums = self._scattered(h, law, self.threads)
         return sums if self.most_pull is None else bounded(sums, self.regimes, self.most_pull[:, law])
 
@@ -183,14 +194,14 @@ class AsperitySum(Problem):
         return Scattered(self.regimes, self.heights)
 
     def _on_grid(self, h: np.ndarray) -> np.ndarray:
-        """Return the sums of the engine (regimes, n, H, 5) at separations h (H,)."""
+        """Return the sums over asperities (regimes, n, H, 5) at the separations h (H,), over sigma, common to all contacts."""
         sums = np.moveaxis(on_grid(self.regimes, h, self.heights, self.threads), 2, -1)
         return sums if self.most_pull is None else bounded(sums, self.regimes, self.most_pull[..., None])
 
     def _as_published(self) -> "AsperitySum | None":
         """Return the problem with its tangential law as published; None if it has that law already.
 
-        Yielded junctions may take the resistance of another law, see the option `plastic_junctions`.
+        The option `plastic_junctions` can give yielded junctions the resistance of another law.
         """
         if self.options.get(JUNCTIONS, NO_JUNCTIONS) == NO_JUNCTIONS:
             return None
@@ -202,7 +213,10 @@ class AsperitySum(Problem):
         return results
 
     def _by_name(self, sums: np.ndarray) -> dict[str, np.ndarray]:
-        """Return the results (n, m) by name from the sums (regimes, n, m, 5), grouped by the labels of the regimes."""
+        """Return the results (n, m) by name from the sums over asperities (regimes, n, m, 5).
+
+        Loads, areas and forces are also reported by the state and the body that the regimes are labelled with.
+        """
         regimes, loads, areas = self.regimes, sums[..., LOAD], sums[..., _AREA]
         total = sums.sum(axis=0)
         results = {
@@ -243,9 +257,9 @@ class AsperitySum(Problem):
 
 
 def _wanted(name: str) -> str:
-    """Describe the allowed values of a quantity that a model needs, or name the part of a contact that it needs.
+    """Return a text for errors that describes which values of a required quantity are allowed.
 
-    A work of adhesion has to be above 0.
+    If `name` is not a quantity but a part of a contact, the text asks for that part. A work of adhesion has to be above 0.
     """
     if name not in QUANTITIES:
         return f"a {name}"
@@ -254,7 +268,7 @@ def _wanted(name: str) -> str:
 
 
 def _others(model: str) -> str:
-    """Return advice on other models if the default model lacks an input, else "".
+    """Return advice to select another model if the default model lacks an input, else "".
 
     The user may not have chosen the default model.
     """
@@ -264,43 +278,47 @@ def _others(model: str) -> str:
 
 
 def with_requested_load(results: dict[str, np.ndarray], load: np.ndarray) -> dict[str, np.ndarray]:
-    """Replace the computed load by the requested one, and recompute the friction coefficient.
+    """Replace the computed load by the requested one, and recompute the friction coefficient; return all results.
 
-    Where round-off makes the requested load unattainable, the computed load stays. This keeps a residual load at a
-    requested load of zero from giving a friction coefficient.
+    results: normalised arrays by name. load: requested loads. The computed load stays where round-off makes the requested load
+    unattainable. At a requested load of zero this prevents a residual load from giving a friction coefficient.
     """
     exact = results | {"load": np.where(lost_in_rounding(results["load"], load), results["load"], load)}
     return exact | with_coefficient(exact["load"], results["friction_force"]) if "friction_force" in results else exact
 
 
 def lost_in_rounding(carried: np.ndarray, asked: np.ndarray) -> np.ndarray:
-    """Return a mask of loads that round-off makes unattainable: small differences of large tension and compression."""
+    """Return a mask of requested loads that round-off makes unattainable: small differences of large tension and compression.
+
+    carried, asked: computed and requested loads.
+    """
     return (np.abs(carried - asked) > _RESOLVED * np.abs(asked)) & (asked != 0.0)
 
 
 def _published(load: np.ndarray, friction: np.ndarray) -> dict[str, np.ndarray]:
-    """Return friction_coefficient_published, the friction over the load of the published law, as a dict."""
+    """Return the friction coefficient of the published law as a dictionary with the key friction_coefficient_published."""
     return {"friction_coefficient_published": with_coefficient(load, friction)["friction_coefficient"]}
 
 
 def with_surface_moments(subject: Subject, model: str) -> Subject:
-    """Return the subject in the form that a model takes.
+    """Return the contact with the roughness numbers that a model needs.
 
-    For a theory of the whole surface, it has asperity numbers that reproduce the spectral moments of the surface.
+    For a theory of the whole surface these are asperity numbers that reproduce the spectral moments of the surface; for other
+    models the contact is returned unchanged.
     """
     return subject.with_surface_moments() if takes_surface_moments(model) else subject
 
 
 def takes_surface_moments(model: str) -> bool:
-    """Return whether the model of this key is a theory of the whole surface."""
+    """Return whether the model with this key is a theory of the whole surface, which uses spectral moments."""
     return find(model, RoughSurface).takes_surface_moments
 
 
 def make_problem(subject: Subject, choice: Choice, heights: Heights | str | None = None, threads: int = 1) -> Problem:
-    """Return the problem of a contact under a model.
+    """Combine contacts, a model and a height distribution into a problem, and return it.
 
-    The last sums over asperities of one or a few contacts are kept, because preparing one takes longer than solving it. Raises
-    InputError for what the model does not support or refuses.
+    heights: distribution or its name; None for that of the contact. The last problems of one or a few contacts are cached,
+    because preparing a problem takes longer than solving it. Raises InputError for values that the model does not support.
     """
     check_threads(threads)
     if not (heights is None or isinstance(heights, str | Heights)):
@@ -318,7 +336,7 @@ def make_problem(subject: Subject, choice: Choice, heights: Heights | str | None
 
 
 def _prepared(subject: Subject, choice: Choice, heights: Heights | str | None, threads: int) -> Problem:
-    """Return the problem of a contact under a model, newly made; see `make_problem`."""
+    """Return a new problem for the arguments of `make_problem`, without using the cache."""
     subject = with_surface_moments(subject, choice.model_key)
     own_heights = heights is None
     if heights is None:
@@ -340,7 +358,8 @@ def _prepared(subject: Subject, choice: Choice, heights: Heights | str | None, t
 def number_of_asperities(groups: Groups) -> np.ndarray | None:
     """Return the number of asperities on the nominal area (n, 1), or None if unknown.
 
-    N A_n = N R sigma (A_n/sigma^2) (sigma/R).
+    It is N A_n = N R sigma (A_n/sigma^2) (sigma/R), with asperity density N, nominal area A_n, asperity radius R and rms height
+    sigma.
     """
     if groups.nominal_width is None or groups.sharpness is None or groups.roughness_parameter is None:
         return None
@@ -348,9 +367,10 @@ def number_of_asperities(groups: Groups) -> np.ndarray | None:
 
 
 def problem_of(groups: Groups, choice: Choice, heights: Heights | None = None, subject: Subject | None = None) -> Problem:
-    """Return the problem of these groups, with the only dimension "contact".
+    """Return the problem of contacts given by dimensionless groups, with the only dimension "contact".
 
-    subject: the Contact or Indices of the user, or None.
+    heights: distribution; None for Gaussian heights. subject: the Contact or Indices of the user, or None. Raises InputError
+    for a quantity that the laws need and the groups do not contain.
     """
     chosen = resolve_laws(with_interface(choice, groups), groups.has_film, groups)
     for record in chosen.records():

@@ -1,4 +1,4 @@
-"""Base class of all problems: sums over asperities, theories in closed form, and contacts of a map."""
+"""Define the base class of all problems: sums over asperities, theories in closed form, and contacts of a map."""
 
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
@@ -18,12 +18,13 @@ from stiction.solving.chosen import ResolvedLaws
 
 @dataclass(frozen=True)
 class Problem(ABC):
-    """Hold n contacts under one model, and solve them.
+    """Represent n contacts under one model, and solve them.
 
-    groups: dimensionless groups of the contacts, in one dimension. dims: named dimensions of the contacts with their sizes; n
-    is the product. coords: coordinates of the dimensions. subject: the Contact or Indices, as the model takes it; None if only
-    groups are known. Results are normalised, by name. Theories without separations implement only `at_load`. threads: number of
-    threads of the sums, which does not change results.
+    chosen: model and laws. groups: dimensionless groups of the contacts, in one dimension. heights: distribution of the
+    asperity heights. dims: named dimensions of the contacts with their sizes; n is the product. coords: coordinates of the
+    dimensions. subject: the Contact or Indices in the form that the model uses; None if only groups are known. threads: number
+    of threads of the sums, which does not change results. Results are normalised, in a dictionary by name; separations are over
+    sigma. Models without separations implement only `at_load`.
     """
 
     chosen: ResolvedLaws
@@ -36,7 +37,7 @@ class Problem(ABC):
 
     @cached_property
     def shared(self) -> dict[str, Any]:
-        """Return what all results of the problem have in common, by name; `results` and `conditions` fill it in once."""
+        """Return a dictionary in which `results` and `conditions` store data that all results of the problem share."""
         return {}
 
     @property
@@ -63,22 +64,22 @@ class Problem(ABC):
 
     @property
     def way(self) -> str:
-        """Describe how the contact area is computed, for models with more than one method; else ""."""
+        """Return the name of the method that computes the contact area, for models with more than one method; else ""."""
         return ""
 
     def records(self) -> list[Record]:
-        """Return the records of all laws in use."""
+        """Return the records of the model and of all laws in use."""
         return self.chosen.records()
 
     def with_groups(self, rows: slice | np.ndarray) -> "Problem":
-        """Return the problem of the contacts at these indices; the same object if all are selected."""
+        """Return the problem of the contacts with these indices; the same object if a slice selects all."""
         groups = self.groups[rows]
         return self if isinstance(rows, slice) and len(groups) == len(self.groups) else replace(self, groups=groups)
 
     @property
     @abstractmethod
     def needs_load(self) -> bool:
-        """Return whether the model takes loads only, because it has no separation."""
+        """Return whether the model is solved at loads only, because it computes no separation."""
 
     @property
     @abstractmethod
@@ -86,44 +87,53 @@ class Problem(ABC):
         """Return whether the model includes adhesion between the two surfaces."""
 
     def few_of(self, load: np.ndarray) -> np.ndarray:
-        """Return the normalised loads (n, m) of a curve, or only a few of them if each solution is slow."""
+        """Return the normalised loads (n, m) at which a curve is solved: those given, or a few if each solution is slow."""
         return load
 
     def on_branch(self, branch: str) -> "Problem":
-        """Return the problem on another branch, "loading" or "unloading"; itself if the law has no branches."""
+        """Return the problem on a branch, "loading" or "unloading"; the problem itself if its law has no branches."""
         return self
 
     def loads(self, h: np.ndarray, law: np.ndarray) -> np.ndarray:
-        """Return the net load per asperity at pairs (k,) of separation and contact index."""
+        """Return the net load per asperity (k,), normalised, at the separations h (k,), over sigma.
+
+        law (k,): index of the contact of each separation.
+        """
         self.refuse_separation()
 
     def load_at(self, h: np.ndarray, law: np.ndarray) -> np.ndarray:
-        """Return the net load per asperity at separations of any shape; law: contact indices that broadcast to it."""
+        """Return the net load per asperity, normalised, at the separations h of any shape.
+
+        law: indices of the contacts, of a shape that broadcasts to that of h.
+        """
         return self.loads(h.ravel(), np.broadcast_to(law.astype(int), h.shape).ravel()).reshape(h.shape)
 
     def loads_on_grid(self, h: np.ndarray) -> np.ndarray:
-        """Return the net load per asperity (n, H) at separations (H,) common to all contacts."""
+        """Return the net load per asperity (n, H), normalised, at the separations h (H,) common to all contacts."""
         self.refuse_separation()
 
     def on_grid(self, h: np.ndarray) -> dict[str, np.ndarray]:
-        """Return the results (n, H) at separations (H,) common to all contacts."""
+        """Return the results (n, H) by name at the separations h (H,) common to all contacts."""
         self.refuse_separation()
 
     def at(self, h: np.ndarray) -> dict[str, np.ndarray]:
-        """Return the results (n, m) at the separations h (n, m)."""
+        """Return the results (n, m) by name at the separations h (n, m)."""
         self.refuse_separation()
 
     def at_load(self, load: np.ndarray) -> dict[str, np.ndarray]:
-        """Return the results (n, m) at normalised loads (n, m), for models with `needs_load`."""
+        """Return the results (n, m) by name at normalised loads (n, m), for models that compute no separations."""
         raise AssertionError(f"{self.record.key} is solved at separations")
 
     def refuse_separation(self) -> NoReturn:
-        """Raise the InputError of a model that has no separations."""
+        """Raise the InputError of a model that computes no separations."""
         raise InputError(
             "separation", InWords("given"), f"a load instead, because {self.record.key} does not compute a separation"
         )
 
 
 def with_coefficient(load: np.ndarray, friction: np.ndarray) -> dict[str, np.ndarray]:
-    """Return the friction force and its ratio to the load, NaN where the load is not compressive."""
+    """Return the friction force and its ratio to the load as results by name.
+
+    The ratio is NaN where the load is not compressive.
+    """
     return {"friction_force": friction, "friction_coefficient": quotient(friction, load)}

@@ -32,8 +32,8 @@ def labelled(
 ) -> "xarray.Dataset":
     """Return normalised arrays as a dataset in the units of the contact.
 
-    tables: arrays by name, in the shape of dims or broadcasting to it. factors: unit of each scale, by which the arrays are
-    multiplied.
+    tables: arrays by name, in the shape of dims or broadcasting to it. factors: units by name of the SI unit, by which the
+    arrays are multiplied. dims, coords: dimensions with their sizes, and coordinates.
     """
     return as_dataset(as_variables(subject, tables, factors, dims), coords)
 
@@ -41,7 +41,10 @@ def labelled(
 def as_variables(
     subject: Subject, tables: Mapping[str, np.ndarray], factors: Mapping[str, Any], dims: Mapping[str, int]
 ) -> dict[str, tuple]:
-    """Return (dimensions, values, attributes) of each table by name, in the units of the contact."""
+    """Return (dimensions, values in the units of the contact, attributes) of each normalised array, by name.
+
+    tables: arrays by name. factors: units by name of the SI unit. dims: dimensions with their sizes.
+    """
     shape, variables = tuple(dims.values()), {}
     for name, table in tables.items():
         scale = aligned(factors.get(QUANTITIES[name].scale, 1.0), dims)
@@ -56,9 +59,10 @@ def variables_of(
     keep: Collection[str] | None = None,
     refused: np.ndarray | None = None,
 ) -> dict[str, tuple]:
-    """Return the variables of results at points, with load residual and largest tension.
+    """Return the results at points as variables, with the load residual and the largest tension added.
 
-    keep: names of the requested results, by default all; refused: mask (n,) of contacts without results.
+    tables: normalised results by name. keep: names of the requested results, by default all. refused: mask (n,) of contacts
+    without results. A variable is (dimensions, values in the units of the contact, attributes).
     """
     kept = {name: table for name, table in tables.items() if keep is None or name in keep}
     variables = as_variables(points.problem.subject, kept, points.factors, points.dims)
@@ -77,9 +81,10 @@ _RESIDUAL = {
 
 
 def _pull_off(points: Points, inversion: Inversion | None, refused: np.ndarray | None) -> dict[str, tuple]:
-    """Return the largest tension of each contact, and its separation.
+    """Return the pull-off force and its separation as variables, for each contact.
 
-    found: the inversion of the problem, or None.
+    inversion: separations that were found for the problem, which contain both; None if there are none. refused: mask (n,) of
+    contacts without results, or None.
     """
     problem, apart = points.problem, points.problem.on_branch("unloading")
     if inversion is not None and apart is problem:
@@ -95,9 +100,9 @@ def _pull_off(points: Points, inversion: Inversion | None, refused: np.ndarray |
 
 
 def as_dataset(variables: Mapping[str, tuple], coords: Mapping[str, Any]) -> "xarray.Dataset":
-    """Return a dataset built in one step, because assigning variables one by one would align all of them each time.
+    """Return a dataset of variables and coordinates, built in one step.
 
-    variables: dimensions, numbers and attributes by name.
+    variables: dimensions, values and attributes by name. Assigning variables one by one would align all of them each time.
     """
     import xarray
 
@@ -108,9 +113,9 @@ def as_dataset(variables: Mapping[str, tuple], coords: Mapping[str, Any]) -> "xa
 
 
 def with_shares(problem: Problem, tables: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
-    """Return results with area_fraction and nominal_pressure, if the nominal area is known.
+    """Return the results with area_fraction and nominal_pressure added, if the nominal area is known.
 
-    Results have the dimensions of the contacts first.
+    tables: normalised arrays by name, with the dimensions of the contacts first.
     """
     shared = dict(tables)
     if problem.groups.roughness_parameter is not None:
@@ -122,9 +127,9 @@ def with_shares(problem: Problem, tables: Mapping[str, np.ndarray]) -> dict[str,
 
 
 def _change_by_junctions(problem: Problem, tables: Mapping[str, np.ndarray]) -> dict[str, str]:
-    """Return in words how mu differs from the published law.
+    """Return an attribute that states in words how mu differs from the published law; {} if it is that law.
 
-    Empty unless yielded junctions have the resistance of another law.
+    It differs if an option gives yielded junctions the resistance of another law.
     """
     if "friction_coefficient_published" not in tables:
         return {}
@@ -142,7 +147,10 @@ def _change_by_junctions(problem: Problem, tables: Mapping[str, np.ndarray]) -> 
 
 
 def summary_of(subject: Subject, problem: Problem, tables: Mapping[str, np.ndarray]) -> dict[str, str]:
-    """Return the attributes of a result: laws, sources, and validity warnings."""
+    """Return the attributes of a result: laws, sources, measured errors and validity warnings, as texts by name.
+
+    tables: normalised results by name.
+    """
     if "description" not in problem.shared:
         problem.shared["description"] = _description(subject, problem)
     return {
@@ -155,7 +163,7 @@ def summary_of(subject: Subject, problem: Problem, tables: Mapping[str, np.ndarr
 
 
 def _description(subject: Subject, problem: Problem) -> dict[str, str]:
-    """Return the attributes of results that depend only on the problem: title, laws, sources."""
+    """Return the attributes of results that depend only on the problem: title, laws, sources, inputs."""
     records = problem.records()
     used = dict.fromkeys(source.key for record in records for source in record.sources)
     laws = {

@@ -1,8 +1,8 @@
 """Compute the tangential force of a rough surface from rest to sliding, asperity by asperity.
 
-Each asperity first sticks, then slips from its rim inwards, and slides at its own displacement. The sum over
-asperities therefore shows how many are at their strength together. At each displacement a separate law is summed
-over heights, at the mean separation of the normal load (equations: `laws/presliding/mindlin_1949.py`).
+Each asperity first sticks, then slips from its rim inwards, and slides at its own displacement. The sum over asperities
+therefore shows how many have reached their strength at the same time. At each displacement a separate law is summed over
+heights, at the mean separation of the normal load (equations: `laws/presliding/mindlin_1949.py`).
 """
 
 import math
@@ -35,13 +35,14 @@ if TYPE_CHECKING:
     from stiction.quantities.arguments import QuantityLike
 
 _PRESLIDING = "mindlin_1949"
-# Spots without adhesion that yield, as most do: where no adhesion is stated, and for the stiffness before sliding.
+# A model without adhesion whose spots yield, as most spots do: the default if no adhesion is stated, and used for the stiffness
+# before sliding.
 YIELDING_SPOTS: dict[str, Any] = {"model": "greenwood_williamson_1966", "asperity": "zhao_maietta_chang_2000"}
-_LAW_OF_ITS_OWN = 4  # what a displacement takes, as a number of points: bounds the memory
-_POINTS = 61  # of a curve, where none are given
-_NEARLY = 0.99  # of a force that is only tended to
-# Where a largest force is looked for, over the displacement that the strength would need at the first stiffness; and how often
-# the step there is narrowed.
+_LAW_OF_ITS_OWN = 4  # memory that one displacement needs, in points, from which the size of blocks follows
+_POINTS = 61  # number of displacements of a curve, if none are given
+_NEARLY = 0.99  # part of a largest force that is approached but never reached
+# Displacements among which the largest force is searched, over the displacement at which the initial stiffness would give the
+# summed strength; and number of refinements of the best one.
 _WAY = np.geomspace(1e-3, 1e3, 121)
 _NARROWED = 40
 
@@ -93,12 +94,12 @@ def slide(
     Returns
     -------
     xarray.Dataset
-        friction_force [N] and friction_coefficient, the sum of all strengths;
+        friction_force [N], the sum of all strengths, and friction_coefficient, this force over the load;
         tangential_stiffness [N/m] at rest; largest_tangential_force [N], largest_friction_coefficient and
         sliding_displacement [m], where the force is largest. Over `displacement`: tangential_force [N], sticking_share, the
         part of the contact area that has not slipped, and, for a residual strength of 1, energy_loss [J] of a cycle of that
         amplitude. For a map also friction_efficiency, the largest force over the sum of strengths; with a spring,
-        drive_displacement [m] and state_is_met, 0 at displacements that the map leaps past. Where shear changes the contact of
+        drive_displacement [m] and state_is_met, 0 at displacements past which the map jumps. If shear changes the contact of
         a map, also sheared_contact_area [m2] over `displacement`; for unlike bodies, coupling_residual.
 
     Raises
@@ -111,7 +112,7 @@ def slide(
     Partial slip of an asperity after Mindlin (1949). All asperities are displaced together; plastic ones stick like elastic
     ones. On a map displacements are relative to its mean plane. Pressure and shear of unlike bodies are coupled. The body with
     the larger (1 - 2 nu)/G then slides towards higher columns, whichever is the first; mirror the map to reverse this. For like
-    bodies traction across the direction of sliding is left out. The option mode_mixity lets shear lower the adhesion of a map;
+    bodies traction across the direction of sliding is neglected. The option mode_mixity lets shear lower the adhesion of a map;
     no law of it is recommended. The fraction of the shear energy that opens the edge is `peeling` of the contact.
 
     Examples
@@ -160,7 +161,7 @@ def slide(
 
 
 def _residual(subject: Subject, given: Any) -> float:
-    """Return the residual strength, a fraction: `given` if stated, else the value of the contact, else 1."""
+    """Return the fraction of its strength that an asperity retains once it slides: `given`, else the contact's, else 1."""
     stated = getattr(subject, "residual_strength", None) if given is None else given
     value = floats(1.0 if stated is None else stated, "residual_strength", "a number from 0 to 1")
     if value.ndim or not 0.0 <= value <= 1.0:
@@ -169,12 +170,12 @@ def _residual(subject: Subject, given: Any) -> float:
 
 
 def _checked(problem: Problem) -> AsperitySum:
-    """Return the problem if its asperities can slip; else raise InputError with the reason."""
+    """Return the problem if its asperities can slip; otherwise raise InputError with the reason."""
     model = problem.record
     if problem.chosen.tangential is None:
         wanted = f"a tangential law: {model.key} has none, and each asperity needs a shear strength"
         raise InputError("tangential", "none", wanted)
-    assert isinstance(problem, AsperitySum)  # theories in closed form know no presliding
+    assert isinstance(problem, AsperitySum)  # theories in closed form reject presliding laws
     for name, values in model.own_options.items() if model.regimes is not None else ():
         if problem.options[name] != values[0]:
             raise InputError(name, problem.options[name], f"{values[0]}: slide() supports only this variant of the model")
@@ -182,10 +183,9 @@ def _checked(problem: Problem) -> AsperitySum:
 
 
 def _displacements(subject: Subject, given: Any, slides_at: np.ndarray) -> Any:
-    """Return the displacements as a labelled array.
+    """Return the displacements to compute, as a number or an array with named dimensions, in the units of the contact.
 
-    given: stated displacements; by default they end beyond the sliding displacement of the last contact. slides_at: sliding
-    displacements.
+    given: stated displacements; None for 61 of them, up to 1.5 times the largest of the sliding displacements slides_at.
     """
     if given is None:
         farthest = float(np.nanmax(slides_at)) if np.isfinite(slides_at).any() else math.nan
@@ -202,7 +202,7 @@ def _displacements(subject: Subject, given: Any, slides_at: np.ndarray) -> Any:
 
 @dataclass(frozen=True)
 class Sliding:
-    """Represent a problem whose asperities are displaced tangentially.
+    """Represent a sum over asperities that are all displaced tangentially by the same amount.
 
     residual: fraction of its strength that an asperity retains once it slides.
     """
@@ -211,14 +211,18 @@ class Sliding:
     residual: float
 
     def at(self, h: np.ndarray, displacement: np.ndarray) -> np.ndarray:
-        """Return the tangential force, and the energy lost in a cycle, normalised (2, *shape).
+        """Return the tangential force, and the energy lost in a cycle of this amplitude, normalised (2, *shape).
 
-        h, displacement: over sigma, of one shape in which the contacts' dimensions come first.
+        h, displacement: mean separation and tangential displacement over sigma, of one shape with the contacts' dimensions
+        first.
         """
         return self._summed(h, displacement, lambda tangential, moved: slipping_law(tangential, moved, self.residual))
 
     def _summed(self, h: np.ndarray, displacement: np.ndarray, law_of: Callable) -> np.ndarray:
-        """Return the two parts of the resistance (2, *shape), with law_of(tangential law, displacements) as tangential law."""
+        """Return the slip-limited and yield-limited sums (2, *shape of h) of a tangential law that depends on displacement.
+
+        law_of: function (tangential law of the problem, displacements) -> law that is summed.
+        """
         laws = len(self.problem.groups)
         row = np.repeat(np.arange(laws), math.prod(h.shape) // laws)
         flat, moved = h.reshape(-1), np.ascontiguousarray(displacement, dtype=float).reshape(-1)
@@ -226,7 +230,7 @@ class Sliding:
         return np.concatenate(parts, axis=1).reshape(2, *h.shape)
 
     def stiffness(self, h: np.ndarray) -> np.ndarray:
-        """Return the tangential stiffness at rest, in the shape of the separations h.
+        """Return the tangential stiffness at rest, normalised, in the shape of the separations h (over sigma).
 
         It is the slope of force against displacement, summed over all asperities that have a strength.
         """
@@ -243,9 +247,10 @@ class Sliding:
         return moved.forces(h, np.arange(h.size))
 
     def curve(self, static: dict[str, np.ndarray], displacement: np.ndarray) -> dict[str, np.ndarray]:
-        """Return tangential force, sticking share and energy lost in cycles, by name, at displacements of the full shape.
+        """Return tangential force, sticking fraction of the area and energy lost in cycles, by name, normalised.
 
-        static: results without a tangential force. The energy is omitted unless asperities keep their strength.
+        static: normalised results without a tangential force. displacement: tangential displacements over sigma, with the
+        dimensions of static first. The energy is omitted unless asperities keep their strength.
         """
         h, area = (
             np.broadcast_to(table.reshape(table.shape + (1,) * (displacement.ndim - table.ndim)), displacement.shape)
@@ -258,9 +263,10 @@ class Sliding:
         return {"tangential_force": force, "sticking_share": sticking} | lost
 
     def ends(self, static: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
-        """Return the largest tangential force and its displacement.
+        """Return the largest tangential force, its ratio to the load and its displacement, by name.
 
-        With constant strength (Coulomb's law) the displacement is where the force reaches 99 % of the sum of strengths.
+        static: normalised results without a tangential force. With constant strength (Coulomb's law) the displacement is where
+        the force reaches 99 % of the sum of strengths.
         """
         h, strength, stiffness = (static[name] for name in ("mean_separation", "friction_force", "tangential_stiffness"))
         held = (strength > 0.0) & (stiffness > 0.0)
@@ -277,9 +283,9 @@ class Sliding:
         }
 
     def _nearly(self, h: np.ndarray, unit: np.ndarray, force: np.ndarray) -> np.ndarray:
-        """Return the displacement at which `force` is reached, by bisection; NaN if it is beyond the searched range.
+        """Return the displacement at which the tangential force reaches `force`, by bisection; NaN beyond the searched range.
 
-        unit: scale of the searched displacements.
+        h: separations over sigma. unit: scale of the searched displacements.
         """
         low, high = np.log(unit * _WAY[0]), np.log(unit * _WAY[-1])
         reached = self.at(h, np.exp(high))[0] >= force
@@ -290,9 +296,10 @@ class Sliding:
         return np.where(reached, np.exp(high), np.nan)
 
     def _peak(self, h: np.ndarray, unit: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Return the displacement of the largest force, and that force.
+        """Return the displacement at which the tangential force is largest, and that force.
 
-        The best of many displacements is refined by golden-section search.
+        h: separations over sigma. unit: scale of the searched displacements. The best of many displacements is refined by
+        golden-section search.
         """
         found = np.stack([self.at(h, unit * one)[0] for one in _WAY])
         best = np.clip(found.argmax(axis=0), 1, len(_WAY) - 2)

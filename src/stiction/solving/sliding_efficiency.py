@@ -1,23 +1,24 @@
-"""Estimate what fraction of its strength a contact bears at once, if strength falls with slip.
+"""Estimate what fraction of its summed strength a contact bears at once, if strength falls with slip.
 
-Spots do not reach their strength together, because elastic bodies move their points by different amounts. With s the standard
-deviation, over the contact, of the displacement that the strengths tau_p cause, and D_c the slip over which strength falls to
-r tau_p, the largest force over the sum of strengths is
+Contact spots do not reach their strength at the same displacement, because elastic bodies move their points by different
+amounts. With s the standard deviation, over the contact, of the displacement that the strengths tau_p cause, and D_c the slip
+over which strength falls to r tau_p, the largest force over the sum of strengths, e, is
 
     V = (1 - r) s/D_c,    e_0 = [1 + (b V)^m]^(-1/(2 m)),                                                                  (1)
     e = r + 1/2 {e_0 - r + [(e_0 - r)^2 + w^2 r (1 - r)(1 - e_0) e_0]^(1/2)}                                               (2)
 
-1 for small or weak spots, Griffith's V^(-1/2) for large ones without residual strength, r at least. b, m, w are fitted to
-maps that were moved aside (truth/slides.py): 1.6 % rms there, 1.5 % on 306 rows of maps held out. Without a map, spots of
-radius a and a square nominal area of side L, which ends, with the share c in contact, have, with S = sum (2 - nu_i)/(2 G_i),
+e is 1 for small or weak spots, follows Griffith's V^(-1/2) for large ones without residual strength, and is at least r. b, m, w
+are fitted to maps that were displaced tangentially (truth/slides.py): the error is 1.6 % rms there, 1.5 % on 306 other results
+of such maps. Without a map, spots of radius a on a square nominal area of side L with free edges, of which the fraction c is in
+contact, have, with S = sum (2 - nu_i)/(2 G_i) (nu: Poisson's ratio, G: shear modulus),
 
     s^2 = (tau_p S)^2 {[k_a a (eta R sigma)^d (1 - c)^q]^2 + [k_L c L]^2},                                                 (3)
     a^2 = sigma R F_1(t)/F_0(t),    c = pi eta R sigma F_1(t),
 
-F_0, F_1 the share of Gaussian heights above t and their mean excess (Greenwood & Williamson 1966). k_a, d and q are fitted to
-the same maps, whose s the numbers of their asperities give with a standard error of 11 %; k_L is that of a uniform
-square. Single discs of 0.3 to 12 l_c, which were not fitted, come out within 1.1 %. Own formulas (grade C): no
-published law of this was found.
+F_0 is the fraction of Gaussian heights above t, F_1 their mean excess; eta, R and sigma are density, radius and rms height of
+the asperities (Greenwood & Williamson 1966). k_a, d and q are fitted to the same maps, whose s follows from the numbers of
+their asperities with a standard error of 11 %; k_L is that of a uniform square. For single discs with radii of 0.3 to 12
+weakening lengths, which were not fitted, e is within 1.1 %. Own formulas (grade C): no published law of this was found.
 """
 
 import math
@@ -26,17 +27,17 @@ import numpy as np
 from scipy.special import ndtr
 
 FITTED = (4.213, 1.062, 0.680)
-"""b, m and w of the law."""
+"""The constants b, m and w of (1) and (2)."""
 _OF_SPOTS, _BY_SHARE, _BY_DENSITY, _OF_EDGES = 4.546, 0.815, 0.783, 0.0590
 SPOTS_ERROR = 0.25
-"""Standard deviation of ln of the displacement of spots that are known by numbers: twice that on the maps of the fit and more,
-as one of 10 um that was moved aside later was 0.37 off."""
+"""Standard deviation of ln s for a contact without a map. It is more than twice that on the fitted maps, because the error was
+0.37 on a map of 10 um that was displaced later."""
 LAW_ERROR = 0.02
-"""Standard deviation of ln of the efficiency of a map whose displacement is known: more than on the maps of the fit, which do
-not yield."""
+"""Standard deviation of ln e for a map whose s was computed. It is larger than on the fitted maps, which do not yield."""
 UNLIKE = (0.85, 0.3, 0.08)
-"""Loss of unlike bodies, -ln of their efficiency over that of like bodies, divided by Dundurs' beta: mean, standard deviation,
-and the part y of the strength that can be lost at which 1 - 1/e of this loss is reached. Pressing unlike bodies shears the
+"""Loss of efficiency of bodies with unlike elastic constants: -ln of their efficiency over that of like bodies, divided by
+Dundurs' beta. The first two numbers are its mean and its standard deviation. The third is a fraction of the strength that slip
+can remove: where like bodies have lost this fraction, 1 - 1/e of the loss is reached. Pressing unlike bodies shears the
 contact, which uses up a part of the slip. On four maps at three loads with beta of .04 and .12 the quotient is .4 to 1.2;
 larger beta were not fitted (grade C)."""
 _DEEPEST, _HIGHEST, _NODES = -8.0, 8.0, 4001
@@ -45,8 +46,8 @@ _DEEPEST, _HIGHEST, _NODES = -8.0, 8.0, 4001
 def efficiency(spread, residual, constants=FITTED):
     """Return the largest tangential force of a contact over the sum of the strengths of its spots, by (1) and (2).
 
-    spread: standard deviation s of the spots' displacement over the slip D_c, >= 0. residual: fraction r of the strength that
-    remains after slip, 0 to 1. Shapes broadcast. constants: b, m and w.
+    spread: standard deviation of the spots' shear displacement over the slip in which strength is lost, >= 0. residual:
+    fraction of the strength that remains after slip, 0 to 1. The shapes broadcast. constants: b, m and w of (1) and (2).
     """
     b, m, w = constants
     alone = (1.0 + (b * (1.0 - residual) * spread) ** m) ** (-0.5 / m)
@@ -55,9 +56,10 @@ def efficiency(spread, residual, constants=FITTED):
 
 
 def spot_radius(share, deviation, radius, density):
-    """Return the mean radius of contact spots [m], by (3).
+    """Return the mean radius of contact spots [m], by the equations for a and c below (3).
 
-    share: real over nominal area, 0 to 1. deviation [m], radius [m], density [1/m2]: of asperities. Shapes broadcast.
+    share: real over nominal contact area, 0 to 1. deviation [m], radius [m], density [1/m2]: standard deviation of the heights,
+    radius and number per area of the asperities. The shapes broadcast.
     """
     t = np.linspace(_HIGHEST, _DEEPEST, _NODES)
     tail = ndtr(-t)
@@ -67,18 +69,18 @@ def spot_radius(share, deviation, radius, density):
 
 
 def spread_of_spots(radius, share, roughness_parameter):
-    """Return s/(tau_p S) [m] by (3) for contact spots of one radius, without edges of the nominal area.
+    """Return the standard deviation of the spots' shear displacement over strength times shear compliance [m], by (3).
 
-    s: standard deviation of the displacement due to shear. tau_p: strength. S: shear compliance. radius: of the spots [m].
-    share: real over nominal area. roughness_parameter: eta R sigma of the asperities.
+    Edges of the nominal area are neglected. radius: of the spots [m]. share: real over nominal contact area.
+    roughness_parameter: density times radius times rms height of the asperities.
     """
     return _OF_SPOTS * radius * roughness_parameter**_BY_DENSITY * (1.0 - share) ** _BY_SHARE
 
 
 def spread_of_edges(side, share):
-    """Return s/(tau_p S) [m] by (3) due to the edges of a square nominal area.
+    """Return the standard deviation of the shear displacement due to the edges of a square nominal area, by (3).
 
-    s: standard deviation of the displacement due to shear. tau_p: strength. S: shear compliance. side: of the square [m].
-    share: real over nominal area.
+    It is divided by strength times shear compliance, so the unit is [m]. side: of the square [m]. share: real over nominal
+    contact area.
     """
     return _OF_EDGES * side * share

@@ -25,16 +25,20 @@ if TYPE_CHECKING:
     from stiction.solvers.boundary_elements.solve import MapContact
     from stiction.solvers.shear.path import SlidingPath, Weakening
 
-_STEPS = 40  # of a path, where no displacements are given
-_MOST_SHOWN = 160  # points along a side of the map of points that stick and slide
+_STEPS = 40  # number of displacements, if none are given
+_MOST_SHOWN = 160  # largest number of points along a side of the returned map of sticking and sliding points
 _STATES = {"long_name": "points of the map", "flag_values": [0, 1, 2], "flag_meanings": "apart sticks slides"}
-_NEARLY = 0.99  # of a force that is only tended to
+_NEARLY = 0.99  # part of a largest force that is approached but never reached
 _KNOWN = "a length > 0: 0.3 to 3 nm for monolayers and oxides, 0.1 to 10 um for worn metals, 1 to 100 um for rock"
 
 
 @dataclass(frozen=True)
 class Move:
-    """Store the arguments of `slide` that describe how a map is displaced tangentially."""
+    """Store the arguments of `slide` that describe how a map is displaced tangentially.
+
+    displacement, tangential_force, weakening_slip, spring_stiffness: as the user states them, or None. residual: fraction of
+    its strength that a point retains once it slides.
+    """
 
     displacement: Any
     tangential_force: Any
@@ -44,7 +48,10 @@ class Move:
 
 
 def slide_on_map(problem: MapProblem, points: Points, move: Move) -> "xarray.Dataset":
-    """Return the tangential force against displacement of a solved map, as `slide` describes it. Raises InputError."""
+    """Return the tangential force against displacement of a solved map as the dataset that `slide` describes.
+
+    points: requested loads. move: how the map is displaced. Raises InputError for arguments that a map does not support.
+    """
     factors = problem.factors
     weakening = _weakening(problem, move.residual, move.weakening_slip)
     unsheared = without_mode_mixity(problem)
@@ -86,7 +93,11 @@ def slide_on_map(problem: MapProblem, points: Points, move: Move) -> "xarray.Dat
 
 
 def _moving(problem: MapProblem, loads: np.ndarray) -> MovingMap:
-    """Return the map, solved at normalised loads (m,), that will be displaced. Raises InputError."""
+    """Solve the map at normalised loads (m,), and return it in the form that the kind of coupling requires.
+
+    Adhesive maps, maps of like bodies and maps of unlike bodies are displaced by different solvers. Raises InputError if a load
+    is not solved.
+    """
     contacts = _contacts(without_mode_mixity(problem), loads)
     unlike = are_unlike(problem)
     if problem.adheres:
@@ -101,7 +112,7 @@ def _moving(problem: MapProblem, loads: np.ndarray) -> MovingMap:
 
 
 def _contacts(problem: MapProblem, loads: np.ndarray) -> "tuple[MapContact, ...]":
-    """Return the contacts of the map at normalised loads (m,). Raises InputError if one is not solved."""
+    """Return the contacts of the map at normalised loads (m,); raise InputError if one is not solved."""
     contacts = tuple(state for state in problem.curve(loads).contacts if state is not None)
     if len(contacts) < loads.size:
         raise InputError("load", f"{loads.size - len(contacts)} loads without a solution", "loads that the solver can solve")
@@ -109,9 +120,9 @@ def _contacts(problem: MapProblem, loads: np.ndarray) -> "tuple[MapContact, ...]
 
 
 def _uncoupled(problem: MapProblem, moving: MovingMap, loads: np.ndarray, why: str) -> MovingMap:
-    """Return the map with a remark that the coupling of pressure and shear is neglected.
+    """Return the map with a remark that the coupling of pressure and shear is neglected, and by how much friction may be wrong.
 
-    The remark states the effect of coupling on the dry contact without adhesion. why: reason for the neglect.
+    The error is that of the dry contact without adhesion at the normalised loads (m,). why: reason for the neglect.
     """
     remark = f"pressure and shear are not coupled, because {why}"
     if (loads > 0.0).all():
@@ -122,7 +133,10 @@ def _uncoupled(problem: MapProblem, moving: MovingMap, loads: np.ndarray, why: s
 
 
 def _displacements(problem: MapProblem, moving: MovingMap, weakening: "Weakening | None", move: Move) -> Any:
-    """Return the displacements to solve: those given, those at given forces, or those up to full sliding. Raises InputError."""
+    """Return the displacements to solve: those given, those at given forces, or by default those up to full sliding.
+
+    Raises InputError for forces that the map does not support.
+    """
     from stiction.solvers.shear.path import full_shift
 
     if move.tangential_force is not None:
@@ -134,30 +148,33 @@ def _displacements(problem: MapProblem, moving: MovingMap, weakening: "Weakening
 
 
 def _shown(table: np.ndarray) -> np.ndarray:
-    """Return all points of a map, or an evenly spaced selection if the map is large."""
+    """Return all points of a map, or an evenly spaced selection with at most 160 points along a side."""
     every = -(-max(table.shape) // _MOST_SHOWN)
     return table[::every, ::every]
 
 
 def _point_states(paths: "list[SlidingPath]") -> np.ndarray:
-    """Return the state of every point: 0 apart, 1 sticking, 2 sliding.
+    """Return the state of every point: 0 apart, 1 sticking, 2 sliding; (loads, displacements, rows, columns).
 
-    The shape is (loads, displacements, rows, columns).
+    Large maps are reduced to an evenly spaced selection of points.
     """
     states = [[_shown(state.touching).astype(np.int8) + _shown(state.slides) for state in path.states] for path in paths]
     return np.array(states, dtype=np.int8)
 
 
 def used_by_sliding(problem: Problem, names: tuple[str, ...]) -> dict[str, str]:
-    """Return the attributes that list unused inputs of a problem.
+    """Return the attributes that list the unused inputs of a problem.
 
-    names: inputs that sliding uses, which are not listed.
+    names: inputs that sliding uses, which are left out of the list.
     """
     return as_attributes(unused for unused in unused_inputs(problem) if unused.input not in names)
 
 
 def _way(elastic: float, weakening: "Weakening | None") -> np.ndarray:
-    """Return displacements [m] to solve: up to full sliding, and on until all points have weakened."""
+    """Return the displacements [m] to solve: evenly spaced up to `elastic`, then until all points have weakened.
+
+    elastic: displacement at which all points slide. weakening: None if strength is constant.
+    """
     if weakening is None:
         return np.linspace(0.0, elastic, _STEPS + 1)
     after = elastic + weakening.slip * np.linspace(0.0, 1.0, _STEPS // 3 + 1)[1:]
@@ -167,7 +184,8 @@ def _way(elastic: float, weakening: "Weakening | None") -> np.ndarray:
 def _weakening(problem: MapProblem, residual: float, slip: Any) -> "Weakening | None":
     """Return how strength falls with slip; None if it stays constant.
 
-    Raises InputError for a residual strength below 1 without a weakening slip, and for a slip without such a strength.
+    residual: fraction of its strength that a point retains. slip: slip over which it loses the rest, as the user states it.
+    Raises InputError for a residual strength below 1 without a slip, and for a slip with a residual strength of 1.
     """
     from stiction.solvers.shear.path import Weakening
 
@@ -183,7 +201,11 @@ def _weakening(problem: MapProblem, residual: float, slip: Any) -> "Weakening | 
 
 
 def _at_forces(problem: MapProblem, moving: MovingMap, move: Move) -> np.ndarray:
-    """Return the displacements [m] at forces of the whole contact. Raises InputError."""
+    """Return the displacements [m] at the tangential forces of the whole contact that `move` states.
+
+    Raises InputError if the strength or the contact changes with shear, for more than one load, and for forces that are too
+    large.
+    """
     from stiction.solvers.shear.path import at_force
 
     if move.displacement is not None:
@@ -209,9 +231,10 @@ def _at_forces(problem: MapProblem, moving: MovingMap, move: Move) -> np.ndarray
 
 
 def _through_spring(problem: MapProblem, paths: "list[SlidingPath]", whole: float, stiffness: Any) -> dict[str, np.ndarray]:
-    """Return the normalised displacement of the drive, and a mask of the states that are reached.
+    """Return the normalised displacement of the drive, and a mask of the states that are reached, by name.
 
-    whole: nominal area of the contact over the area of the map. stiffness: of the spring, as the user states it.
+    paths: states of the map, for each load. whole: nominal area of the contact over the area of the map. stiffness: of the
+    spring, as the user states it.
     """
     from stiction.solvers.shear.path import through_spring
 
@@ -224,11 +247,11 @@ def _through_spring(problem: MapProblem, paths: "list[SlidingPath]", whole: floa
 
 
 def _ends(moving: MovingMap, paths: "list[SlidingPath]", whole: float, factors: dict[str, Any]) -> dict[str, np.ndarray]:
-    """Return, for each load (m,): stiffness at rest, largest force, its displacement, and efficiency.
+    """Return, for each load (m,): stiffness at rest, largest force, its displacement, and efficiency, by name.
 
-    The efficiency is the largest force over the sum of strengths. If the strength stays constant, the displacement is where
-    99 % of the largest force is reached, and NaN if it is not reached. The first three are divided by `factors`. whole:
-    nominal area of the contact over the area of the map.
+    The efficiency is the largest force over the sum of strengths. If the strength stays constant, the displacement is where 99
+    % of the largest force is reached, and NaN if it is not reached. The first three are divided by `factors`. whole: nominal
+    area of the contact over the area of the map.
     """
     from stiction.solvers.shear.path import stuck_stiffness
 
@@ -245,7 +268,7 @@ def _ends(moving: MovingMap, paths: "list[SlidingPath]", whole: float, factors: 
 
 
 def _nearly(path: "SlidingPath") -> float:
-    """Return the displacement [m] at which the force nearly reaches its largest value; NaN if it does not."""
+    """Return the displacement [m] at which the force reaches 99 % of its largest value; NaN if it does not."""
     force, shift = path.array("force"), path.array("shift")
     wanted = _NEARLY * path.largest
     at = int(np.argmax(force >= wanted))
@@ -256,9 +279,9 @@ def _nearly(path: "SlidingPath") -> float:
 
 
 def _points_in_loss(problem: MapProblem, moving: MovingMap, weakening: "Weakening") -> np.ndarray:
-    """Return the number of points (m,) along the length over which strength is lost.
+    """Return the number of points (m,) along the length over which strength is lost behind the tip of a slipping zone.
 
-    It is taken where the strength is largest.
+    The length is computed with the largest strength at each of the m loads.
     """
     from stiction.solvers.shear.path import weakening_length
 
@@ -274,7 +297,7 @@ def _points_in_loss(problem: MapProblem, moving: MovingMap, weakening: "Weakenin
 def _said(
     known: dict[str, Any], moving: MovingMap, residual: float, weakening: "Weakening | None", paths: "list[SlidingPath]"
 ) -> dict[str, Any]:
-    """Return the attributes of the result: residual strength, what is neglected, and whether the force converged."""
+    """Return the attributes of the result: residual strength, neglected effects, and whether the force converged."""
     how = "a point that slips keeps all of its strength"
     if weakening is not None:
         how = f"a point that slips {weakening.slip:.3g} m keeps {weakening.residual:g} of its strength"

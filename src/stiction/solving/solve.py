@@ -51,33 +51,33 @@ def solve(
         Net normal load, in place of a separation; normalised for Indices. Shapes as for `separation`.
     model : str, optional
         Key of a rough-surface model (`st.models()`), or a name that `st.compare` shows for this contact. By default
-        "soft_coating_2015", which is refused where the contact states an interfacial shear strength.
+        "soft_coating_2015", which raises an error if the contact states an interfacial shear strength.
     heights : Heights or str, optional
-        Height distribution, or its name; by default the own one of the contact, or Gaussian.
+        Height distribution, or its name; by default that of the contact, or Gaussian.
     threads : int
         Number of threads; it changes no digit of the results.
     **laws : str, optional
         Keys of other laws than those of the model (`asperity`, `tangential`, `film`, `meniscus`, `ageing`, `contamination`,
-        `presliding`), or options of the model and its laws, e.g. `variant="published"`. "none" leaves a law out: with
+        `presliding`), or options of the model and its laws, e.g. `variant="published"`. "none" omits a law: with
         `tangential="none"` only the contact is solved.
 
     Returns
     -------
     xarray.Dataset
         With units and long names, over the dimensions of contact and points: load, contact_area, friction_force,
-        friction_coefficient (NaN where the net load does not press), mean_separation, touching_asperities, pull_off_force and
-        their parts by state, body and limit; results that a model does not give are missing. Attributes: model, options,
+        friction_coefficient (NaN where the net load is not compressive), mean_separation, touching_asperities, pull_off_force
+        and their parts by state, body and limit; results that a model does not give are missing. Attributes: model, options,
         sources, and `outside_validity` in words, `validity_warnings` as JSON. With a measured surface also
         friction_coefficient_by_method (asperity_method, points), friction_coefficient_low and friction_coefficient_high.
 
     Raises
     ------
     InputError
-        A value is out of bounds, laws do not go together, or a load cannot be carried at any separation.
+        A value is out of bounds, laws cannot be combined, or a load cannot be carried at any separation.
 
     Notes
     -----
-    Equations and sources are those of the model and its laws: `st.cite(result)` returns them. Where the model has no tangential
+    Equations and sources are those of the model and its laws: `st.cite(result)` returns them. If the model has no tangential
     law and the contact states an interfacial shear strength, a law of the interface computes the friction.
 
     Examples
@@ -113,7 +113,7 @@ def solve(
 def _at_points(
     contact: Subject, separation: Any, load: Any, choice: Choice, heights: Heights | str | None, threads: int
 ) -> "xarray.Dataset":
-    """Return the result of `solve` without the spread over asperity methods."""
+    """Return the result of `solve` for one set of roughness numbers, without the range over asperity methods."""
     points = points_of(make_problem(contact, choice, heights, threads), load, separation)
     problem, given = points.problem, points.name
     with in_words(points):
@@ -132,7 +132,7 @@ def _at_points(
 
 
 def _with_interruption(data: "xarray.Dataset") -> "xarray.Dataset":
-    """Return the dataset with a validity warning where a solution was interrupted."""
+    """Return the dataset with a validity warning if some loads were not solved because the solution was interrupted."""
     missing = int(np.isnan(data["contact_area"].values).sum())
     if not missing:
         return data
@@ -141,9 +141,9 @@ def _with_interruption(data: "xarray.Dataset") -> "xarray.Dataset":
 
 
 def _with_carried(data: "xarray.Dataset", points: Points, carried: np.ndarray) -> "xarray.Dataset":
-    """Return the dataset with a validity warning if loads were lost in round-off.
+    """Return the dataset with a validity warning if requested loads were lost in round-off.
 
-    If loads are a coordinate, the computed loads are added.
+    carried: normalised loads that were computed. If loads are a coordinate, the computed loads are added as `load_carried`.
     """
     validity_warnings = warnings_of_rounding(carried, points.wanted)
     if not validity_warnings:

@@ -1,6 +1,6 @@
 """Compute how far shear moves the contact spots of a solved map.
 
-The compact law of efficiency (`sliding_efficiency`) uses the result.
+The formula in `sliding_efficiency` uses the result.
 """
 
 import math
@@ -15,8 +15,8 @@ if TYPE_CHECKING:
     from stiction.solvers.boundary_elements.solve import MapContact
     from stiction.solvers.shear.operators import ShearOperator
 
-_BEYOND, _STEP, _MOST = 1.5, 1.5, 12  # pressures of a table: beyond those asked for, ratio of neighbours, how many at most
-_HEAVIEST, _OF_HARDNESS = 0.5, 0.5  # the last of them over modulus times gradient, at most this share of the hardness
+_BEYOND, _STEP, _MOST = 1.5, 1.5, 12  # pressures of the table: factor beyond the loads, ratio of neighbours, largest number
+_HEAVIEST, _OF_HARDNESS = 0.5, 0.5  # largest pressure over modulus times gradient, and over the hardness
 
 
 def spread_on_map(problem: MapProblem, loads: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -63,9 +63,10 @@ def spread_on_map(problem: MapProblem, loads: np.ndarray) -> tuple[np.ndarray, n
 
 
 def _spread(operator: "ShearOperator", state: "MapContact") -> float:
-    """Return the standard deviation s of the spots' displacement over the strength tau_p [m/Pa], on one solved map.
+    """Return the standard deviation of the spots' displacement over their strength [m/Pa], on one solved map.
 
-    All points in contact bear the same stress. It is reduced by the excess area of edge points.
+    operator: computes shear displacements. state: contact at one load. All points in contact bear the same stress, reduced by
+    the ratio of the corrected contact area to the area of all pixels in contact.
     """
     assert state.pressure is not None
     spots = state.pressure > 0.0

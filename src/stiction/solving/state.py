@@ -1,8 +1,8 @@
 """Compute dimensionless numbers that describe how hard a contact is pressed.
 
-The validity conditions of all models use them. All follow from results per asperity and the dimensionless groups.
-Per asperity, with the units of theory 1, K = 4 E*/3 and eta = pi H sqrt(R/sigma)/K, the load is P = K R^(1/2)
-sigma^(3/2) p and the area A = pi R sigma a, so that
+The validity conditions of all models use them. All follow from results per asperity and the dimensionless groups. Per asperity,
+with the units of section 1 of theory.md, K = 4 E*/3 and eta = pi H sqrt(R/sigma)/K, the load is P = K R^(1/2) sigma^(3/2) p and
+the area A = pi R sigma a (E*: contact modulus, H: hardness, R: asperity radius, sigma: rms height), so that
 
     A/A_n       = pi N R sigma a
     P/(A_n H)   = pi N R sigma p / eta
@@ -10,8 +10,8 @@ sigma^(3/2) p and the area A = pi R sigma a, so that
     N A_n       = N R sigma (A_n/sigma^2) (sigma/R)
     A/(n A_c)   = a / (share omega_c/sigma)
 
-n = share N A_n asperities touch. A_c = pi R omega_c is the area of one asperity at first yield, and omega_c its
-interference (Chang, Etsion & Bogy 1987).
+A_n is the nominal area and N the asperity density. n = share N A_n asperities touch. A_c = pi R omega_c is the area of one
+asperity at first yield, and omega_c its interference (Chang, Etsion & Bogy 1987).
 """
 
 import math
@@ -33,14 +33,14 @@ if TYPE_CHECKING:
 
 # Pull-off force of a sphere over gamma R at the most (Derjaguin, Muller & Toporov 1975); JKR's is 3/4 of it.
 _DMT = 2.0 * math.pi
-_MOST_GROWN = 100.0  # how far growth is followed
+_MOST_GROWN = 100.0  # largest growth factor
 
 
 def state_of(problem: Problem, results: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
-    """Return the state numbers of contacts at these normalised results, e.g. the mean pressure over the hardness.
+    """Return dimensionless numbers of contacts at normalised results, by name, e.g. the mean pressure over the hardness.
 
-    Results have the dimensions of the contacts first. Each number is an array (n, m), by name: absent if a group is unknown,
-    NaN where the net load is not compressive.
+    results: arrays with the dimensions of the contacts first. Each number is an array (n, m) over contacts and points; it is
+    absent if a group is unknown, and NaN where the net load is not compressive.
     """
     groups = problem.groups
     n = len(groups)
@@ -67,16 +67,19 @@ def state_of(problem: Problem, results: Mapping[str, np.ndarray]) -> dict[str, n
 
 
 def area_fraction(groups: Groups, area: np.ndarray) -> np.ndarray:
-    """Return A/A_n (n, m) from normalised areas (n, m) of contacts whose asperity density is known."""
+    """Return the real over the nominal contact area (n, m) from normalised areas (n, m) of n contacts.
+
+    The asperity density of the contacts must be known.
+    """
     assert groups.roughness_parameter is not None
     return math.pi * groups.roughness_parameter[:, None] * area
 
 
 def _of_the_surface(groups: Groups) -> dict[str, np.ndarray]:
-    """Return the numbers (n,) of the surface that do not depend on load.
+    """Return the numbers (n,) of rough surface and film that do not depend on load, by name; absent if unknown.
 
-    Rms slope: sqrt(2 m2), of a Gaussian surface with m4 = (3/8)^2 pi/R^2 and N = m4/(6 pi sqrt(3) m2) (Nayak 1971;
-    McCool 1986).
+    The rms slope is sqrt(2 m2), of a Gaussian surface with m4 = (3/8)^2 pi/R^2 and N = m4/(6 pi sqrt(3) m2), with the spectral
+    moments m2 and m4, asperity radius R and density N (Nayak 1971; McCool 1986).
     """
     quantities = {}
     if groups.sharpness is not None and groups.roughness_parameter is not None:
@@ -85,7 +88,7 @@ def _of_the_surface(groups: Groups) -> dict[str, np.ndarray]:
     if groups.sharpness is not None and groups.has_film and groups.film_aspect is not None:
         quantities["thickness_over_radius"] = groups.film_aspect * groups.sharpness
     if groups.has_film and groups.film_aspect is not None and groups.roughness_parameter is not None:
-        from stiction.laws.rough_surface.rough_on_film import STIFF, thickness_over_wave  # which a bare contact does without
+        from stiction.laws.rough_surface.rough_on_film import STIFF, thickness_over_wave  # only coated contacts need this
 
         whole = groups.resolved()
         quantities["stiff_film_over_wave"] = np.where(whole.n_E >= STIFF, thickness_over_wave(whole), np.nan)
@@ -93,24 +96,25 @@ def _of_the_surface(groups: Groups) -> dict[str, np.ndarray]:
 
 
 def of_the_map(subject: Subject) -> dict[str, float]:
-    """Return the numbers of a contact's map that do not depend on load, by name; {} without a map.
+    """Return how well a contact's map resolves and samples its surface, by name; {} without a map.
 
-    If the scans of both bodies cannot be combined to one map, the numbers are the smaller ones of both scans.
+    The numbers are points in the shortest wave and longest waves on a side. If the scans of both bodies cannot be combined to
+    one map, they are the smaller ones of both scans.
     """
     surface = subject.with_surface_moments().map
     maps = [surface] if surface is not None else [] if subject.measured is None else subject.measured.solvable.filled()
     if not maps:
         return {}
-    from stiction.solvers.boundary_elements.map_area import map_area  # which a contact of numbers does without
+    from stiction.solvers.boundary_elements.map_area import map_area  # only contacts with a map need this
 
     names = "points_in_shortest_wave", "longest_waves_on_a_side"
     return {name: min(getattr(map_area(surface).waves, name) for surface in maps) for name in names}
 
 
 def _of_attraction(groups: Groups, surface: "HeightMap | None") -> dict[str, np.ndarray]:
-    """Return numbers (n,) of the attraction of surfaces, for theories of the whole surface.
+    """Return numbers (n,) that describe the adhesion of surfaces, by name, for theories of the whole surface.
 
-    surface: the map that they use, or None.
+    surface: the height map that the theory uses, or None.
     """
     from stiction.laws.criterion.pastewka_robbins_2014 import range_over_gap, stickiness
     from stiction.laws.criterion.persson_tosatti_2001 import elastic_over_adhesion
@@ -130,9 +134,11 @@ def _by_asperity(
     hardness: np.ndarray,
     pull_of_menisci: np.ndarray | None,
 ) -> dict[str, np.ndarray]:
-    """Return the state numbers that do not need the asperity density, except those of menisci.
+    """Return the numbers (n, m) that follow from results per asperity, by name.
 
-    hardness: of the material that bears the load, over the hardness of the bodies.
+    load, area: normalised, per asperity. share: fraction of asperities that touch, None if the model has none. touching: this
+    fraction or an estimate of it. hardness: of the material that bears the load, over the hardness of the bodies.
+    pull_of_menisci: normalised, or None.
     """
     groups = problem.groups
     compressed = np.where(load > 0.0, load, np.nan)
@@ -145,7 +151,7 @@ def _by_asperity(
             quantities["asperity_area_over_yield"] = quotient(area, share * yielded)
     quantities |= _below_film(groups, load, area, touching)
     quantities |= _of_menisci(groups, area, share, pull_of_menisci)
-    per_theta = np.zeros(len(groups)) if groups.theta is None else _DMT / groups.theta  # 0 of what does not adhere
+    per_theta = np.zeros(len(groups)) if groups.theta is None else _DMT / groups.theta  # 0 without a work of adhesion
     pull = per_theta if groups.n_g is None else per_theta * groups.n_g
     quantities["adhesion_share"] = pull[:, None] * touching / compressed
     if groups.meniscus_index is not None and groups.meniscus_height is not None:
@@ -155,9 +161,10 @@ def _by_asperity(
 
 
 def _grown(groups: Groups, pressure: np.ndarray) -> dict[str, np.ndarray]:
-    """Return the factor (n, m) by which junctions grow under shear until the interface fails.
+    """Return the factor (n, m) by which junctions grow under shear until the interface fails, by name; {} if unknown.
 
-    A_s/A = (p/H)/sqrt(1 - c^2), at least 1, with c the strength of the interface over the strength of the bodies (Tabor 1959).
+    pressure: mean contact pressure p over the hardness H. The factor is (p/H)/sqrt(1 - c^2), at least 1, with c the strength of
+    the interface over the strength of the bodies (Tabor 1959).
     """
     ratio = groups.strength_over_bodies
     if ratio is None:
@@ -167,11 +174,12 @@ def _grown(groups: Groups, pressure: np.ndarray) -> dict[str, np.ndarray]:
 
 
 def _below_film(groups: Groups, load: np.ndarray, area: np.ndarray, touching: np.ndarray) -> dict[str, np.ndarray]:
-    """Return the mean pressure (n, m) of spots on hard films, divided by two limits.
+    """Return the mean pressure (n, m) of spots on hard films, divided by two limits, by name; {} without a hard film.
 
-    One limit is the pressure that the softer body carries through the film. The other is the pressure that punches the film, at
-    most H_b + 2 (t/a) tau_f for a plug of radius a (upper-bound theorem of plasticity), with tau_f the shear strength of the
-    film. The second limit also holds where the other body is softer.
+    load, area, touching: normalised load and area, and fraction of touching asperities. One limit is the pressure at which the
+    body below the film yields. The other is the pressure that punches the film, at most H_b + 2 (t/a) tau_f for a plug of
+    radius a (upper-bound theorem of plasticity), with the hardness H_b of the body, the film thickness t and the shear strength
+    tau_f of the film. The second limit also holds where the other body is softer.
     """
     if groups.n_H is None or groups.film_aspect is None or not np.any(groups.n_H > 1.0):
         return {}
@@ -187,29 +195,30 @@ def _below_film(groups: Groups, load: np.ndarray, area: np.ndarray, touching: np
 
 
 def _held_by_menisci(touching: np.ndarray, height: np.ndarray) -> np.ndarray:
-    """Return the share of asperities (n, m) that would pull as much as all menisci together, if each of them touched.
+    """Return the fraction of asperities (n, m) that would pull as much as all menisci together, if each of them touched.
 
-    An asperity with a gap below the height of the menisci pulls in proportion to (height - gap)/height. touching: share of
+    An asperity with a gap below the height of the menisci pulls in proportion to (height - gap)/height. touching: fraction of
     asperities that would touch without liquid. height: of a meniscus, over sigma. Heights are Gaussian.
     """
-    from scipy.special import ndtr, ndtri  # which a dry contact does without
+    from scipy.special import ndtr, ndtri  # only contacts with a liquid need this
 
     contact = -ndtri(np.clip(touching, np.finfo(float).tiny, 1.0 - 1e-16))
 
     def above(z: np.ndarray) -> np.ndarray:
-        """Return the antiderivative of the share of asperities above z."""
+        """Return the antiderivative of the fraction of asperities whose height exceeds z (over sigma)."""
         return z * ndtr(-z) - np.exp(-0.5 * z * z) / math.sqrt(2.0 * math.pi)
 
     return (above(contact) - above(contact - height)) / height
 
 
 def _of_menisci(groups: Groups, area: np.ndarray, share: np.ndarray | None, pull: np.ndarray | None) -> dict[str, np.ndarray]:
-    """Return the wetted share of the surface, and the indentation of asperities (n, m).
+    """Return the wetted fraction of the surface, and the indentation of asperities over the meniscus height (n, m), by name.
 
-    pull: meniscus pull, normalised (n, m). It is the Laplace pressure times the wetted area, so that the area includes
-    menisci that bridge a gap. Around elastic asperities the pull is less, and each touching one counts with its ring 2
-    pi R 2 r c. A pull at its upper limit gamma (A_n - A)/r does not determine the bridged area; Gaussian heights
-    determine it instead.
+    area, share: normalised contact area and fraction of touching asperities. pull: meniscus pull, normalised (n, m). The pull
+    is the Laplace pressure times the wetted area, so that this area includes menisci that bridge a gap. Around elastic
+    asperities the pull is less, and each touching one counts with its ring 2 pi R 2 r c (asperity radius R, Kelvin radius r,
+    mean cosine c of the contact angles). A pull at its upper limit, the Laplace pressure on the whole area without contact,
+    does not determine the bridged area; Gaussian heights determine it instead.
     """
     if groups.meniscus_height is None or groups.meniscus_index is None or share is None or pull is None:
         return {}
@@ -227,15 +236,15 @@ def _of_menisci(groups: Groups, area: np.ndarray, share: np.ndarray | None, pull
 
 
 def _softest(groups: Groups) -> np.ndarray | float:
-    """Return the lowest hardness of film and bodies, divided by the hardness of the bodies."""
+    """Return the smaller of film hardness and body hardness, divided by the hardness of the bodies; 1 without a film."""
     return 1.0 if groups.n_H is None else np.minimum(groups.n_H, 1.0)
 
 
 def _bearing(problem: Problem, load: np.ndarray, results: Mapping[str, np.ndarray]) -> np.ndarray:
     """Return the hardness (n, m) of the material that bears the load, over the hardness of the bodies.
 
-    If a film law separates film and substrate, it is averaged over both by their loads. Otherwise, or where the substrate
-    confines the film, it is the larger one, which no mean pressure exceeds.
+    If a film law separates film and substrate, the hardness is averaged over both by their loads. Otherwise, or where the
+    substrate confines the film, it is the larger of both, which no mean pressure exceeds.
     """
     groups, film = problem.groups, problem.chosen.film
     if groups.n_H is None:

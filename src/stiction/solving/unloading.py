@@ -1,9 +1,9 @@
 """Solve a rough surface that was pressed against another and is drawn apart again.
 
-An asperity that has yielded unloads on another curve than it was loaded on. An adhesive asperity stays in contact
-until it tears off. Both depend on the smallest separation h_0 that was reached: an asperity of height z was pressed
-to z - h_0, and has the interference z - h at h = h_0 + distance. At each distance a separate asperity law is summed
-over the heights.
+An asperity that has yielded unloads on another curve than it was loaded on. An adhesive asperity stays in contact until it
+tears off. Both effects depend on the smallest separation h_0 that was reached: an asperity of height z was compressed by z -
+h_0, and at the separation h its interference is z - h. At each increase h - h_0 of the separation, a separate asperity law is
+summed over the heights.
 """
 
 import math
@@ -49,10 +49,11 @@ if TYPE_CHECKING:
 
     from stiction.quantities.arguments import QuantityLike
 
-_LAW_OF_ITS_OWN = 2  # what a separation takes, as a number of points: bounds the memory
-# The way apart is searched in this many steps, finer where it begins, to where this share of the contact area is left.
+_LAW_OF_ITS_OWN = 2  # memory that one separation needs, in points, from which the size of blocks follows
+# Number of separations among which the largest tension is searched, denser near the smallest separation, up to the one at which
+# this fraction of the contact area is left.
 _STEPS, _LEFT = 81, 1e-10
-_ROUNDING = 1e-12  # of a separation that was found, and given back
+_ROUNDING = 1e-12  # accepted relative error of a separation that a user copies from an earlier result
 
 
 @with_keywords(LawKeywords)
@@ -80,7 +81,7 @@ def unload(
     separation : float [m], str with a unit, or array, optional
         Mean separations during unloading, none below the smallest one.
     separation_increase : float [m], str with a unit, or array, optional
-        Increase of the mean separation since then, in place of `separation`.
+        Increase of the mean separation above the smallest one, in place of `separation`.
     model : str
         A sum over an asperity law.
     heights : Heights or str, optional
@@ -97,7 +98,7 @@ def unload(
     Raises
     ------
     InputError
-        A value is out of bounds, or it is not known how these laws unload.
+        A value is out of bounds, or the sources of these laws do not describe unloading.
 
     Notes
     -----
@@ -134,7 +135,7 @@ def unload(
     tables = {"mean_separation": turned + apart if separation is None else wanted} | results
     data = labelled(subject, tables, factors, dims, way.pressed.coords | coordinates_of(turn.value, point))
     data = data.merge(_ends(way, nearest, factors, turn.dims))
-    if "mean_separation" in getattr(point, "dims", ()):  # its values as they were given are the coordinate
+    if "mean_separation" in getattr(point, "dims", ()):  # the values as the user gave them become the coordinate
         attributes = data["mean_separation"].attrs
         data = data.drop_vars("mean_separation").assign_coords(mean_separation=("mean_separation", point.values, attributes))
     for name in _DESCRIBED:
@@ -143,7 +144,7 @@ def unload(
     return with_warnings(data.assign_attrs(way.summary(tables)), validity_warnings)
 
 
-# What is in no table of quantities: like which quantity each is measured, and what it is.
+# Results that are not in the table of quantities: the quantity whose unit each has, and its description.
 _DESCRIBED = {
     "min_separation": ("mean_separation", "smallest mean separation during loading"),
     "max_load": ("load", "normal load at the smallest mean separation"),
@@ -157,7 +158,7 @@ _DESCRIBED = {
 
 
 def _described(subject: Subject, name: str) -> dict[str, str]:
-    """Return the attributes of a result variable named in _DESCRIBED."""
+    """Return the attributes (unit, long name, description) of a result variable named in _DESCRIBED."""
     like, meaning = _DESCRIBED[name]
     symbol = QUANTITIES[name].symbol if name in QUANTITIES else ""
     return subject.attributes(like) | {"long_name": name.replace("_", " "), "comment": meaning, "symbol": symbol}
@@ -168,7 +169,7 @@ class _Way:
     """Represent the unloading of n contacts.
 
     pressed: the problem at loading. released(groups, distance, **own options of the asperity law): function that returns the
-    segments of asperities drawn apart by that distance. how: the assumption about the asperities, in words.
+    segments of asperities that were drawn apart by that distance. how: the assumption about the asperities, in words.
     """
 
     pressed: AsperitySum
@@ -176,7 +177,10 @@ class _Way:
     how: str
 
     def apart(self, rows: np.ndarray, distance: np.ndarray) -> AsperitySum:
-        """Return the problem of contacts (m,), each drawn apart by its own distance (m,)."""
+        """Return the problem of contacts after each was drawn apart by its own distance (m,), over sigma.
+
+        rows (m,): index of the contact for each distance.
+        """
 
         def segments(groups, **options):
             return self.released(groups, distance, **options)
@@ -185,17 +189,15 @@ class _Way:
         return replace(self.pressed, groups=self.pressed.groups[rows], chosen=replace(self.pressed.chosen, asperity=asperity))
 
     def rows(self, shape: tuple[int, ...]) -> np.ndarray:
-        """Return the index of the contact at each point of a result of this shape.
-
-        Dimensions of the contacts come first.
-        """
+        """Return an array of this shape with the index of the contact at each point; dimensions of the contacts come first."""
         laws = len(self.pressed.groups)
         return np.repeat(np.arange(laws), math.prod(shape) // laws).reshape(shape)
 
     def at(self, rows: np.ndarray, nearest: np.ndarray, distance: np.ndarray, only: str | None = None) -> dict[str, np.ndarray]:
-        """Return normalised results at unloading, or only the one named `only`, as arrays of one shape.
+        """Return normalised results during unloading by name, or only the one named `only`, as arrays of one shape.
 
-        rows: index of the contact at each point. nearest: smallest separation. distance: increase of the separation since then.
+        rows: index of the contact at each point. nearest: smallest separation. distance: increase of the separation above the
+        smallest one. All three have that shape; separations are over sigma.
         """
         row, apart, h = (table.reshape(-1) for table in (rows, distance, nearest + distance))
 
@@ -214,7 +216,10 @@ class _Way:
 
 
 def _one_of(subject: Subject, **either: Any) -> Any:
-    """Return the stated one of two alternative arguments; a sequence gets a named dimension."""
+    """Return the value of the one of two alternative arguments that is stated.
+
+    A sequence becomes an array with a named dimension. Raises InputError unless exactly one is stated.
+    """
     given = [name for name, value in either.items() if value is not None]
     if len(given) != 1:
         raise InputError(" or ".join(either), "both" if given else None, "exactly one of the two")
@@ -229,7 +234,7 @@ def _one_of(subject: Subject, **either: Any) -> Any:
 
 
 def _make_way(contact: Subject, choice: Choice, heights) -> _Way:
-    """Return the unloading of a contact under these laws. Raises InputError if the laws do not define unloading."""
+    """Return the unloading of a contact under these laws; raise InputError if the laws do not define unloading."""
     if choice.options.get("branch") is not None:
         raise InputError("branch", choice.options["branch"], "no value, because unload() always follows the unloading branch")
     for name, key in choice.laws().items():
@@ -250,13 +255,17 @@ def _make_way(contact: Subject, choice: Choice, heights) -> _Way:
         reason = f"the source of {choice.model_key} does not describe unloading"
         raise InputError("model", choice.model_key, f"another sum over asperities: {reason}")
     problem = make_problem(contact, choice, heights)
-    assert isinstance(problem, AsperitySum)  # of a model with an asperity law
+    assert isinstance(problem, AsperitySum)  # because the model has an asperity law
     released, how = _released(problem.law.asperity, problem)
     return _Way(problem, released, how)
 
 
 def _released(law: AsperityLaw, problem: AsperitySum) -> tuple[Callable, str]:
-    """Return a function for the segments of an asperity law during unloading, and the assumption in words."""
+    """Return a function that gives the segments of an asperity law during unloading, and its assumption in words.
+
+    The function takes (groups, increase of the separation over sigma, **options). Raises InputError if the law does not define
+    unloading.
+    """
     if law.released is not None:
         return law.released, f"by the unloading law of {law.key}"
     if all(segment.state == "elastic" for segment in problem.law.segments(problem.groups)):
@@ -272,16 +281,19 @@ def _released(law: AsperityLaw, problem: AsperitySum) -> tuple[Callable, str]:
 
 
 def _held_on(law: AsperityLaw, groups: Groups, distance: np.ndarray, **options: str) -> list[NormalSegment]:
-    """Return the segments of an elastic law during unloading, for asperities that have touched.
+    """Return the segments of an elastic asperity law during unloading, for asperities that have touched.
 
-    Asperities that never touched carry no load.
+    distance: increase of the separation above the smallest one, over sigma. Asperities that never touched carry no load.
     """
     options = options | ({"branch": "unloading"} if "branch" in options else {})
     return [within(segment, coordinates(segment, -distance), np.inf) for segment in law.segments(groups, **options)]
 
 
 def _nearest(turn: Points) -> np.ndarray:
-    """Return the smallest mean separations reached, divided by sigma, in the shape of the points."""
+    """Return the smallest mean separations reached during loading, over sigma, in the shape of the points.
+
+    turn: the smallest separations or largest loads that the user states.
+    """
     if turn.name == "mean_separation":
         check_reach(turn.wanted, "min_separation")
         return turn.wanted
@@ -290,9 +302,10 @@ def _nearest(turn: Points) -> np.ndarray:
 
 
 def _apart(subject: Subject, nearest: np.ndarray, wanted: np.ndarray, unit: np.ndarray, is_increase: bool) -> np.ndarray:
-    """Return the distances from the smallest separations, from requested distances or separations of one shape.
+    """Return the increases of the separation above the smallest ones, over sigma.
 
-    is_increase: whether `wanted` holds distances. Raises InputError for a separation below the smallest one.
+    nearest: smallest separations. wanted: requested increases (is_increase) or separations. unit: by which normalised
+    separations are multiplied. All have one shape. Raises InputError for a separation below the smallest one.
     """
     distance = wanted if is_increase else wanted - nearest
     short = distance < (0.0 if is_increase else -_ROUNDING * np.maximum(np.abs(nearest), 1.0))
@@ -314,14 +327,17 @@ def _apart(subject: Subject, nearest: np.ndarray, wanted: np.ndarray, unit: np.n
 
 
 def _ends(way: _Way, nearest: np.ndarray, factors: Mapping[str, Any], dims: dict[str, int]) -> "xarray.Dataset":
-    """Return the smallest separation, the largest tension during unloading, and the separation of zero load."""
+    """Return the smallest separation, the largest tension during unloading, and the separation of zero load, as a dataset.
+
+    nearest: smallest separations over sigma. The separation of zero load exists only for adhesive asperity laws.
+    """
     tables = {"pull_off_force": np.zeros(nearest.shape)}
     if way.pressed.adheres:
         tension = _tension(way, way.rows(nearest.shape).reshape(-1), nearest.reshape(-1))
         names = "pull_off_force", "pull_off_separation", "zero_load_separation"
         tables |= {name: table.reshape(nearest.shape) for name, table in zip(names, tension, strict=True)}
     own = {name: tables.pop(name) for name in _DESCRIBED if name in tables}
-    if "min_separation" not in dims:  # there it is a coordinate
+    if "min_separation" not in dims:  # as a dimension it already is a coordinate
         own["min_separation"] = nearest
     subject = way.pressed.subject
     data = labelled(subject, tables, factors, dims, {})
@@ -332,9 +348,9 @@ def _ends(way: _Way, nearest: np.ndarray, factors: Mapping[str, Any], dims: dict
 
 
 def _tension(way: _Way, rows: np.ndarray, nearest: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return the largest tension, its separation, and the separation of zero load, each (m,).
+    """Return the largest tension during unloading, its separation, and the separation of zero load, each (m,).
 
-    rows, nearest: index of the contact and its smallest separation (m,).
+    rows, nearest (m,): index of the contact and its smallest separation. Tensions are normalised, separations over sigma.
     """
     from scipy.optimize.elementwise import find_root
 
@@ -347,7 +363,7 @@ def _tension(way: _Way, rows: np.ndarray, nearest: np.ndarray) -> tuple[np.ndarr
     distance = _reach(way, rows, nearest)[:, None] * np.linspace(0.0, 1.0, _STEPS) ** 3
     loads = load(distance, every[:, None])
     tension, where = largest_tension(load, distance, loads)
-    # Where the load first turns to tension, if it was compressive.
+    # The load is zero where a compressive load first turns to tension.
     zero = np.full(rows.size, np.nan)
     turns = (loads[:, 0] > 0.0) & (loads.min(axis=1) < 0.0)
     if turns.any():
@@ -360,7 +376,10 @@ def _tension(way: _Way, rows: np.ndarray, nearest: np.ndarray) -> tuple[np.ndarr
 
 
 def _reach(way: _Way, rows: np.ndarray, nearest: np.ndarray) -> np.ndarray:
-    """Return the increases of separation (m,) at which almost none of the contact area is left; arguments as in `_tension`."""
+    """Return the increases of separation (m,), over sigma, at which almost none of the contact area is left.
+
+    rows, nearest (m,): index of the contact and its smallest separation.
+    """
 
     def area(distance):
         return way.at(rows, nearest, distance, "contact_area")["contact_area"]

@@ -16,10 +16,10 @@ from stiction.solving.problem_base import Problem
 if TYPE_CHECKING:
     import xarray
 
-# What no group stands for by itself: the works of adhesion count where asperities attract, and that of the film also where a
-# law without attraction asks for n_g; it is that of the bodies where none is given.
+# Inputs that are not a single dimensionless group. Works of adhesion are used by adhesive laws; that of the film also by laws
+# without adhesion that need n_g. If none is given for the film, that of the bodies is used for it.
 _ADHESION, _OF_FILM = "adhesion", "adhesion of the film"
-# The groups of the strength of the interface.
+# Dimensionless groups of the strength of the interface.
 _STRENGTH = ("shear_strength", "pressure_coefficient")
 
 
@@ -27,7 +27,7 @@ _STRENGTH = ("shear_strength", "pressure_coefficient")
 class Unused:
     """Store an input that changes no result.
 
-    laws: keys of laws that would use it, by keyword of `solve`. why: another reason, in words.
+    input: its name. laws: keys of laws that would use it, by keyword of `solve`. why: another reason, in words.
     """
 
     input: str
@@ -35,7 +35,11 @@ class Unused:
     why: str = ""
 
     def say(self, before: str = "", between: str = " ") -> str:
-        """Describe the unused input; before, between: how a law is selected, for example "--tangential KEY" in the terminal."""
+        """Describe the unused input in one line, with laws that would use it.
+
+        before, between: text before the keyword of a law and between keyword and key, for example "--tangential KEY" in the
+        terminal.
+        """
         others = "; ".join(f"{before}{kind}{between}{' or '.join(keys)} uses it" for kind, keys in self.laws.items())
         return (
             f"{self.input} is not used"
@@ -92,9 +96,9 @@ def refuse_ignored_strength(problem: Problem, choice: Choice) -> None:
 
 
 def _laws_that_use(group: str, problem: Problem) -> dict[str, list[str]]:
-    """Return the keys of laws, by keyword, that would use a group and suit the other laws in use."""
+    """Return the keys of laws, by keyword of `solve`, that would use a dimensionless group and suit the other laws in use."""
     chosen = problem.chosen
-    asperity = chosen.asperity  # None of a theory in closed form
+    asperity = chosen.asperity  # None for a theory in closed form
     known = problem.groups
     others = [law for law in (chosen.tangential, chosen.film) if law is not None]
     asperities: Iterable[AsperityLaw] = of_kind(AsperityLaw).values() if asperity is not None else ()
@@ -116,7 +120,10 @@ def _laws_that_use(group: str, problem: Problem) -> dict[str, list[str]]:
 
 
 def _uses(record: Record, group: str, known: Groups) -> bool:
-    """Return whether a record would use the group, with all its required inputs known."""
+    """Return whether a law would use a dimensionless group, while all inputs that it requires are known.
+
+    known: groups of the contact.
+    """
     if not all(known.knows(name) for name in record.needs):
         return False
     if group in (_ADHESION, _OF_FILM):
@@ -125,13 +132,16 @@ def _uses(record: Record, group: str, known: Groups) -> bool:
 
 
 def as_attributes(listed: Iterable[Unused]) -> dict[str, str]:
-    """Return attributes of a result that list unused inputs, in words and as JSON, so that a netCDF file keeps them."""
+    """Return attributes of a result that list unused inputs, in words and as JSON.
+
+    They are texts, because a netCDF file can store these.
+    """
     listed = list(listed)
     data = json.dumps([asdict(unused) for unused in listed], ensure_ascii=False)
     return {"inputs_not_used": "; ".join(map(str, listed)), "unused_inputs": data}
 
 
 def unused_of(data: "xarray.Dataset") -> list[Unused]:
-    """Return the unused inputs that a result names."""
+    """Return the unused inputs that the attributes of a result list."""
     rows: list[dict[str, Any]] = json.loads(data.attrs.get("unused_inputs", "[]"))
     return [Unused(**row) for row in rows]

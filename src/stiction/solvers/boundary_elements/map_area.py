@@ -186,7 +186,7 @@ class MapArea:
     def by_formula(self, pressure: float, hardness: float) -> float:
         """Return the area fraction A/A0 of the map by a formula, without solving it.
 
-        pressure, hardness: divided by E* h', with h' the rms gradient.
+        pressure, hardness: divided by E* h', with the contact modulus E* and the rms gradient h' of the map.
         """
         return float(with_hardness(self.formula(pressure, self.slopes), pressure, hardness))
 

@@ -1,15 +1,16 @@
 """Compute stresses in a half-space under a round contact with any smooth pressure.
 
-The pressure has the Hankel transform P(k) = Integral_0^1 g(s) cos(k s) ds for contact radius 1, where g is an even
-polynomial. With zeta = z + i s, R = sqrt(r^2 + zeta^2) and w = r/(R + zeta), the stresses are sums of the integrals
+The pressure has the Hankel transform P(k) = Integral_0^1 g(s) cos(k s) ds for contact radius 1, where k is the wavenumber and g
+an even polynomial. With the depth z, the radius r, the Bessel functions J_n, zeta = z + i s, R = sqrt(r^2 + zeta^2) and w =
+r/(R + zeta), the stresses are sums of the integrals
 
     H_mn = Integral_0^infinity k^m exp(-k z) J_n(k r) P(k) dk = Re Integral_0^1 g(s) K_mn(r, zeta) ds,
     K_1n = w^n (n R + zeta)/R^3,    K_2n = w^n [(n^2 - 1) R^2 + 3 n R zeta + 3 zeta^2]/R^5
 
 (Lipschitz's integral of J_n, differentiated by zeta). On the real axis the integrand is singular at s = r if z = 0. Because g
-is a polynomial, the path of integration may leave the real axis. It starts at s = -i T and follows a quarter of an ellipse to
-s = 1, where nodes are dense. The part on the imaginary axis contributes nothing, because g is even. The integrand is equally
-smooth at the surface and at any depth.
+is a polynomial, the path of integration may leave the real axis. It starts at s = -i T, where T is smaller the higher the order
+of g, and follows a quarter of an ellipse to s = 1, where nodes are dense. The part on the imaginary axis contributes nothing,
+because g is even. The integrand is equally smooth at the surface and at any depth.
 """
 
 from functools import lru_cache

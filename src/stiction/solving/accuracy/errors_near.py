@@ -1,7 +1,7 @@
 """Average the errors of a model over solved surfaces, weighted by their distance from a contact.
 
-A surface at distance d has the weight exp(-d^2/2). The weight also fades where the surface was solved only on one
-side of the pressure or hardness, or where the model has no result on one side, so that the average has no jumps.
+A surface at distance d has the weight exp(-d^2/2). Where a surface was solved, or the model has a result, only on one side of
+the pressure or hardness of the contact, the weight fades out, so that the average has no jumps.
 """
 
 import math
@@ -24,27 +24,28 @@ from stiction.solving.accuracy.solved_near import (
 )
 from stiction.solving.accuracy.solved_set import SolvedSet
 
-ELASTIC = 3.0  # hardness over E* h' from which on nothing flows
-LEVELS = (0.05, 0.25, 0.5, 0.75, 0.95)  # of the stored quantiles
-NORMAL_SCORES = (-1.6449, -0.6745, 0.0, 0.6745, 1.6449)  # of a normal number at LEVELS, in standard deviations
-# Times the lightest pressure: how errors change up to there is how they go on below, down to one over the second, to which it
-# was solved (truth/light.csv: as far on smooth plateaus and skewed surfaces, a third as far on plateaus that are rough again).
+ELASTIC = 3.0  # hardness over E* h' above which no point flows plastically (h': rms slope)
+LEVELS = (0.05, 0.25, 0.5, 0.75, 0.95)  # probabilities of the stored quantiles
+NORMAL_SCORES = (-1.6449, -0.6745, 0.0, 0.6745, 1.6449)  # quantiles of the standard normal distribution at LEVELS
+# Errors below the lightest solved pressure p are extrapolated with their slope between p and _SLOPE p, down to p/_FARTHEST. So
+# far surfaces were solved to check this (truth/light.csv): the error changes as extrapolated on smooth plateaus and skewed
+# surfaces, and by a third of that on plateaus that are rough again.
 _SLOPE, _FARTHEST = 5.0, 16.0
-_STEEP = 0.3  # change of ln of area over load with ln of the pressure, on plateaus without roughness of their own
-_FLOWS = 0.1  # hardness over E* h' at which spots flow as much as not
-_TABLES = 40  # numbers of a point and a surface that are held together: bounds the memory
-_WINDOW = 0.03  # around a level, over which quantiles are averaged
-_COUNTED = 0.1  # of the weight of the nearest, from which on a surface counts as near
+_STEEP = 0.3  # slope of ln(area/load) by ln(pressure) above which a surface counts as having smooth plateaus
+_FLOWS = 0.1  # hardness over E* h' at which a surface counts as half elastic and half plastic
+_TABLES = 40  # numbers stored for each point and surface, from which the size of blocks follows
+_WINDOW = 0.03  # half-width of the range of probabilities over which a quantile is averaged
+_COUNTED = 0.1  # weight over that of the nearest surface from which a surface counts as near
 
 
 class ErrorsNear(NamedTuple):
-    """Store the measured errors ln(A/solved A) of a model's contact area at k points.
+    """Store the measured errors ln(A/solved A) of a model's contact area A at k points of a contact.
 
-    levels: quantiles (k, 5) at LEVELS over the nearby solved surfaces. relative: root mean square of A/solved A - 1. middle:
-    mean of the logarithm over nearby surfaces of the stated kind, or over Gaussian surfaces if neither map nor kind is
-    stated. distance: distance of the nearest surface. coverage: fraction of the total weight on surfaces where the model
-    has a result. surfaces: number of surfaces with a noticeable weight. nearest: a function of each point
-    that returns in words how the nearest surface differs, "" if it hardly does.
+    levels: quantiles (k, 5) at the probabilities LEVELS over the nearby solved surfaces. relative: root mean square of A/solved
+    A - 1. middle: mean of the error over nearby surfaces of the stated kind, or over Gaussian surfaces if neither map nor kind
+    is stated. distance: distance of the nearest surface. coverage: fraction of the total weight on surfaces where the model has
+    a result. surfaces: number of surfaces with a noticeable weight. nearest: a function for each point that returns in words
+    how the nearest surface differs, "" if it hardly does. All arrays but levels are (k,).
     """
 
     levels: np.ndarray
@@ -61,8 +62,8 @@ class _Table(NamedTuple):
 
     The arrays have the shape (h, p - 1, s) for h hardnesses and s surfaces. start, rise: value of each surface at the lower end
     of each pressure interval, and its change over the interval; a value known at one end only is used for the whole interval.
-    weight, fall: the weight is 1 where both ends are known; where one is, it falls from 1 there to 0 at the other end. hard
-    (h,): the hardnesses, ascending.
+    weight, fall: weight at the lower end, and its change over the interval; the weight is 1 at an end whose value is known,
+    else 0. hard (h,): the hardnesses, ascending.
     """
 
     hard: np.ndarray
@@ -73,7 +74,10 @@ class _Table(NamedTuple):
 
     @classmethod
     def of(cls, known: SolvedSet, values: np.ndarray) -> "_Table":
-        """Return the table of values (s, h, p) of solved surfaces, NaN where unknown."""
+        """Return the table of values (s, h, p) of solved surfaces at h hardnesses and p pressures, NaN where unknown.
+
+        known: the benchmark set of solved surfaces.
+        """
         hard = np.minimum(known["hardnesses"], ELASTIC)
         order = np.argsort(hard)
         values = np.ascontiguousarray(np.moveaxis(values[:, order], 0, -1))
@@ -84,7 +88,10 @@ class _Table(NamedTuple):
         return cls(hard[order], start, rise, 1.0 * at_left, 1.0 * at_right - at_left)
 
     def at(self, known: SolvedSet, pressure: np.ndarray, hardness: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Return interpolated values (k, s) at k pressures and hardnesses, and their weights (k, s)."""
+        """Return interpolated values (k, s) of all surfaces at k pressures and hardnesses, and their weights (k, s), 0 to 1.
+
+        pressure, hardness (k,): divided by E* h', with h' the rms slope.
+        """
         upper, part = _interval(self.hard, np.minimum(hardness, ELASTIC))
         (low, of_low), (high, of_high) = (self._at_hardness(known, pressure, place) for place in (upper - 1, upper))
         values = np.where(of_low == 0.0, high, np.where(of_high == 0.0, low, low + part * (high - low)))
@@ -101,9 +108,10 @@ class _Table(NamedTuple):
 
 
 def _interval(grid: np.ndarray, place: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the interval of an ascending grid that holds each of k places: its upper end (k,), and the position in it (k, 1).
+    """Return in which interval of an ascending grid each of k numbers lies: index of its upper end (k,), and position (k, 1).
 
-    The position runs from 0 to 1, linearly in the logarithm.
+    The position in the interval runs from 0 to 1, linearly in the logarithm of the number `place`; numbers outside the grid are
+    at its ends.
     """
     upper = np.clip(np.searchsorted(grid, place), 1, len(grid) - 1)
     part = np.log(place / grid[upper - 1]) / np.log(grid[upper] / grid[upper - 1])
@@ -112,7 +120,10 @@ def _interval(grid: np.ndarray, place: np.ndarray) -> tuple[np.ndarray, np.ndarr
 
 @cache
 def _tables(known: SolvedSet, column: str) -> tuple[_Table, _Table]:
-    """Return two tables: the errors of a model, and the solved areas of the surfaces on which it has any result."""
+    """Return two tables for a model: its errors, and the solved areas of the surfaces on which it has any result.
+
+    known: the benchmark set. column: "model|asperity method", a column of the set.
+    """
     errors = known.errors(column)
     assert errors is not None
     any_result = np.isfinite(errors).any(axis=(1, 2))
@@ -120,10 +131,11 @@ def _tables(known: SolvedSet, column: str) -> tuple[_Table, _Table]:
 
 
 def bare_errors(known: SolvedSet, column: str, place: ContactFeatures, anywhere: bool) -> ErrorsNear | None:
-    """Return the errors of a model on surfaces without a film; None if the model was not measured.
+    """Return the errors of a model near each of k points, on surfaces without a film; None if the model was not measured.
 
-    place: the contacts at k points. anywhere: True for a solution of the map, which is equally accurate on any surface. Then
-    only the pressure decides how near a solved surface is.
+    known: the benchmark set. column: "model|asperity method", a column of the set. place: features of the contact at k points.
+    anywhere: True for a solution of the map, which is equally accurate on any surface; then only the pressure decides how near
+    a solved surface is.
     """
     errors = known.errors(column)
     if errors is None:
@@ -133,19 +145,20 @@ def bare_errors(known: SolvedSet, column: str, place: ContactFeatures, anywhere:
 
 
 def _in_blocks(place: ContactFeatures, surfaces: int, errors_of: Callable[[slice], ErrorsNear]) -> ErrorsNear:
-    """Compute the errors of blocks of points and join them, so that the memory stays bounded.
+    """Compute the errors near blocks of points and join them, so that the memory stays bounded.
 
-    surfaces: number of solved surfaces. errors_of: function that returns the errors of a slice of the points.
+    place: features of the contact at all points. surfaces: number of solved surfaces. errors_of: function that returns the
+    errors for a slice of the points.
     """
     parts = [errors_of(rows) for rows in blocks(place.pressure.size, _TABLES * surfaces)]
     return ErrorsNear(*(np.concatenate(columns) for columns in zip(*parts, strict=True)))
 
 
 def _bare_errors(known: SolvedSet, errors: _Table, areas: _Table, place: ContactFeatures, anywhere: bool) -> ErrorsNear:
-    """Return the errors of a model near each point, on surfaces without a film.
+    """Return the errors of a model near each of k points, on surfaces without a film.
 
-    errors: errors ln(A/solved A) of the model's area. areas: solved areas of the surfaces on which it has any result. place:
-    the contacts at k points. anywhere: as in `bare_errors`.
+    errors: errors ln(A/solved A) of the model's area A. areas: solved areas of the surfaces on which it has any result. place:
+    features of the contact at k points. anywhere: whether only the pressure decides how near a solved surface is.
     """
     positive = (place.pressure > 0.0) & (place.hardness > 0.0)
     pressure, hardness = np.where(positive, place.pressure, 1.0), np.where(positive, place.hardness, 1.0)
@@ -154,7 +167,7 @@ def _bare_errors(known: SolvedSet, errors: _Table, areas: _Table, place: Contact
     times = np.maximum(of_pressure.theirs[:, 0] / of_pressure.ours, 1.0)
     found, real = _at_lighter_load(known, errors, found, times, inside, solved_hardness)
     softer = np.divide(hardness, solved_hardness, out=np.ones(hardness.shape), where=hardness < solved_hardness)
-    found = found * softer[:, None]  # than what was solved: areas tend to load over hardness
+    found = found * softer[:, None]  # softer than all solved surfaces: every area tends to load over hardness
     _, asked = areas.at(known, inside, solved_hardness)
     of_kind = known.of_kind(None if anywhere else place.kind)
     apart = [*([] if anywhere else differences(known, place)), of_pressure]
@@ -163,19 +176,19 @@ def _bare_errors(known: SolvedSet, errors: _Table, areas: _Table, place: Contact
 
 
 def film_errors_near(known: SolvedSet, errors: np.ndarray, place: ContactFeatures, like: np.ndarray) -> ErrorsNear:
-    """Return the measured errors near each point, for coated surfaces.
+    """Return the errors of a model near each of k points, on solved surfaces with a film.
 
-    errors: array (coated surfaces, films, loads). like: mask (k,) of the points whose film is of the kind that the benchmark
-    set contains.
+    known: the benchmark set. errors: array (coated surfaces, films, loads) of ln(A/solved A). place: features of the contact at
+    k points. like: mask (k,) of the points whose film is of the kind that the benchmark set contains.
     """
     surfaces = math.prod(errors.shape[:2])
     return _in_blocks(place, surfaces, lambda rows: _film_errors(known, errors, place.some(rows), like[rows]))
 
 
 def _film_errors(known: SolvedSet, errors: np.ndarray, place: ContactFeatures, like: np.ndarray) -> ErrorsNear:
-    """Return the errors of a model near each point, on surfaces with a film.
+    """Return the errors of a model near each of k points, on solved surfaces with a film.
 
-    errors: array (surfaces, films, loads).
+    The arguments are those of `film_errors_near`, for one block of points.
     """
     positive = place.pressure > 0.0
     place = replace(place, pressure=np.where(positive, place.pressure, 1.0))
@@ -194,17 +207,18 @@ def _film_errors(known: SolvedSet, errors: np.ndarray, place: ContactFeatures, l
 
 
 def quantiles(values: np.ndarray, weights: np.ndarray) -> np.ndarray:
-    """Return the quantiles (k, 5) at LEVELS of weighted values (k, s), each averaged over levels within _WINDOW of its own.
+    """Return the quantiles (k, 5) at the probabilities LEVELS of weighted values (k, s), in each of k rows.
 
-    Without this average, a quantile of few values leaps from one value to the next when a weight changes a little. Values of
-    weight 0 do not count; each row has a value with a positive weight.
+    Each quantile is averaged over probabilities within 0.03 of its own. Without this average, a quantile of few values jumps
+    from one value to the next when a weight changes a little. Values of weight 0 do not count; each row has a value with a
+    positive weight.
     """
     order = np.argsort(values, axis=1)
     values, weights = (np.take_along_axis(table, order, axis=1) for table in (values, weights))
     shares, integrals, rows = np.cumsum(weights, axis=1), np.cumsum(weights * values, axis=1), np.arange(len(values))
 
     def integral(level: float) -> np.ndarray:
-        """Return the integral (k,) of the values over their weights, up to this share of the weights."""
+        """Return the integral (k,) of the sorted values over their weights, up to the fraction `level` of the total weight."""
         end = level * shares[:, -1]
         at = np.count_nonzero(shares < end[:, None], axis=1)
         return integrals[rows, at] - (shares[rows, at] - end) * values[rows, at]
@@ -218,11 +232,12 @@ def _at_lighter_load(
 ) -> tuple[np.ndarray, np.ndarray]:
     """Extrapolate errors (k, s) below the lightest solved pressure; return them with the weight (k, s) of each surface.
 
-    times (k,): lightest solved pressure over the pressure of the contact, 1 or more. On elastic surfaces the error continues
-    linearly in ln of the pressure. On surfaces that flow it fades with the square root of the pressure, because the finest
-    roughness of a plateau flows too. A surface whose error changes fast has smooth plateaus, while real plateaus are
-    rough and carry light loads: such a surface loses weight as the load decreases. Both rules are judgements of the
-    authors (grade C).
+    errors: table of the errors. found (k, s): errors at the lightest solved pressures `lightest` (k,). times (k,): these over
+    the pressure of the contact, 1 or more. hardness (k,): of the contact; both are over E* h'. On elastic surfaces the error
+    continues linearly in ln of the pressure. On surfaces that flow it decreases with the square root of the pressure, because
+    the finest roughness of a plateau flows too. A surface whose error changes fast has smooth plateaus, while real plateaus are
+    rough and carry light loads: such a surface loses weight as the load decreases. Both rules are judgements of the authors
+    (grade C).
     """
     if not (times > 1.0).any():
         return found, np.ones(found.shape)
@@ -238,11 +253,11 @@ def _at_lighter_load(
 def _averaged(
     found: np.ndarray, there: np.ndarray, asked: np.ndarray, apart: list[Difference], presumed: np.ndarray
 ) -> ErrorsNear:
-    """Average errors (k, s) over surfaces.
+    """Average errors (k, s) over s surfaces for each of k points.
 
-    there, asked: weights (k, s), 0 to 1, of the surfaces where the model has a result, and of all solved surfaces; asked is 0
-    everywhere for points without a result. apart: differences that add up to the squared distances. presumed: mask (s,) of
-    the surfaces over which `middle` is averaged.
+    found: the errors. there, asked: weights (k, s), 0 to 1, of the surfaces where the model has a result, and of all solved
+    surfaces; asked is 0 everywhere for points without a result. apart: differences that add up to the squared distances.
+    presumed: mask (s,) of the surfaces over which the mean `middle` is computed.
     """
     distances = squared_distance(apart)
     squared = np.where(asked > 0.0, distances.reshape(len(distances), -1), np.inf)
@@ -275,7 +290,7 @@ def no_words() -> str:
 def _weights(squared: np.ndarray, some: np.ndarray) -> np.ndarray:
     """Return the weights exp(-d^2/2) (k, s) of solved surfaces, divided by the weight of the nearest one.
 
-    squared: squared distances d^2 (k, s). some: mask of the surfaces that count; the others have weight 0.
+    squared: squared distances d^2 (k, s). some: mask (k, s) of the surfaces that count; the others have weight 0.
     """
     squared = np.where(some, squared, np.inf)
     least = squared.min(axis=1, keepdims=True)

@@ -1,8 +1,8 @@
-"""Look up the measured error of a film law near a contact, and state it as data, in words and as a ranking penalty.
+"""Look up the measured error of a film law near a contact, and return it as data, in words and as errors near points.
 
-The errors were measured on elastic contacts without adhesion: one sphere against the exact solution, and rough
-surfaces against layered boundary elements (`solving/accuracy/film_tables`). They are looked up by the ratio of film
-modulus to substrate modulus, and by the mean contact radius, or the shortest wavelength, over the film thickness.
+The errors were measured on elastic contacts without adhesion: one sphere against the exact solution, and rough surfaces against
+layered boundary elements (`solving/accuracy/film_tables`). They are looked up by the ratio of film modulus to substrate
+modulus, and by the mean contact radius, or the shortest wavelength, over the film thickness.
 """
 
 import json
@@ -24,19 +24,19 @@ from stiction.solving.problem import Problem
 
 SPHERE, MAPS = "exact sphere on a film, elastic", "rough surfaces on a film by boundary elements, elastic"
 _MAPS = 10
-_ROUNDING = 1e-3  # of the ends of what was measured
-_BARE, _ON_FILM = "persson_widened|moments", "rough_on_film|moments"  # the area law of films, and that of its limit without one
+_ROUNDING = 1e-3  # relative round-off accepted at the ends of the measured ranges
+_BARE, _ON_FILM = "persson_widened|moments", "rough_on_film|moments"  # area law without a film, and the one with films
 _FLOWS = "unknown for films that flow plastically: no reference solution contains their squeeze-out"
 
 
 def film_errors(problem: Problem, results: Mapping[str, np.ndarray]) -> list[dict[str, Any]]:
-    """Return the measured errors of the film law near these normalised results, as a list of rows.
+    """Return the measured errors of the film law near normalised results, as a list of dictionaries.
 
-    Results have the dimensions of the contacts first. Each row has law; against: the reference solution; error: lowest
-    and highest relative error of the area at a given load; load_error: relative error of the load at a given approach;
-    rms: root mean square of the error of ln(area) on rough surfaces; near: range of each parameter used to look up;
-    outside: parameters beyond the measured range; why_not: the reason if no error is known. The list is empty for a
-    contact without a film.
+    results: arrays by name, with the dimensions of the contacts first. Keys of a dictionary: law; against: the reference
+    solution; error: lowest and highest relative error of the area at a given load; load_error: the same of the load at a given
+    approach; rms: root mean square of the error of ln(area) on rough surfaces; near: range of each parameter used to look up;
+    outside: parameters beyond the measured range; why_not: the reason if no error is known. The list is empty for a contact
+    without a film.
     """
     law = problem.chosen.film or (problem.record if problem.record.on_film else None)
     if law is None:
@@ -66,10 +66,10 @@ def _of_maps(problem: Problem, law: str) -> dict[str, Any]:
 
 
 def _row(head: dict, ranges: Mapping, given: Mapping[str, np.ndarray], ratio: np.ndarray, nothing: str) -> dict[str, Any]:
-    """Return one row of `film_errors`.
+    """Return one dictionary of `film_errors`.
 
-    given: parameters by which the errors are looked up; ratio: computed area over exact area; nothing: the reason to
-    state if no error is known.
+    head: its law and reference. ranges: measured range of each parameter. given: values of these parameters, by name. ratio:
+    computed area over exact area. nothing: the reason to state if no error is known and no parameter is out of range.
     """
     row, outside = head | {"near": {name: _ends(values) for name, values in given.items()}}, _outside(ranges, given)
     if np.isnan(ratio).all():
@@ -78,17 +78,20 @@ def _row(head: dict, ranges: Mapping, given: Mapping[str, np.ndarray], ratio: np
 
 
 def _on_maps(problem: Problem, law: str) -> tuple[MapFilmErrors | None, dict[str, np.ndarray]]:
-    """Return the errors on solved maps, and the parameters by which they were looked up."""
+    """Return the errors of a film law on solved maps, None if unknown, and the parameters by which they were looked up.
+
+    law: key of the film law.
+    """
     groups = problem.groups.resolved()
     if groups.roughness_parameter is None or groups.film_aspect is None:
         return None, {}
-    from stiction.laws.rough_surface.rough_on_film import thickness_over_wave  # which a bare contact does without
+    from stiction.laws.rough_surface.rough_on_film import thickness_over_wave  # only coated contacts need this
 
     given = {"n_E": groups.n_E, "thickness_over_shortest_wave": thickness_over_wave(groups)}
     return on_maps(law, problem.options, *given.values()), given
 
 
-# What errors are looked up by, in words.
+# Descriptions of the parameters by which errors are looked up.
 _WORDS = {
     "n_E": "film modulus over the modulus of the bodies",
     "a_over_t": "mean contact radius over film thickness",
@@ -97,7 +100,10 @@ _WORDS = {
 
 
 def _outside(ranges: Mapping[str, tuple[float, float]], given: Mapping[str, np.ndarray]) -> str:
-    """List the parameters that leave the measured range, with that range; "" if none does."""
+    """Describe the parameters that leave their measured range, with that range; "" if none does.
+
+    ranges, given: measured range and values of each parameter, by name.
+    """
     said = []
     for name, (low, high) in ranges.items():
         known = given[name][np.isfinite(given[name]) & (given[name] > 0.0)]
@@ -109,16 +115,17 @@ def _outside(ranges: Mapping[str, tuple[float, float]], given: Mapping[str, np.n
 
 
 def on_solved_maps(problem: Problem, points: int) -> ErrorsNear | None:
-    """Return the errors of an area law on the solved maps with films near each contact; None for other models.
+    """Return the errors of the area law for films on solved maps with similar films; None for other models.
 
-    Other models are measured on surfaces without a film. Source: truth/films.csv; one row for each point. A film thinner or
-    thicker than the solved ones takes the errors at the end of the solved range: there the law approaches the law of the bare
-    body, or of the film alone. A modulus outside the solved range increases the distance.
+    points: number of points of each contact, which all get the same errors. Other models are measured on surfaces without a
+    film. Source: truth/films.csv. A film thinner or thicker than the solved ones gets the errors at the end of the solved
+    range: there the law approaches the law of the bare body, or of the film alone. A modulus outside the solved range increases
+    the distance.
     """
     groups = problem.groups.resolved()
     if not problem.record.on_film or groups.roughness_parameter is None or groups.film_aspect is None:
         return None
-    from stiction.laws.rough_surface.rough_on_film import thickness_over_wave  # which a bare contact does without
+    from stiction.laws.rough_surface.rough_on_film import thickness_over_wave  # only coated contacts need this
 
     modulus, thickness = (
         np.clip(values, *MEASURED_ON_MAPS[name])
@@ -129,18 +136,19 @@ def on_solved_maps(problem: Problem, points: int) -> ErrorsNear | None:
         return None
     middle, distance = np.log(found.mean), np.abs(np.log(groups.n_E / modulus)) / FILM_SCALES[0]
     levels = middle[:, None] + np.array(NORMAL_SCORES) * found.rms[:, None]
-    nearest = np.full(distance.shape, no_words)  # they are looked up by film alone
+    nearest = np.full(distance.shape, no_words)  # no surface is nearest, because errors are looked up by film alone
     count = np.full(distance.shape, _MAPS)
     each = levels, np.expm1(found.rms), middle, distance + 0.0 * middle, np.ones_like(middle), count, nearest
     return ErrorsNear(*(np.repeat(np.broadcast_to(one, (len(middle), *one.shape[1:])), points, axis=0) for one in each))
 
 
 def on_other_kinds(problem: Problem, place: ContactFeatures, found: ErrorsNear, area: np.ndarray) -> ErrorsNear:
-    """Return the errors of the area law of films on surfaces that need not be Gaussian, for a contact given by numbers.
+    """Return the errors of the area law for films on surfaces that need not be Gaussian, for a contact without a map.
 
-    found: its errors on Gaussian surfaces. Other kinds of surface widen them as they widen those of the law of bare surfaces,
-    and a stated kind shifts them: read at the pressure with the same elastic area (Persson 2001), and at the hardness that lets
-    the same share of it flow. What a film adds to that is read from the benchmark surfaces with films.
+    place: features of the contact at k points. found: errors of the law on Gaussian surfaces. area: normalised contact area.
+    Other kinds of surface widen the errors as they widen those of the law for bare surfaces, and a stated kind shifts them. The
+    errors of bare surfaces are read at the pressure with the same elastic area (Persson 2001), and at the hardness at which the
+    same fraction of this area flows. The additional errors that a film causes are read from the benchmark surfaces with films.
     """
     from stiction.surfaces.theory.widened_area import MEETING
 
@@ -170,7 +178,10 @@ def on_other_kinds(problem: Problem, place: ContactFeatures, found: ErrorsNear, 
 
 
 def _pressure_of(share: np.ndarray) -> np.ndarray:
-    """Return the pressure over E* h' at which a bare elastic surface has this area fraction (Persson 2001)."""
+    """Return the pressure over E* h' at which a bare elastic surface has the area fraction `share` (Persson 2001).
+
+    E*: contact modulus. h': rms slope. Any shape.
+    """
     from scipy.special import erfinv
 
     return erfinv(share) / math.sqrt(2.0)
@@ -178,10 +189,10 @@ def _pressure_of(share: np.ndarray) -> np.ndarray:
 
 @cache
 def _beyond_bare(known: SolvedSet) -> np.ndarray | None:
-    """Return what the errors of the area law of films on benchmark surfaces exceed those of the law of bare surfaces by.
+    """Return by how much errors of the area law for films exceed those of the law for bare surfaces, on benchmark surfaces.
 
-    The array is over coated surfaces, films and loads, of ln(A/solved A); the law of bare surfaces is read at the pressure with
-    the same area. None if the set has no such errors.
+    The differences of ln(A/solved A) are (coated surfaces, films, loads). The law for bare surfaces is read at the pressure
+    with the same area. The result is None if the set has no such errors.
     """
     errors, bare = known.film_errors(_ON_FILM), known.errors(_BARE)
     if errors is None or bare is None:
@@ -194,11 +205,12 @@ def _beyond_bare(known: SolvedSet) -> np.ndarray | None:
 
 
 def shares_on_film(problem: Problem, place: ContactFeatures, area: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the area fraction without plastic flow, and the pressure over the flow pressure, at k points.
+    """Return the area fraction that the film law gives without plastic flow, and the pressure over the flow pressure.
 
-    The area law of a film computes the area as a power mean of the two.
+    Both are (k,). place: features of the contact at k points. area: normalised contact area. The law computes the area fraction
+    as a power mean of the two.
     """
-    from stiction.laws.rough_surface.rough_on_film import elastic_share  # which a bare contact does without
+    from stiction.laws.rough_surface.rough_on_film import elastic_share  # only coated contacts need this
     from stiction.surfaces.theory.widened_area import MEETING
 
     groups = problem.groups.resolved()
@@ -210,7 +222,8 @@ def shares_on_film(problem: Problem, place: ContactFeatures, area: np.ndarray) -
 def a_over_t(problem: Problem, results: Mapping[str, np.ndarray]) -> np.ndarray | None:
     """Return the mean contact radius over the thickness of one film (n, m).
 
-    None for a bare contact or a model without single asperities; 0 if the film thickness over sqrt(R sigma) is unknown.
+    results: normalised arrays by name. The result is None for a bare contact or a model without single asperities, and 0 if the
+    film thickness over the asperity size is unknown, which counts as infinite.
     """
     groups = problem.groups.resolved()
     if "touching_asperities" not in results or groups.film_aspect is None:
@@ -222,9 +235,10 @@ def a_over_t(problem: Problem, results: Mapping[str, np.ndarray]) -> np.ndarray 
 
 
 def _over_radius(problem: Problem) -> np.ndarray:
-    """Return the film thickness over the asperity radius t/R (n, 1), from other groups.
+    """Return the film thickness over the asperity radius (n, 1), computed from other groups.
 
-    It is (t/sqrt(R sigma))^2 over t/sigma. If unknown, the value is far outside the measured range.
+    With thickness t, radius R and rms height sigma it is (t/sqrt(R sigma))^2 over t/sigma. If unknown, the value 1 is returned,
+    which is far outside the measured range.
     """
     found = quotient(problem.groups.film_aspect**2, problem.groups.tau)
     return np.where(np.isfinite(found) & (found > 0.0), found, 1.0)[:, None]
@@ -236,12 +250,12 @@ def _ends(values: np.ndarray) -> list[float]:
 
 
 def as_attributes(problem: Problem, results: Mapping[str, np.ndarray]) -> dict[str, str]:
-    """Return the measured errors of the film law as attributes of a result, in JSON text, which a netCDF file can store."""
+    """Return the measured errors of the film law as an attribute of a result, in JSON text, which a netCDF file can store."""
     return {"measured_film_error": json.dumps(film_errors(problem, results))}
 
 
 def in_words(row: Mapping[str, Any]) -> str:
-    """Describe one row of `film_errors` in one line."""
+    """Describe one dictionary of `film_errors` in one line."""
     near = ", ".join(f"{name} = {span(ends)}" for name, ends in row.get("near", {}).items() if ends)
     head = f"{row['law']} against {row['against']}" + (f", near {near}" if near else "")
     if "why_not" in row:

@@ -1,9 +1,8 @@
 """Read tables of the measured errors of elastic film laws, by film modulus and film thickness.
 
-`python truth/film_laws.py` makes two tables. One compares each law on a sphere with the exact solution of a sphere
-on a film. The other compares sums over asperities, and the area law of a film, with layered boundary elements on
-rough surfaces. Both hold ratios, which are interpolated in double-logarithmic scale. Films that flow plastically
-are not included.
+`python truth/film_laws.py` makes two tables. One compares each law on a sphere with the exact solution of a sphere on a film.
+The other compares sums over asperities, and the area law of a film, with layered boundary elements on rough surfaces. Both
+tables hold ratios, which are interpolated in double-logarithmic scale. Films that flow plastically are not included.
 """
 
 import csv
@@ -18,20 +17,20 @@ import numpy as np
 ON_A_SPHERE, ON_MAPS = (Path(__file__).with_name(f"measured_on_{name}.csv") for name in ("a_sphere", "maps"))
 SPHERE_COLUMNS = ("law", "options", "thickness_over_radius", "n_E", "a_over_t", "area", "load")
 MAP_COLUMNS = ("law", "options", "n_E", "n_E_to", "thickness", "thickness_to", "mean", "rms", "count")
-# In the summary of a law: moduli and widths, and the thickness over the radius where that counts.
+# Modulus ratios and contact radii over thickness in the summary of a law, and film thickness over sphere radius.
 _SHOWN = (0.1, 0.5, 2.0, 10.0), (0.1, 0.5, 1.0, 2.0, 5.0, 20.0)
 _SHOWN_RADIUS = 1e-3
-# Ends of what was measured, on a sphere and on maps.
+# Measured range of each parameter, on a sphere and on maps.
 MEASURED = {"n_E": (0.005, 100.0), "a_over_t": (0.05, 20.0)}
 MEASURED_ON_MAPS = {"n_E": (0.1, 10.0), "thickness_over_shortest_wave": (0.15, 5.0)}
-_MARGIN = 1.001  # of a table's ends, for rounding
+_MARGIN = 1.001  # factor by which parameters may leave the table, because of round-off
 
 
 class SphereFilmErrors(NamedTuple):
-    """Hold the errors of a film law on a sphere, as arrays of one shape.
+    """Store the errors of a film law on a sphere, as arrays of one shape.
 
-    area: area over the exact area at the same load; load: load over the exact load at the same approach; NaN outside
-    the measured range.
+    area: contact area over the exact area at the same load. load: load over the exact load at the same approach. Both are NaN
+    outside the measured range.
     """
 
     area: np.ndarray
@@ -39,10 +38,10 @@ class SphereFilmErrors(NamedTuple):
 
 
 class MapFilmErrors(NamedTuple):
-    """Hold the errors of a film law on solved maps, as arrays of one shape.
+    """Store the errors of a film law on solved maps, as arrays of one shape.
 
-    The ratio is the area over the solved area at the same load: its geometric mean over the maps, and the root mean
-    square of its logarithm; NaN outside the measured range.
+    The error is the ratio of the contact area to the solved area at the same load. mean: its geometric mean over the maps. rms:
+    root mean square of its logarithm. Both are NaN outside the measured range.
     """
 
     mean: np.ndarray
@@ -54,23 +53,25 @@ def on_a_sphere(
 ) -> SphereFilmErrors | None:
     """Return the errors on a sphere of a film law with its options; None if the law was not measured.
 
-    n_E, a_over_t, thickness_over_radius: arrays of one shape.
+    n_E, a_over_t, thickness_over_radius: film modulus over substrate modulus, contact radius over film thickness, and film
+    thickness over sphere radius, as arrays of one shape.
     """
     table = _of(_sphere(), law, options)
     if table is None:
         return None
-    with np.errstate(divide="ignore"):  # of no contact
+    with np.errstate(divide="ignore"):  # the contact radius may be 0
         given = np.log(np.stack(np.broadcast_arrays(n_E, a_over_t, thickness_over_radius), axis=-1))
     inside = np.clip(given, *np.transpose([(axis[0], axis[-1]) for axis in table.grid]))
-    near = np.abs(given - inside)[..., :2] <= math.log(_MARGIN)  # of thicknesses over radius the nearest is taken
-    ratios = np.exp(table(inside)).reshape(*near.shape[:-1], 2)  # of one place too
+    near = np.abs(given - inside)[..., :2] <= math.log(_MARGIN)  # thicknesses out of range use the nearest in the table
+    ratios = np.exp(table(inside)).reshape(*near.shape[:-1], 2)  # restores the shape of scalar arguments too
     return SphereFilmErrors(*np.moveaxis(np.where(near.all(axis=-1)[..., None], ratios, np.nan), -1, 0))
 
 
 def on_maps(law: str, options: Mapping[str, str], n_E: np.ndarray, thickness: np.ndarray) -> MapFilmErrors | None:
     """Return the errors on rough surfaces of a film law with its options; None if the law was not measured.
 
-    n_E, thickness: arrays of one shape; thickness: over the shortest wavelength.
+    n_E, thickness: film modulus over substrate modulus, and film thickness over the shortest wavelength, as arrays of one
+    shape.
     """
     rows = _of(_maps(), law, options)
     if rows is None:
@@ -83,10 +84,11 @@ def on_maps(law: str, options: Mapping[str, str], n_E: np.ndarray, thickness: np
 
 
 def summary(law: str) -> list[dict[str, Any]]:
-    """Return the errors of a film law on a sphere, as rows of a table.
+    """Return the errors of a film law on a sphere, as a list of dictionaries, one for each set of options.
 
-    One row for each set of options, at every n_E and a/t of the table: relative error of the area at a given load and
-    of the load at a given approach. The list is empty if the law was not measured.
+    Each holds the options, a few values of n_E and a/t (film modulus ratio, contact radius over thickness), and tables (n_E,
+    a/t) of the relative error of the area at a given load and of the load at a given approach. The list is empty if the law was
+    not measured.
     """
     found = []
     for key, options in _sphere():
@@ -101,7 +103,10 @@ def summary(law: str) -> list[dict[str, Any]]:
 
 
 def _of(table: Mapping, law: str, options: Mapping[str, str]):
-    """Return the table entry of a film law with these options; None if there is none."""
+    """Return the table entry of a film law with these options; None if there is none.
+
+    table: entries by (key of the law, "option value" or "").
+    """
     for (key, chosen), rows in table.items():
         name, _, value = chosen.partition(" ")
         if key == law and (not name or options.get(name) == value):
@@ -111,7 +116,10 @@ def _of(table: Mapping, law: str, options: Mapping[str, str]):
 
 @cache
 def _sphere() -> dict[tuple[str, str], Any]:
-    """Return an interpolator for each (law, options): ln of the error ratios over ln of n_E, a/t and t/R."""
+    """Return an interpolator for each (law, options): ln of the error ratios of area and load over ln of n_E, a/t and t/R.
+
+    n_E: film modulus over substrate modulus. a: contact radius, t: film thickness, R: sphere radius.
+    """
     from scipy.interpolate import RegularGridInterpolator
 
     tables = {}
@@ -130,7 +138,10 @@ def _maps() -> dict[tuple[str, str], list[list[float]]]:
 
 
 def _numbers(path: Path, columns: Sequence[str]) -> dict[tuple[str, str], list[list[float]]]:
-    """Read the numbers of each (law, options) from a CSV file; an empty field counts as 1."""
+    """Read a CSV file of errors; return the numbers of its rows for each (law, options).
+
+    columns: names of the columns; those after the first two are numbers, and an empty field counts as 1.
+    """
     found: dict[tuple[str, str], list[list[float]]] = {}
     with path.open(encoding="utf-8") as file:
         for row in csv.DictReader(file):

@@ -1,19 +1,18 @@
 """Estimate the error of a model at a contact from its errors on similar surfaces whose contact was solved.
 
 The benchmark set (docs/explanation/truth.md) holds the solved contact area of many surfaces, and the area by every model and
-asperity method, at several mean pressures, hardnesses and films. The errors of each surface are interpolated to the
-pressure and hardness of the contact, both over E* h', and then averaged over the surfaces with the weight
-exp(-d^2/2). The distance d counts differences in Nayak's alpha and, for a map, in skewness, lay and the slope of
-its top. A contact given by numbers has no known kind of surface: its mean error is taken over Gaussian surfaces,
-for which models are ranked, and its interval over all kinds: skewed, worn, with a lay, with two wave bands. If the
-kind is stated, both are taken over surfaces of that kind.
+asperity method, at several mean pressures, hardnesses and films. The errors of each surface are interpolated to the pressure
+and hardness of the contact, both over E* h' (h': rms slope), and then averaged over the surfaces with the weight exp(-d^2/2).
+The distance d counts differences in Nayak's alpha and, for a map, in skewness, lay and the slope of its top. For a contact
+given by numbers the kind of surface is not known: its mean error is computed over Gaussian surfaces, for which models are
+ranked, and its interval over all kinds: skewed, worn, with a lay, with two wave bands. If the kind is stated, mean and interval
+are computed over surfaces of that kind.
 
-Friction of an interface is its shear strength times the area, so it has the error of the area. The error is smaller
-if the strength rises with pressure, and unknown if the stated strength exceeds the strength of the bodies. The set
-has no adhesion.
+Friction of an interface is its shear strength times the area, so it has the error of the area. The error is smaller if the
+strength rises with pressure, and unknown if the stated strength exceeds the strength of the bodies. The set has no adhesion.
 
-A solution on the map itself has a discretisation error. If the map is a window of a larger surface, it is one
-sample of it.
+A solution on the map itself has a discretisation error. If the map is a window of a larger surface, it is one sample of it, and
+has the error of this sample too.
 """
 
 import json
@@ -39,34 +38,35 @@ if TYPE_CHECKING:
     from stiction.solvers.boundary_elements.map_area import MapArea
     from stiction.surfaces.heightmap import HeightMap
 
-FAR = 2.0  # distance beyond which nothing near was measured
-_MOST_ADHESION = 0.1  # pull-off forces over the load, in the set there are none
-_FULL = 1.0  # pull over a load that is none
-_LEAST_SHARE = 0.8  # of the compliance that is the coated body's: in the set the other is rigid
+FAR = 2.0  # distance beyond which a solved surface says nothing about a contact
+_MOST_ADHESION = 0.1  # largest adhesion over load for which errors are used, because the set has no adhesion
+_FULL = 1.0  # pull over load where the load is 0
+_LEAST_SHARE = 0.8  # least part of the compliance of the coated body, because in the set the other body is rigid
 _MOST_POINTS = 200  # largest number of points whose errors are reported with a result; a prediction uses all points
-# Standard deviation of ln of the solved area of a map of 8 points in its shortest wave, by the width of its points: of one
-# point in contact, and the power of their number by which it falls (truth/points.csv); of many, as other solvers find on maps
-# with a lay and with plateaus (calibration.md, where truth/points.csv alone has .4 %; an outside audit: .6 to 1.4 %).
+# Standard deviation of ln of the solved area due to the point spacing, for maps with 8 points in the shortest wave: with one
+# point in contact, the power of the number of these points with which it falls (truth/points.csv), and with very many points.
+# The last is what other solvers find on maps with a lay and with plateaus (calibration.md; truth/points.csv alone gives .4 %,
+# an outside audit .6 to 1.4 %).
 _OF_POINTS, _POWER, _OWN_ERROR = 0.6, -0.6, 0.008
-_BY_FORMULA = {"top slopes": 0.031, "ranks": 0.06}  # of maps too large to be solved (docs/explanation/truth.md)
-_LEAST_TOLD = 0.5  # of the weight of what is near: surfaces on which a model says something
+_BY_FORMULA = {"top slopes": 0.031, "ranks": 0.06}  # the same for maps too large to be solved (docs/explanation/truth.md)
+_LEAST_TOLD = 0.5  # least part of the weight of near surfaces that must be on surfaces where the model has a result
 _ITSELF, _MAP = "the solution itself", "map"
 _SUM = "greenwood_williamson_1966"
 
 
 @dataclass(frozen=True)
 class MeasuredErrors:
-    """Hold the measured errors of a model's contact area at k points.
+    """Store the measured errors of a model's contact area A at k points of a contact; arrays are (k,) unless stated.
 
-    levels: quantiles (k, 5) at errors_near.LEVELS of ln(A/solved A) over the nearest surfaces, however far they are; NaN where
-    nothing was measured. relative: root mean square of A/solved A - 1 over these surfaces. area: mean of ln(A/solved A) over
-    surfaces of the stated kind, or over Gaussian surfaces if neither map nor kind is known. friction: error of mu due to the
-    area, for laws of the interface. distance: of the nearest surface, pressure and hardness. surfaces: number of surfaces that
-    count. trust: 1 for a near surface, 0 where nothing was measured, continuous between. sample: standard error of ln of the
-    area because the map is one window of a larger surface, for models that solve the map. column: model and asperity method.
-    why_not: why no error is known at some points, "" if all are known. nearest: a function of each point that returns how the
-    nearest surface differs, "" if it hardly does. kind_known: whether the map or the user gives the kind of surface. kind: the
-    stated kind, for a contact without a map.
+    levels: quantiles (k, 5) at the probabilities errors_near.LEVELS of ln(A/solved A) over the nearest surfaces, however far
+    they are; NaN where nothing was measured. relative: root mean square of A/solved A - 1 over these surfaces. area: mean of
+    ln(A/solved A) over surfaces of the stated kind, or over Gaussian surfaces if neither map nor kind is known. friction: error
+    of ln mu due to the area, for laws of the interface. distance: distance of the nearest solved surface. surfaces: number of
+    surfaces that count. trust: 1 for a near surface, 0 where nothing was measured, continuous between. sample: standard error
+    of ln A because the map is one window of a larger surface, for models that solve the map. column: model and asperity method.
+    why_not: why no error is known at some points, "" if all are known. nearest: a function for each point that returns in words
+    how the nearest surface differs, "" if it hardly does. kind_known: whether the map or the user gives the kind of surface.
+    kind: the stated kind, for a contact without a map.
     """
 
     column: str
@@ -85,12 +85,12 @@ class MeasuredErrors:
 
     @property
     def low(self) -> np.ndarray:
-        """Return the 5 % quantile of ln(A/solved A) at each point; NaN where no similar surface was solved."""
+        """Return the 5 % quantile of the area error ln(A/solved A) at each point; NaN where no similar surface was solved."""
         return np.where(np.isfinite(self.area), self.levels[:, 0], np.nan)
 
     @property
     def high(self) -> np.ndarray:
-        """Return the 95 % quantile of ln(A/solved A) at each point; NaN where no similar surface was solved."""
+        """Return the 95 % quantile of the area error ln(A/solved A) at each point; NaN where no similar surface was solved."""
         return np.where(np.isfinite(self.area), self.levels[:, -1], np.nan)
 
     @property
@@ -99,11 +99,11 @@ class MeasuredErrors:
         return bool(np.isfinite(self.area).any())
 
     def as_data(self) -> dict[str, Any]:
-        """Return the relative errors as data for JSON.
+        """Return the relative errors as data for JSON, by name.
 
-        Holds the mean error of area and of mu, the ends of the middle 90 % and the root mean square of the area error, the
-        standard error of the sample, and the distance. Each is a list over the points, null where nothing was measured; all are
-        empty if no surface was compared with any point.
+        The data are the mean error of area and of mu, the 5 % and 95 % quantiles and the root mean square of the area error,
+        the standard error of the sample, and the distance. Each is a list over the points, None where nothing was measured; all
+        are empty if no surface was compared with any point.
         """
         some = slice(None) if np.isfinite(self.distance).any() else slice(0)
         return {
@@ -123,7 +123,7 @@ class MeasuredErrors:
 
     @property
     def words(self) -> str:
-        """Describe the errors in one line."""
+        """Return a description of the errors in one line."""
         if not self.known:
             return f"not known here: {self.why_not}"
         some = np.isfinite(self.area)
@@ -153,7 +153,7 @@ def _plain(values: np.ndarray) -> list[float | None]:
 
 
 def column_of(problem: Problem) -> str:
-    """Return the column of the benchmark set for a model, "model|asperity method"; "" if the model was not measured."""
+    """Return the name of a model in the benchmark set, "model|asperity method"; "" if this variant was not measured."""
     chosen, record = problem.chosen, problem.record
     if any(problem.options[name] != values[0] for one in problem.records() for name, values in one.options.items()):
         return ""
@@ -163,16 +163,16 @@ def column_of(problem: Problem) -> str:
     measured = None if problem.subject is None else problem.subject.measured
     method = "mccool" if measured is None else measured.method
     name = record.key
-    if chosen.asperity is not None and chosen.asperity.key != record.asperity:  # as a comparison shows it
+    if chosen.asperity is not None and chosen.asperity.key != record.asperity:  # the name in a comparison
         name = chosen.asperity.key if record.key == _SUM else f"{name} with {chosen.asperity.key}"
     return f"{name}|{method}"
 
 
 def measured_errors(problem: Problem, results: Mapping[str, np.ndarray], most_points: float = _MOST_POINTS) -> MeasuredErrors:
-    """Return the measured errors of a model at the points of these normalised results.
+    """Return the measured errors of a model at the points of normalised results.
 
-    Results have the dimensions of the contacts first. The errors have one dimension, over all contacts and points. most_points:
-    number of points above which no errors are looked up.
+    results: arrays by name, with the dimensions of the contacts first. The errors have one dimension, over all contacts and
+    points. most_points: no errors are looked up if there are more points.
     """
     load, area = (np.asarray(results[name]).reshape(len(problem.groups), -1) for name in ("load", "contact_area"))
     column = column_of(problem)
@@ -204,7 +204,10 @@ def measured_errors(problem: Problem, results: Mapping[str, np.ndarray], most_po
 
 
 def _of_solution(problem: MapProblem, load: np.ndarray, area: np.ndarray, most_points: float) -> MeasuredErrors:
-    """Return the errors of a solution on the map itself: the discretisation error and the error of the sample."""
+    """Return the errors of a solution on the map itself: the discretisation error and the error of the sample.
+
+    load, area: normalised (1, m).
+    """
     surface = problem.surface()
     place = ContactFeatures.of(problem, load, surface)
     there = np.where(np.isfinite(area.ravel()), 0.0, np.nan)
@@ -216,14 +219,14 @@ def _of_solution(problem: MapProblem, load: np.ndarray, area: np.ndarray, most_p
 
 
 def _share(problem: Problem, area: np.ndarray) -> np.ndarray:
-    """Return the area fraction A/A0 (k,) from normalised areas; 0 where nothing touches."""
+    """Return the real over the nominal contact area (k,) from normalised areas (n, m), k = n m; 0 where nothing touches."""
     return np.nan_to_num(np.minimum(math.pi * np.reshape(problem.groups.roughness_parameter, (-1, 1)) * area, 1.0)).ravel()
 
 
 def _own_error(surface: "HeightMap", share: np.ndarray, every_point: bool = False) -> np.ndarray:
-    """Return the standard deviation (k,) of ln of an area solved on a map.
+    """Return the standard deviation (k,) of ln of a contact area that was solved on a map, due to the point spacing.
 
-    It depends on the number of points in contact, or on the formula used in place of the solution. share: A/A0 (k,).
+    It depends on the number of points in contact, or on the formula used in place of the solution. share: area fraction (k,).
     every_point: whether all points of the map are solved, or only a sample.
     """
     area = _map_area(surface)
@@ -244,7 +247,10 @@ def _widened(middle: np.ndarray, levels: np.ndarray, more: np.ndarray) -> np.nda
 
 
 def _sample_error(surface: "HeightMap", place: ContactFeatures, most_points: float) -> np.ndarray:
-    """Return the standard error (k,) of ln of the area because the map is only one window; 0 for a periodic map."""
+    """Return the standard error (k,) of ln of the area because the map is one window of a larger surface; 0 for a periodic map.
+
+    place: features of the contact at k points. The error is NaN if there are more than most_points points.
+    """
     if place.pressure.size > most_points:
         return np.full(place.pressure.size, np.nan)
     area, found = _map_area(surface), np.empty(place.pressure.size)
@@ -256,7 +262,11 @@ def _sample_error(surface: "HeightMap", place: ContactFeatures, most_points: flo
 
 
 def _near(problem: Problem, column: str, place: ContactFeatures, points: int, area: np.ndarray) -> ErrorsNear | None:
-    """Return the errors measured near each point; None for a model that was not measured."""
+    """Return the errors measured near each point of the contacts; None for a model that was not measured.
+
+    column: "model|asperity method". place: features of the contact at all points. points: number of points of each contact.
+    area: normalised contact area.
+    """
     known = solved_set()
     if not problem.groups.has_film:
         return bare_errors(known, column, place, anywhere=column.endswith(f"|{_MAP}"))
@@ -265,10 +275,10 @@ def _near(problem: Problem, column: str, place: ContactFeatures, points: int, ar
 
 
 def _on_other_maps(problem: Problem, place: ContactFeatures, points: int, area: np.ndarray) -> ErrorsNear | None:
-    """Return the errors of an area law on a film, measured on maps with films; None if it was not measured.
+    """Return the errors of an area law for films, measured on maps with films; None if it was not measured.
 
-    Source: truth/films.csv. They are zero for a closed form whose own map is solvable. For a contact of numbers, other kinds
-    of surface change them.
+    Source: truth/films.csv. The errors are zero for a closed form whose own map is solvable. For a contact without a map, other
+    kinds of surface change them.
     """
     found = on_solved_maps(problem, points)
     surface = problem.map if isinstance(problem, ClosedFormProblem) else None
@@ -278,13 +288,16 @@ def _on_other_maps(problem: Problem, place: ContactFeatures, points: int, area: 
 
 
 def _map_area(surface: "HeightMap") -> "MapArea":
-    from stiction.solvers.boundary_elements.map_area import map_area  # which a contact of numbers does without
+    from stiction.solvers.boundary_elements.map_area import map_area  # only contacts with a map need this
 
     return map_area(surface)
 
 
 def _none_but_own(found: ErrorsNear) -> ErrorsNear:
-    """Return errors of zero at distance zero, for a solution of the map, whose own error is added later."""
+    """Return errors of zero at distance zero, for a solution of the map; its discretisation error is added later.
+
+    found: errors, of which the shapes and other fields are used.
+    """
     nothing = np.zeros_like(found.distance)
     each = {name: nothing for name in ("relative", "middle", "distance")}
     return found._replace(**each, levels=np.zeros_like(found.levels), coverage=nothing + 1.0)
@@ -297,7 +310,10 @@ def _unknown(column: str, points: int, why: str) -> MeasuredErrors:
 
 
 def _far(distance: np.ndarray, nearest: np.ndarray) -> str:
-    """State why no solved surface is near enough, with the difference of the nearest one."""
+    """Return a text that states why no solved surface is near enough, with the difference of the nearest one.
+
+    distance, nearest: distance of the nearest surface at some points, and functions that describe its difference.
+    """
     at = int(np.argmin(distance))
     if math.isinf(distance[at]):
         return "solved surfaces with a film have one elastic film on one body, and a rigid counterbody"
@@ -315,7 +331,10 @@ def _why_not(problem: Problem, column: str, points: int, most_points: float) -> 
 
 
 def _adhesion(problem: Problem, results: Mapping[str, np.ndarray]) -> tuple[float, str]:
-    """Return how well dry solved surfaces without adhesion represent the contact, 1 to 0, and the reason if they do not."""
+    """Return how well solved surfaces without adhesion represent the contact, from 1 to 0, and the reason if they do not.
+
+    The reason is "" if adhesion and the pull of menisci are small compared with the load.
+    """
     state, why = state_of(problem, results), "menisci would pull, but the solved surfaces are dry"
     pull = _largest(state.get("meniscus_share"))
     if "load_meniscus" in results:
@@ -336,7 +355,7 @@ def _largest(share: np.ndarray | None) -> float:
 
 
 def _on_film(known: SolvedSet, column: str, place: ContactFeatures, problem: Problem) -> ErrorsNear | None:
-    """Return the model's errors on the coated benchmark surfaces; None if not measured.
+    """Return the model's errors on benchmark surfaces with a film near each point; None if it was not measured there.
 
     On these surfaces one body has an elastic film and the other is rigid.
     """
@@ -355,13 +374,14 @@ def _on_film(known: SolvedSet, column: str, place: ContactFeatures, problem: Pro
 def _of_friction(problem: Problem, results: Mapping[str, np.ndarray], error: np.ndarray) -> np.ndarray:
     """Return the error (k,) of ln mu that follows from the error of the area, for laws mu = tau_0 A/P + beta.
 
-    error: ln(A/solved A) (k,). The result is NaN for other friction laws.
+    error: ln(A/solved A) (k,) of the contact area A. tau_0: shear strength, P: load, beta: pressure coefficient. The result is
+    NaN for other friction laws.
     """
     tangential = problem.chosen.tangential
     if tangential is None or not tangential.interfacial or "friction_force" not in results:
         return np.full(error.shape, np.nan)
     ratio = problem.groups.strength_over_bodies
-    if ratio is not None:  # where the interface is not the weaker one the area grows, and mu has another error
+    if ratio is not None:  # where the interface is not weaker than the bodies, junctions grow, and mu has another error
         weaker = np.broadcast_to(ratio < 1.0 - 1e-12, len(problem.groups))
         error = np.where(np.repeat(weaker, error.size // len(weaker)), error, np.nan)
     beta = problem.groups.pressure_coefficient

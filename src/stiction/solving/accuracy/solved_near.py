@@ -1,7 +1,7 @@
 """Measure how far a contact is from each solved surface of the benchmark set, and describe the nearest one.
 
-The distance is the root of the sum of squared differences in features such as Nayak's alpha. Each difference is
-divided by a unit, for example half of a logarithm of alpha. The units are listed below.
+The distance is the root of the sum of squared differences in features such as Nayak's alpha. Each difference is divided by a
+unit, for example 0.5 for ln(alpha). The units are listed below.
 """
 
 import math
@@ -19,17 +19,17 @@ from stiction.surfaces.theory.moments import bandwidth, reduced_pressure, slope_
 if TYPE_CHECKING:
     from stiction.surfaces.heightmap import HeightMap
 
-_SCALES = {"alpha": 0.5, "skewness": 0.6, "lay": 0.35, "top": 0.25}  # that count as a distance of 1; logarithms but skewness
+_SCALES = {"alpha": 0.5, "skewness": 0.6, "lay": 0.35, "top": 0.25}  # differences that count as 1, of ln except for skewness
 _LEAST_TOP = 0.03
-# The same where numbers are stated in place of a map: of the skewness, and of the logarithms of kurtosis and Str. Narrower ones
-# sharpen the interval, but leaving designs of the set out one by one it then holds too few areas of surfaces with a lay.
+# Differences that count as 1 if numbers are stated in place of a map: of skewness, ln(kurtosis) and ln(Str). Smaller units
+# narrow the interval, but it then contains too few areas of surfaces with a lay, if each design of the set is left out in turn.
 _STATED = {"skewness": 0.35, "kurtosis": 0.3, "texture_aspect_ratio": 0.25}
-_ALIKE, _FEWEST = 2.0, 8  # distance in shape of the nearest solved surface, points on a side, for a map to have a kind
-_PRESSURE = 1.4  # ln of the pressure above those of the set, a distance of 1
-# The same below the lightest pressure, where area over load hardly changes (truth/light.csv), and where all flows: below this
-# hardness over E* h'.
+_ALIKE, _FEWEST = 2.0, 8  # to have a kind, a map must be closer than this to a solved surface, with so many points on a side
+_PRESSURE = 1.4  # difference of ln(pressure) above the solved pressures that counts as 1
+# The same below the lightest pressure, where area over load hardly changes (truth/light.csv), and at hardnesses over E* h'
+# below the second number, where all points flow.
 _LIGHTER, _FLOWING = 7.0, 0.1
-FILM_SCALES = (0.7, 0.8)  # ln of the modulus over the substrate's, of the thickness over sqrt(m2/m4)
+FILM_SCALES = (0.7, 0.8)  # differences that count as 1, of ln(film modulus ratio) and ln(thickness over sqrt(m2/m4))
 _SAID = 0.25  # smallest fraction of the squared distance for which a difference is reported
 _NAMES = {
     "alpha": "Nayak's alpha",
@@ -44,12 +44,13 @@ _OVER_STIFFNESS, _OVER_HARDNESS = "nominal pressure over E* times rms slope", "n
 
 @dataclass(frozen=True)
 class ContactFeatures:
-    """Store the features of k contact points that are compared with solved surfaces.
+    """Store the features of a contact at k points that are compared with solved surfaces.
 
-    pressure, hardness: divided by E* h', with h' the rms slope. alpha: Nayak's parameter. shape: skewness, lay and slope of
-    the top of the map; None without a map. kind: the stated kind of surface, for a contact without a map. stated: stated
-    statistics of the surface, by their names in surfaces.roughness.SHAPE, for a contact without a map. thickness: of the film
-    over sqrt(m2/m4). modulus: film modulus over substrate modulus.
+    pressure, hardness (k,): divided by E* h', with h' the rms slope. alpha (k,): Nayak's parameter. shape: skewness, lay and
+    slope of the top of the map; None without a map. modulus (k,): film modulus over substrate modulus. thickness (k,): of the
+    film over sqrt(m2/m4), with the spectral moments m2 and m4. Both are None without a film. kind: the stated kind of surface,
+    for a contact without a map. stated: stated statistics of the surface, by their names in surfaces.roughness.SHAPE, for a
+    contact without a map.
     """
 
     pressure: np.ndarray
@@ -63,20 +64,20 @@ class ContactFeatures:
 
     @property
     def kind_known(self) -> bool:
-        """Return whether the map, the kind, or a statistic of the surface shape is known."""
+        """Return whether anything is known about the shape of the surface: its map, its kind, or a statistic."""
         return self.shape is not None or self.kind is not None or bool(self.stated)
 
     def some(self, rows: slice) -> "ContactFeatures":
-        """Return the features of some of the points."""
+        """Return the features at the points in the slice `rows`."""
         modulus, thickness = (None if table is None else table[rows] for table in (self.modulus, self.thickness))
         pressure, hardness, alpha = self.pressure[rows], self.hardness[rows], self.alpha[rows]
         return replace(self, pressure=pressure, hardness=hardness, alpha=alpha, modulus=modulus, thickness=thickness)
 
     @classmethod
     def of(cls, problem: Problem, load: np.ndarray, surface: "HeightMap | None" = None) -> "ContactFeatures":
-        """Return the features of n contacts at loads (n, m).
+        """Return the features of n contacts at normalised loads (n, m), at k = n m points.
 
-        surface: the height map of the contact; None if only roughness numbers are known.
+        surface: the height map of the contact; None for the contact's own map, or for roughness numbers if it has none.
         """
         groups, points = problem.groups, load.shape[1]
         density = groups.roughness_parameter[:, None]
@@ -95,11 +96,12 @@ class ContactFeatures:
 
 
 def _of_map(surface: "HeightMap", problem: Problem, load: np.ndarray):
-    """Return pressure and hardness over E* h', Nayak's alpha, and shape of a contact, from its map and not from its asperities.
+    """Return pressure and hardness over E* h', Nayak's alpha, and shape of a contact, from its map instead of its asperities.
 
-    h' is the rms gradient. The shape is the skewness of the heights, the lay and the slope of the highest points over h'.
+    h' is the rms gradient. load: normalised loads. The shape is the skewness of the heights, the lay (ratio of largest to
+    smallest rms slope), and the rms gradient of the highest 5 % over h'.
     """
-    from stiction.solvers.boundary_elements.map_area import map_area  # loads what only contacts of scans need
+    from stiction.solvers.boundary_elements.map_area import map_area  # only contacts with a map need this
     from stiction.surfaces.asperity_set import skewness
 
     area, whole = map_area(surface), problem.subject.with_surface_moments()
@@ -115,9 +117,10 @@ def _of_map(surface: "HeightMap", problem: Problem, load: np.ndarray):
 
 
 def _film_of(groups: Groups, points: int) -> tuple[np.ndarray, np.ndarray]:
-    """Return film thickness over sqrt(m2/m4), and film modulus over substrate modulus, at each point.
+    """Return film modulus over substrate modulus, and film thickness over sqrt(m2/m4), at each point (k,).
 
-    sqrt(m2/m4) = 1/sqrt(6 pi sqrt(3) N) (Nayak 1971); film_aspect is t/sqrt(R sigma).
+    points: number of points of each contact. sqrt(m2/m4) = 1/sqrt(6 pi sqrt(3) N) with asperity density N (Nayak 1971);
+    film_aspect is t/sqrt(R sigma).
     """
     thickness = groups.film_aspect * np.sqrt(6.0 * math.pi * math.sqrt(3.0) * groups.roughness_parameter)
     return np.repeat(groups.film_modulus, points), np.repeat(thickness, points)
@@ -125,10 +128,10 @@ def _film_of(groups: Groups, points: int) -> tuple[np.ndarray, np.ndarray]:
 
 @dataclass(frozen=True)
 class Difference:
-    """Store how k points differ from the solved surfaces in one feature.
+    """Store how k points of a contact differ from s solved surfaces in one feature.
 
     names: name of the feature (k or 1,). ours: value at each point (k or 1,). theirs: value of each surface, (k or 1, s).
-    squared: contribution to the squared distances (k or 1, s). Films add a last dimension.
+    squared: contribution to the squared distances (k or 1, s). For films theirs and squared have a last dimension, the films.
     """
 
     names: np.ndarray
@@ -138,17 +141,18 @@ class Difference:
 
 
 def _difference(name: str, ours: float | np.ndarray, theirs: np.ndarray, squared: np.ndarray) -> Difference:
-    """Return the difference of points from the solved surfaces in one feature.
+    """Return the difference of points from the solved surfaces in the feature `name`.
 
-    theirs, squared: (k, s), or (s,) if they are the same for all points.
+    ours: value at the points. theirs, squared: values of the surfaces and squared distances, (k, s), or (s,) if they are the
+    same for all points.
     """
     return Difference(np.array([name]), np.atleast_1d(ours), np.atleast_2d(theirs), np.atleast_2d(squared))
 
 
 def differences(known: SolvedSet, place: ContactFeatures) -> list[Difference]:
-    """Return the differences between k points and every surface.
+    """Return the differences between k points of a contact and every solved surface, one for each feature.
 
-    Without a map only Nayak's alpha and the stated statistics are compared, with surfaces of every kind.
+    With a map, Nayak's alpha, skewness, lay and top are compared; otherwise alpha and the stated statistics.
     """
     theirs = known.feature("alpha")
     apart = ((np.log(theirs) - np.log(place.alpha)[:, None]) / _SCALES["alpha"]) ** 2
@@ -159,9 +163,10 @@ def differences(known: SolvedSet, place: ContactFeatures) -> list[Difference]:
 
 
 def _of_stated(known: SolvedSet, name: str, ours: float) -> Difference:
-    """Return the difference in a stated statistic from every surface (s,).
+    """Return the difference between a stated statistic and that of every solved surface (s,).
 
-    Str of a stretched isotropic surface is one over its lay.
+    name: of the statistic. ours: its stated value. The texture aspect ratio (Str) of a stretched isotropic surface is one over
+    its lay.
     """
     theirs = 1.0 / known.feature("lay") if name == "texture_aspect_ratio" else known.feature(name)
     apart = theirs - ours if name == "skewness" else np.log(theirs / ours)
@@ -169,7 +174,10 @@ def _of_stated(known: SolvedSet, name: str, ours: float) -> Difference:
 
 
 def _of_shape(known: SolvedSet, shape: tuple[float, float, float]) -> list[Difference]:
-    """Return the differences in skewness, lay and slope of the top between a map and every surface (s,)."""
+    """Return the differences in skewness, lay and slope of the top between a map and every solved surface (s,).
+
+    shape: these three numbers of the map.
+    """
     skewness, lay, top = shape
     tops = np.maximum(known.feature("top"), _LEAST_TOP)
     each = {
@@ -181,11 +189,11 @@ def _of_shape(known: SolvedSet, shape: tuple[float, float, float]) -> list[Diffe
 
 
 def kind_of_map(surface: "HeightMap") -> str | None:
-    """Return the kind of surface, a key of OF_KIND, of most solved surfaces with similar skewness, lay and top.
+    """Return the kind of surface (a key of OF_KIND) that solved surfaces with similar skewness, lay and top mostly have.
 
-    None for a profile, for a map with missing points, and if no solved surface is similar.
+    The result is None for a profile, for a map with missing points, and if no solved surface is similar.
     """
-    from stiction.solvers.boundary_elements.area_estimates import map_slopes  # loads what only contacts of scans need
+    from stiction.solvers.boundary_elements.area_estimates import map_slopes  # only contacts with a map need this
     from stiction.surfaces.asperity_set import skewness
 
     if surface.is_profile or not surface.complete or min(surface.heights.shape) < _FEWEST:
@@ -199,7 +207,10 @@ def kind_of_map(surface: "HeightMap") -> str | None:
 
 
 def film_differences(known: SolvedSet, place: ContactFeatures) -> list[Difference]:
-    """Return the differences between k points on films and every film of every coated surface, (k or 1, s, f)."""
+    """Return the differences between k points on films and every film of every coated surface, one for each feature.
+
+    Arrays are (k or 1, s, f) for s coated surfaces with f films each.
+    """
     assert place.modulus is not None and place.thickness is not None
     some = known["film_surfaces"]
     moduli, thicknesses = known["films"].T
@@ -223,10 +234,10 @@ def film_differences(known: SolvedSet, place: ContactFeatures) -> list[Differenc
 def pressure_difference(
     known: SolvedSet, pressure: np.ndarray, hardness: np.ndarray
 ) -> tuple[Difference, np.ndarray, np.ndarray]:
-    """Return how far pressures (k,) lie outside the solved ones, with the pressure and hardness at which errors are read.
+    """Return how far pressures (k,) lie outside the solved ones, and the pressure and hardness (k,) at which errors are read.
 
-    All are divided by E* h'. Below the smallest hardness of the set all spots flow, so only pressure over hardness matters
-    there.
+    pressure, hardness: divided by E* h', with h' the rms slope. Below the smallest hardness of the set all points flow, so only
+    pressure over hardness matters there.
     """
     low, high = float(known["loads"][0]), float(known["loads"][-1])
     softest = float(known["hardnesses"][1:].min())
@@ -241,14 +252,18 @@ def pressure_difference(
 
 
 def squared_distance(found: Iterable[Difference]) -> np.ndarray:
-    """Return the squared distance of each point from each solved surface, (k or 1, s), or (k or 1, s, f) for films."""
+    """Return the squared distance of each point from each solved surface, summed over features, (k or 1, s).
+
+    For films it is (k or 1, s, f).
+    """
     return np.asarray(sum(one.squared for one in found))
 
 
 def nearest_in_words(found: Sequence[Difference], point: int, at: int) -> str:
-    """Describe the largest differences between a point and one solved surface.
+    """Describe the largest differences between a point and one solved surface in words.
 
-    at: flat index of the surface. For example "the nearest has Nayak's alpha 5 instead of 24".
+    For example "the nearest has Nayak's alpha 5 instead of 24". found: differences in all features. point: index of the point.
+    at: flat index of the surface.
     """
     shape = np.broadcast_shapes(*(one.squared.shape[1:] for one in found))
 

@@ -1,7 +1,7 @@
 """Read the benchmark set of solved surfaces, which `make truth` writes into the package (docs/explanation/truth.md).
 
-An error is the logarithm of a model's contact area over the solved area. Each error is stored in one byte, as its
-signed square root in steps of 1/60. That resolves 0.002 at an error of 1 %, and 0.03 at a factor of ten.
+An error is the logarithm of a model's contact area over the solved area. Each error is stored in one byte, as its signed square
+root in steps of 1/60. The resolution is then 0.002 at an error of 1 %, and 0.03 at a factor of ten.
 """
 
 import lzma
@@ -12,10 +12,10 @@ from pathlib import Path
 import numpy as np
 
 FILE = Path(__file__).parent / "solved_set.npz"
-# Features of each surface: Nayak's alpha; of its heights; root of the ratio of the eigenvalues of the gradient tensor; rms
-# gradient of the highest 5 % over that of all; sqrt(m2/m4) [m].
+# Features of each surface: Nayak's alpha; skewness and kurtosis of its heights; root of the ratio of the eigenvalues of the
+# gradient tensor; rms gradient of the highest 5 % over that of all; sqrt(m2/m4) [m].
 FEATURES = ("alpha", "skewness", "kurtosis", "lay", "top", "wave")
-# Kind of surface that a contact states -> kinds of the set. A periodic surface is a wave along x with roughness on it.
+# Kinds of the set by the kind of surface that a contact states. A periodic surface is a wave along x with roughness on it.
 OF_KIND = {
     "gaussian": ("gaussian",),
     "skewed": ("skewed", "peaked"),
@@ -23,30 +23,30 @@ OF_KIND = {
     "lay": ("lay", "mixed", "periodic"),
     "two-scale": ("bimodal", "periodic"),
 }
-# Tables that are packed better than a zip file does.
+# Tables that are compressed with LZMA, which makes them smaller than a zip file does.
 PACKED = ("errors", "film_errors")
 _NOTHING, _STEP = -128, 1.0 / 60.0
 
 
 def coded(errors: np.ndarray) -> np.ndarray:
-    """Encode logarithmic errors as bytes (int8)."""
+    """Encode logarithmic errors as bytes (int8), of the same shape; NaN has a code of its own."""
     whole = np.clip(np.round(np.sign(errors) * np.sqrt(np.abs(errors)) / _STEP), -127, 127)
     return np.where(np.isfinite(errors), whole, _NOTHING).astype(np.int8)
 
 
 def decoded(codes: np.ndarray) -> np.ndarray:
-    """Decode stored errors; NaN where no error was stored."""
+    """Decode errors stored as bytes (int8) to logarithmic errors, of the same shape; NaN where no error was stored."""
     root = codes * _STEP
     return np.where(codes == _NOTHING, np.nan, np.sign(root) * root**2)
 
 
 @dataclass(frozen=True)
 class SolvedSet:
-    """Hold the benchmark set of solved surfaces.
+    """Store the benchmark set of solved surfaces.
 
     content: arrays by name, as in the file, for s surfaces, h hardnesses (the first is infinite) and p mean pressures.
-    Pressures and hardnesses are divided by E* h'. Films on some surfaces are listed by plane-strain modulus over the substrate
-    modulus, and by thickness over the shortest wavelength.
+    Pressures and hardnesses are divided by E* h', with the contact modulus E* and the rms slope h'. Films on some surfaces are
+    listed by plane-strain modulus over the substrate modulus, and by thickness over the shortest wavelength.
     """
 
     content: dict[str, np.ndarray]
@@ -55,7 +55,7 @@ class SolvedSet:
         return self.content[name]
 
     def feature(self, name: str) -> np.ndarray:
-        """Return the values (s,) of a feature named in FEATURES."""
+        """Return the values (s,) of one feature of all surfaces; name: one of FEATURES."""
         return self["features"][:, FEATURES.index(name)].astype(float)
 
     @cached_property
@@ -70,18 +70,24 @@ class SolvedSet:
 
     @cached_property
     def areas(self) -> np.ndarray:
-        """Return the solved A/A0 (s, h, p); NaN where it was not solved."""
+        """Return the solved real over nominal contact area (s, h, p); NaN where it was not solved."""
         found = self["areas"]
         return np.where(found == 65535, np.nan, np.exp(-2e-4 * found.astype(float)))
 
-    @cache  # noqa: B019 - there is one set, for ever
+    @cache  # noqa: B019 - there is only one set, which lives as long as the process
     def errors(self, column: str) -> np.ndarray | None:
-        """Return ln(A/solved A) (s, h, p) for "model|asperity method"; None if the model was not measured."""
+        """Return ln(A/solved A) (s, h, p) of the model and asperity method `column`; None if the model was not measured.
+
+        column: "model|asperity method". A: contact area.
+        """
         return self._of("columns", "which", "errors", column)
 
     @cache  # noqa: B019
     def film_errors(self, column: str) -> np.ndarray | None:
-        """Return ln(A/solved A) on films (coated surfaces, films, loads); None if the model was not measured."""
+        """Return ln(A/solved A) on films, (coated surfaces, films, loads); None if the model was not measured.
+
+        column: "model|asperity method". A: contact area.
+        """
         return self._of("film_columns", "film_which", "film_errors", column)
 
     def _of(self, names: str, which: str, tables: str, column: str) -> np.ndarray | None:
