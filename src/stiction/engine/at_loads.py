@@ -29,7 +29,7 @@ _STEP = float(WAY[0] - WAY[1])
 
 # Range of the displacements, over sigma, that contribute to the load at any of these separations.
 _LOWEST, _TOP = -3.0 * math.sqrt(2.0 * NEGLIGIBLE) - WAY[0], 2.5 + math.sqrt(2.0 * NEGLIGIBLE) - WAY[-1]
-_BLOCK = 256  # laws at a time: their nodes stay in the processor's cache
+_BLOCK = 256  # number of laws in a block, so few that their nodes stay in the processor's cache
 
 # Iterations end with a step below these. The error left is of the order of the step cubed for Halley's method, and of the
 # step squared for Newton's.

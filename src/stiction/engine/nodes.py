@@ -20,7 +20,7 @@ from stiction.engine.compiled import engine_kernel, lazy_kernel, unpack
 from stiction.engine.regime import Regime, columns
 from stiction.engine.sum_kernels import LONGEST, SHORT, clipping, map_segment
 
-_BLOCK = 1024  # laws at a time: their values stay in the processor's cache
+_BLOCK = 1024  # number of laws in a block, so few that their values stay in the processor's cache
 # Nodes and weights (rules, 2, longest) on [0, 1] of each integration rule, and their number (rules,).
 Rules = tuple[np.ndarray, np.ndarray]
 

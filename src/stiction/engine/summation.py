@@ -210,7 +210,7 @@ def _summing_in_stages(regime: Regime, heights: Heights, add: Callable) -> Calla
 _PARTS = 4096  # most integration intervals at a time, to bound the memory; most separations use a quarter of them
 # Fewer pairs of a law and a separation are summed one by one, which then takes less time than the matrix.
 _MANY = 4000
-_BLOCK = 128  # laws at a time: their nodes stay in the processor's cache
+_BLOCK = 128  # number of laws in a block, so few that their nodes stay in the processor's cache
 
 
 def on_grid(regimes: Sequence[Regime], h: np.ndarray, heights: Heights, threads: int = 1) -> np.ndarray:

@@ -97,7 +97,7 @@ def resolve_laws(choice: Choice, coated: bool, groups: Groups | None = None) -> 
     film = _film(choice, model) if coated else None
     additions = _additions(choice, groups, model, tangential, film)
     if choice.film and not coated:
-        find(choice.film, FilmLaw)  # a known film law is ignored without a film; an unknown name is refused
+        find(choice.film, FilmLaw)  # without a film a known law is ignored, but an unknown key must raise an error
     for law in (tangential, film, *additions.values()):
         if law is not None and (reason := incompatibility(law, asperity)):
             field, value = ("asperity", asperity.key) if choice.asperity else (law.keyword, law.key)

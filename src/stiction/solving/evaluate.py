@@ -167,7 +167,7 @@ def _regimes(laws: dict[str, np.ndarray], choice: Choice) -> list[Regime]:
     ones = np.ones_like(laws["nu"])
     film = {"n_g": ones, "film_aspect": np.inf * ones} if "tau" in laws else {}
     problem = problem_of(Groups(**laws, **film).resolved(), choice)
-    assert isinstance(problem, AsperitySum)  # the paper's model is one
+    assert isinstance(problem, AsperitySum)  # the 2015 model is a sum over asperities
     return problem.regimes
 
 

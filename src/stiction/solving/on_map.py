@@ -83,7 +83,7 @@ class MapProblem(Problem):
     @property
     def _measured(self) -> "Measured":
         measured = self.contact.measured
-        assert measured is not None  # `contact` refuses others
+        assert measured is not None  # `contact` raises an error otherwise
         return measured
 
     def without_attraction(self) -> "MapProblem":

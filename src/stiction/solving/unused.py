@@ -66,7 +66,7 @@ def unused_inputs(problem: Problem) -> list[Unused]:
     if any(name in ("lam", "hardness_group", "n_H") for record in plastic for name in record.needs):
         spoken_of.add("hardness")
     ratio = problem.groups.strength_over_bodies
-    if "shear_strength" in spoken_of and ratio is not None and np.any(ratio >= 1.0 - 1e-12):  # capped by the bodies' yield
+    if "shear_strength" in spoken_of and ratio is not None and np.any(ratio >= 1.0 - 1e-12):  # limited by the bodies
         spoken_of |= {"hardness", "hardness_to_yield"}
     listed = [Unused(name, why="this contact has no film") for name in problem.chosen.ignored]
     for name, group in given.items():

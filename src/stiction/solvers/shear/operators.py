@@ -39,7 +39,7 @@ class PeriodicShear:
         along, across = compliance.times_k(k) / k
         self._symbol = _tensor(along, across, kx / k, ky / k, shape)
         self._inverse = _tensor(1.0 / along, 1.0 / across, kx / k, ky / k, shape)
-        self._inverse_along = 1.0 / self._symbol[0]  # of one component alone
+        self._inverse_along = 1.0 / self._symbol[0]  # for fields with one component
         for one, at_zero in zip(self._symbol, (compliance.at_zero, 0.0, compliance.at_zero), strict=True):
             one[0, 0] = at_zero
         doubled = np.where((np.arange(k.shape[1]) > 0) & (2 * np.arange(k.shape[1]) < shape[1]), 2.0, 1.0)
