@@ -243,9 +243,10 @@ def _find_roots(way, lowest, targets, nodes, roots):
     """Find the separation at which each law i carries the load targets[i, k], and store it in roots[i, k].
 
     roots[i, k] receives separation over sigma, derivative of the load by the separation, and sum of the absolute terms of the
-    load. They are NaN if the load is not reached on the grid, or if several separations may be too close together for the grid
-    to tell them apart. Of several separations the first on approach is taken. The approach starts at the separation of the
-    largest tension, or at the far end of the grid if the law has no tension. way, lowest, nodes: as in `_find_lowest`.
+    load. They are NaN if the load is not reached on the grid, or if two such separations may be too close together for the grid
+    to tell them apart. If more than one separation carries the load, the first on approach is stored. The approach starts at
+    the separation of the largest tension, or at the far end of the grid if the law has no tension. way, lowest, nodes: as in
+    `_find_lowest`.
     """
     h, loads, slopes = way
     tension, where, nearer = lowest

@@ -190,8 +190,8 @@ def _putting(along: Callable, rows: int) -> Any:
         """Fill `scratch` with the displacements and the weights times summed values at the nodes of one integration interval.
 
         mapped: (low, linear, square) of the change of variable u = low + linear t + square t^2. row: parameters of the law.
-        rule: nodes t and weights on [0, 1], of which the first `count` are used. Each quantity occupies LONGEST places. With
-        this fixed distance the compiler can prove that the stores do not overlap, and vectorises the loop.
+        rule: nodes t and weights on [0, 1]; the first `count` are used. Each quantity occupies LONGEST places. With this fixed
+        distance the compiler can prove that the stores do not overlap, and vectorises the loop.
         """
         low, linear, square = mapped
         for node in range(count):

@@ -83,8 +83,8 @@ def evaluate(
     Returns
     -------
     Evaluation
-        float64 arrays in the broadcast shape of all arguments. Relative errors are at most 1e-10; that of the load is relative
-        to the integral of its absolute value.
+        float64 arrays in the broadcast shape of all arguments. Relative errors are at most 1e-10; the error of the load is
+        relative to the integral of its absolute value.
 
     Raises
     ------

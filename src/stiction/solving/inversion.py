@@ -272,8 +272,8 @@ def _robustly(problem: Problem, targets: np.ndarray, refuse: bool) -> Inversion:
 def _tension_past(problem: Problem, h: np.ndarray, loads: np.ndarray, size: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return the largest tension (n,) and its separation (n,); 0 and NaN for contacts without tension.
 
-    loads: (n, H) at the descending separations h (H,), over sigma. size: scale (n,) of the loads, of which a tension is a
-    round-off error if it is tiny in comparison.
+    loads: (n, H) at the descending separations h (H,), over sigma. size: scale (n,) of the loads; a tension that is tiny in
+    comparison is a round-off error.
     """
     tension, where = largest_tension(problem.load_at, np.broadcast_to(h, loads.shape), loads)
     if problem.heights.tops.size and (problem.groups.theta is not None or problem.groups.meniscus_height is not None):

@@ -31,8 +31,8 @@ def most_pull(groups: Groups) -> np.ndarray | None:
 def pull_and_bound(sums: np.ndarray, regimes: list[Regime], most: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return the meniscus pull in the sums over asperities, and its upper bound, each (...,), per asperity and normalised.
 
-    sums: (regimes, ..., 5), of which the regimes with the state "meniscus" pull. most: factors (2, ...) of `most_pull`. The
-    bound is the Laplace pressure times the nominal area minus the contact area.
+    sums: (regimes, ..., 5); the regimes with the state "meniscus" pull. most: factors (2, ...) of `most_pull`. The bound is the
+    Laplace pressure times the nominal area minus the contact area.
     """
     pull = -sums[_of_menisci(regimes), ..., _LOAD].sum(axis=0)
     return pull, most[0] * np.clip(1.0 - most[1] * sums[..., _AREA].sum(axis=0), 0.0, 1.0)

@@ -19,7 +19,7 @@ __all__ = ["MovingMap"]
 
 @dataclass(frozen=True)
 class MovingMap:
-    """Represent a solved map at several loads that is displaced tangentially; shear does not change its pressure.
+    """Represent a map, solved at one or more loads, that is displaced tangentially; shear does not change its pressure.
 
     problem: contact and laws. contacts: solved without shear, for each load. strengths: shear strength of their points (rows,
     columns) [Pa]. operator: computes shear displacements. remark: what the solution neglects, for the user; "" if nothing.

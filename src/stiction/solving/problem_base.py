@@ -104,7 +104,7 @@ class Problem(ABC):
     def load_at(self, h: np.ndarray, law: np.ndarray) -> np.ndarray:
         """Return the net load per asperity, normalised, at the separations h of any shape.
 
-        law: indices of the contacts, of a shape that broadcasts to that of h.
+        law: indices of the contacts, which broadcast to the shape of h.
         """
         return self.loads(h.ravel(), np.broadcast_to(law.astype(int), h.shape).ravel()).reshape(h.shape)
 

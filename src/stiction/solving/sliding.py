@@ -78,9 +78,9 @@ def slide(
         keep their strength.
     residual_strength : float, optional
         Fraction of its strength that an asperity, or a point, retains once it slides, 0 to 1; 1 is Coulomb's law. By default
-        that of the contact, or 1.
+        the value of the contact, or 1.
     weakening_slip : float [m] or str with a unit, optional
-        For a map: slip over which a point loses the rest of its strength, linearly. By default that of the contact.
+        For a map: slip over which a point loses the rest of its strength, linearly. By default the value of the contact.
     spring_stiffness : float [N/m] or str with a unit, optional
         For a map: stiffness of the machine through which a slow drive moves it. By default the machine is rigid.
     model : str, optional

@@ -9,7 +9,7 @@ over which strength falls to r tau_p, the largest force over the sum of strength
 
 e is 1 for small or weak spots, follows Griffith's V^(-1/2) for large ones without residual strength, and is at least r. b, m, w
 are fitted to maps that were displaced tangentially (truth/slides.py): the error is 1.6 % rms there, 1.5 % on 306 other results
-of such maps. Without a map, spots of radius a on a square nominal area of side L with free edges, of which the fraction c is in
+of such maps. Without a map, spots of radius a on a square nominal area of side L with free edges, the fraction c of which is in
 contact, have, with S = sum (2 - nu_i)/(2 G_i) (nu: Poisson's ratio, G: shear modulus),
 
     s^2 = (tau_p S)^2 {[k_a a (eta R sigma)^d (1 - c)^q]^2 + [k_L c L]^2},                                                 (3)
@@ -17,7 +17,7 @@ contact, have, with S = sum (2 - nu_i)/(2 G_i) (nu: Poisson's ratio, G: shear mo
 
 F_0 is the fraction of Gaussian heights above t, F_1 their mean excess; eta, R and sigma are density, radius and rms height of
 the asperities (Greenwood & Williamson 1966). k_a, d and q are fitted to the same maps, whose s follows from the numbers of
-their asperities with a standard error of 11 %; k_L is that of a uniform square. For single discs with radii of 0.3 to 12
+their asperities with a standard error of 11 %; k_L is the value of a uniform square. For single discs with radii of 0.3 to 12
 weakening lengths, which were not fitted, e is within 1.1 %. Own formulas (grade C): no published law of this was found.
 """
 

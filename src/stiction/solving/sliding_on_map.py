@@ -122,7 +122,7 @@ def _contacts(problem: MapProblem, loads: np.ndarray) -> "tuple[MapContact, ...]
 def _uncoupled(problem: MapProblem, moving: MovingMap, loads: np.ndarray, why: str) -> MovingMap:
     """Return the map with a remark that the coupling of pressure and shear is neglected, and by how much friction may be wrong.
 
-    The error is that of the dry contact without adhesion at the normalised loads (m,). why: reason for the neglect.
+    The error is computed for the dry contact without adhesion at the normalised loads (m,). why: reason for the neglect.
     """
     remark = f"pressure and shear are not coupled, because {why}"
     if (loads > 0.0).all():
@@ -165,7 +165,7 @@ def _point_states(paths: "list[SlidingPath]") -> np.ndarray:
 def used_by_sliding(problem: Problem, names: tuple[str, ...]) -> dict[str, str]:
     """Return the attributes that list the unused inputs of a problem.
 
-    names: inputs that sliding uses, which are left out of the list.
+    names: inputs that sliding uses, which are not listed.
     """
     return as_attributes(unused for unused in unused_inputs(problem) if unused.input not in names)
 

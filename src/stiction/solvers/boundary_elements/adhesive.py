@@ -188,7 +188,7 @@ def adhesive_state(
 
 
 def _before_adhesion(heights, size, compliance, load, work, reach) -> AdhesiveState:
-    """Return the starting state of an adhesive solution, whose gap is that of the same contact without adhesion.
+    """Return the starting state of an adhesive solution, whose gap is the gap of the same contact without adhesion.
 
     heights: (rows, columns) [m]. size: (y, x) [m]. load [N]; a pulling load starts from a light contact. work: work of adhesion
     [J/m2]. reach: range of attraction [m].

@@ -12,9 +12,8 @@ it by (1) and (2) in surfaces.theory.widened_area:
                     c = .655 - .071 ln alpha + .183 ln R
 
 alpha is Nayak's m0 m4/m2^2. R is the root of the ratio of the eigenvalues of the gradient tensor. Points are ranked from the
-highest, and r is the fraction of points above. F(A) is the rms gradient of the highest 2A of the map over that on the whole
-map. S(r) is [mean of s^m over ranks below r]^(1/m) with m = .783, where s(r) is the local gradient at rank r over h'; beyond r
-= 1 it stays 1.
+highest, and r is the fraction of points above. F(A) is the rms gradient of the highest 2A of the map over h'. S(r) is [mean of
+s^m over ranks below r]^(1/m) with m = .783, where s(r) is the local gradient at rank r over h'; beyond r = 1 it stays 1.
 
 The constants were fitted to the surfaces of the benchmark set with seeds 1 and 2 (truth.md); (2) and (3) only to its Gaussian
 isotropic ones. Errors on the surfaces with seeds 3 and 4, in % rms (largest), for p = .002 to .3: Gaussian isotropic (2) 6.6
@@ -44,7 +43,7 @@ class MapSlopes:
     gradient: rms gradient of the map [1]. alpha: Nayak's parameter. lay: ratio R of the largest to the smallest rms slope of
     all directions, >= 1. For the two arrays, all points are sorted from highest to lowest and divided into bins. ranks (bins,):
     fraction of all points that lie in the bins up to and including this one. squares (bins,): mean square gradient in each bin,
-    divided by that of the map.
+    divided by the mean square gradient of the map.
     """
 
     gradient: float
@@ -131,7 +130,8 @@ def _by_rank(heights, size, periodic):
     """Return the mean square gradient of points of about equal height, from the highest to the lowest: two arrays (bins,).
 
     All points are sorted from highest to lowest and divided into bins. The first array is the fraction of all points that lie
-    in the bins up to and including this one. The second is the mean square gradient in each bin, divided by that of the map.
+    in the bins up to and including this one. The second is the mean square gradient in each bin, divided by its mean over the
+    map.
     """
     square = np.zeros(heights.shape)
     for axis, length in enumerate(size):

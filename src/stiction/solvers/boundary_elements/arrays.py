@@ -60,7 +60,7 @@ def is_numpy(array: np.ndarray) -> bool:
 
 
 def namespace(array: np.ndarray) -> Any:
-    """Return the array API namespace of an array: NumPy itself, or that of another library."""
+    """Return the array API namespace of an array: NumPy itself, or the namespace of another library."""
     if is_numpy(array):
         return np
     from array_api_compat import array_namespace

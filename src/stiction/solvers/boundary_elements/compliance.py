@@ -81,7 +81,7 @@ class Film:
         return self.thickness / self.modulus * (1.0 + nu) * (1.0 - 2.0 * nu) / (1.0 - nu)
 
     def over_half_space(self, k: np.ndarray) -> np.ndarray:
-        """Return the compliance of the film on its substrate, divided by that of a half-space of film material.
+        """Return the compliance of the film on its substrate, divided by the compliance of a half-space of film material.
 
         This is (2) divided by 2/(E1* k), with the plane-strain modulus E1* of the film. k: wavenumbers > 0 [1/m], any shape.
         The result has the same shape.
@@ -109,7 +109,7 @@ class Film:
 
 
 def _near(y, _, k, one_less_lk, linear, constant):
-    """Return the compliance of a film over that of a half-space of film material by (3), accurate for y = 2 k t < 1.
+    """Return the compliance of a film over the compliance of a half-space of film material by (3), accurate for y = 2 k t < 1.
 
     k: wavenumber, t: film thickness. The other arguments are L (not used), K, 1 - LK, 1 + LK + 2K and (1 - L)(1 - K) of (2).
     """
@@ -121,7 +121,7 @@ def _near(y, _, k, one_less_lk, linear, constant):
 
 
 def _away(y, el, k, *_):
-    """Return the compliance of a film over that of a half-space of film material by (2), for y = 2 k t >= 1.
+    """Return the compliance of a film over the compliance of a half-space of film material by (2), for y = 2 k t >= 1.
 
     k: wavenumber, t: film thickness. el, k: the numbers L and K of (2).
     """

@@ -18,7 +18,7 @@ from stiction.surfaces.heightmap import HeightMap
 
 @dataclass(frozen=True)
 class MapCurve:
-    """Store the contacts of one map at several nominal pressures.
+    """Store the contacts of one map at a list of nominal pressures.
 
     contacts: in the order of the pressures; None for a load that an interruption left unsolved. every: sampling step; 2 means
     that every second point of each row and column was solved. of_map: quantities of the map that do not depend on load, by

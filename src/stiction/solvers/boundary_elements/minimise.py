@@ -13,17 +13,17 @@ unique. It meets the conditions of Karush, Kuhn & Tucker with an offset a and th
 
 `residual` measures how far (2) is from being met, so any solution can be checked by itself.
 
-The method is that of Polonsky & Keer: conjugate gradients over the points with 0 < p < H. Five changes make it converge also
+The method of Polonsky & Keer is used: conjugate gradients over the points with 0 < p < H. Five changes make it converge also
 where points flow, in a number of steps that hardly grows with the map. Equation numbers were not compared with print.
 
 - The gradient is divided by C(k) on these points and shifted to zero sum. Near full contact this is the solution.
 - The pressure gets its mean back by a shift of these points. A factor would raise it above H.
 - Directions are combined by the rule of Polak & Ribiere, also after points enter or leave contact (as in Bugnicourt et al.
   2018, Tribology Lett. 66, 29).
-- The energy must fall in each step. If not, a projected gradient step is taken, and shortened until the energy falls
-  (Bertsekas 1999, Nonlinear Programming, section 2.3; it converges from any start).
-- Steps are in single precision. At times the gap is computed anew in double precision (iterative refinement: Moler 1967,
-  J. ACM 14, 316). The reported `residual` is always in double precision.
+- The energy must fall in each step. If not, a projected gradient step is taken, and shortened until the energy falls (Bertsekas
+  1999, Nonlinear Programming, section 2.3; it converges from any start).
+- Steps are in single precision. At times the gap is computed anew in double precision (iterative refinement: Moler 1967, J. ACM
+  14, 316). The reported `residual` is always in double precision.
 
 Maps are arrays of NumPy, or of another library of `arrays`.
 """

@@ -1,8 +1,8 @@
 """Compute the normal displacement of a map from its pressure, by fast Fourier transforms.
 
 Periodic map: the transform of the pressure is multiplied by the compliance C(k) at the wavenumber k (Stanley & Kato 1997, J.
-Tribology 119, 481). The mean displacement of half-spaces under a periodic pressure is infinite. It is left out, so
-displacements have zero mean.
+Tribology 119, 481). The mean displacement of half-spaces under a periodic pressure is infinite. It is omitted, so displacements
+have zero mean.
 
 Mirrored map: a window of a larger surface, continued by mirror images along both axes. The period is twice the sides of the
 window. Pressure and displacement are even about every side, so cosine transforms of the window suffice.

@@ -3,9 +3,9 @@
     found = solve_map(surface.heights, surface.size, modulus=1e11, loads=[1.0, 10.0], periodic=True)
     found[-1].area, found[-1].separation, found.validity_warnings
 
-Assumptions: Slopes are small. There is no friction, and no adhesion except that of a liquid. Bodies are half-spaces, with or
-without a film. Plastic flow limits the pressure to the hardness, without hardening and without displaced volume. The contact at
-a load does not depend on earlier loads: each one is that of a first loading.
+Assumptions: Slopes are small. There is no friction, and no adhesion except by a liquid. Bodies are half-spaces, with or without
+a film. Plastic flow limits the pressure to the hardness, without hardening and without displaced volume. The contact at a load
+does not depend on earlier loads: every load is a first loading.
 """
 
 import math

@@ -3,9 +3,9 @@
 The coordinate is u = x^(1/4), with x = a^2/(R sigma), a the contact radius, R the asperity radius and sigma the rms height. A
 row of parameters holds ln n_E, per_root = (R sigma)^(1/4)/sqrt(t_1) with t_1 the thickness of one film, the strength of
 adhesion, and the coefficients of two or three of `solvers.layered.curves`. n_E is the contact modulus of the surfaces that meet
-over that of the bodies without films. With z = (q - 1)/(q + 1) and q = per_root u the coefficients give the sphere's moduli
-E_P, E_S and B, divided by the modulus of the bodies without a film, and D in the approach D a^2/R. Displacement, load,
-stiffness and area without adhesion are
+over the contact modulus of the bodies without films. With z = (q - 1)/(q + 1) and q = per_root u the coefficients give the
+sphere's moduli E_P, E_S and B, divided by the modulus of the bodies without a film, and D in the approach D a^2/R.
+Displacement, load, stiffness and area without adhesion are
 
     w_H = D u^4,  P_H = E_P u^6,  dP_H/dw_H = (3/2) E_S u^2,  A = u^4
 
@@ -14,9 +14,9 @@ the load is P_H minus the load of a flat punch, and the energy released at the c
 
     w = w_H - s u/sqrt(B),  P = P_H - (3/2) s E_S u^3/sqrt(B),  s = (2/3) sqrt(6 pi n_g/theta)
 
-theta is the adhesion index and n_g the work of adhesion with the film over that without. In SI units delta = delta_H -
-sqrt(4 pi a gamma/S'), P = P_H - S sqrt(4 pi a gamma/S'), S = 2 a E_S, S' = dS/da = 2 B (compare Barthel & Perriot 2007; the
-limit of short-ranged forces).
+theta is the adhesion index and n_g the work of adhesion with the film over that without. In SI units delta = delta_H - sqrt(4
+pi a gamma/S'), P = P_H - S sqrt(4 pi a gamma/S'), S = 2 a E_S, S' = dS/da = 2 B (compare Barthel & Perriot 2007; the limit of
+short-ranged forces).
 """
 
 import math
@@ -91,9 +91,8 @@ def _hertzian(u, row):
 def plain(u, *row):
     """Return displacement, its derivative by u, load and area of an asperity without adhesion or with DMT's.
 
-    u: coordinate, (a^2/(R sigma))^(1/4). row: parameters, the third of which is the pull that is subtracted from the load.
-    Displacements are over sigma, loads over K R^(1/2) sigma^(3/2) and areas over pi R sigma, with K = (4/3) E* of the bodies
-    without a film.
+    u: coordinate, (a^2/(R sigma))^(1/4). row: parameters; the third is the pull that is subtracted from the load. Displacements
+    are over sigma, loads over K R^(1/2) sigma^(3/2) and areas over pi R sigma, with K = (4/3) E* of the bodies without a film.
     """
     _, _, E_P, D, _, approach_slope = _hertzian(u, row)
     u3 = u * u * u
@@ -134,8 +133,8 @@ def parted(u, row):
 def edged(u, *row):
     """Return displacement, its derivative by u, load and area of an asperity with JKR's adhesion.
 
-    u: coordinate, (a^2/(R sigma))^(1/4). row: parameters, the third of which is the strength of adhesion s. Displacements are
-    over sigma, loads over K R^(1/2) sigma^(3/2) and areas over pi R sigma, with K = (4/3) E* of the bodies without a film.
+    u: coordinate, (a^2/(R sigma))^(1/4). row: parameters; the third is the strength of adhesion s. Displacements are over
+    sigma, loads over K R^(1/2) sigma^(3/2) and areas over pi R sigma, with K = (4/3) E* of the bodies without a film.
     """
     z, by_u, E_P, D, load_slope, approach_slope = _hertzian(u, row)
     softness, softness_slope = _edge(z, by_u, row)

@@ -19,7 +19,7 @@ class Bodies(NamedTuple):
 
     pair: the films, with their fractions of the elastic compliance. coated: elastic constants of each coated body.
     film_modulus: plane-strain modulus of the film over the contact modulus of the bodies without films. bare_share: compliance
-    of the body without a film over that of both bodies without films. bare_nu: its Poisson's ratio.
+    of the body without a film over the compliance of both bodies without films. bare_nu: its Poisson's ratio.
     """
 
     pair: Pair
@@ -42,17 +42,18 @@ def per_root(groups: Groups) -> np.ndarray:
 def columns_of(groups: Groups) -> np.ndarray:
     """Return the six groups (6, n) on which the elastic constants of the coated bodies of n contacts depend.
 
-    Their rows are: contact modulus of the surfaces over that of the bodies without films, number of films, fraction of the
-    compliance without films that belongs to the coated (first) body, and Poisson's ratios of film, coated body and counterbody.
+    Their rows are: contact modulus of the surfaces over the contact modulus of the bodies without films, number of films,
+    fraction of the compliance without films that belongs to the coated (first) body, and Poisson's ratios of film, coated body
+    and counterbody.
     """
     return np.stack([np.broadcast_to(getattr(groups, name), len(groups)) for name in _NAMED])
 
 
 def film_share(given: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the films' fraction of the elastic compliance, and their modulus over that of the body below: (n,) each.
+    """Return the films' fraction of the elastic compliance, and their modulus over the modulus of the body below: (n,) each.
 
-    given: rows as returned by `columns_of`. The compliance is that of half-spaces of the two surface materials; the fraction is
-    1 if both bodies are coated. Raises InputError for impossible bodies.
+    given: rows as returned by `columns_of`. The compliance is the one of half-spaces of the two surface materials; the fraction
+    is 1 if both bodies are coated. Raises InputError for impossible bodies.
     """
     n_E, bodies, first = given[:3]
     single = bodies == 1.0

@@ -4,12 +4,12 @@ A pressure p cos(kx) on the bonded film displaces its surface by u = C(k) p cos(
 
     C = (2/(E1 k)) c(x),  c = [1 + 4 x K e - L K e^2] / [1 - (L + K + 4 K x^2) e + L K e^2],  e = exp(-2 x),
 
-E1 is the film's plane-strain modulus E/(1 - nu^2), and E2 that of the substrate. Source: the frequency response of a layered
-half-space of Nogi & Kato (1997) and O'Sullivan & King (1988), taken from secondary sources. It was derived again from the
-continuity of displacements and tractions at the interface (reference/make_layered.py solves these six equations for one wave at
-a time). L and K depend on the elastic constants through Dundurs' two parameters only (Dundurs 1969): K = (alpha - beta)/(1 -
-beta), L = (alpha + beta)/(1 + beta). c tends to 1 for short waves, which depend on the film alone, and to E1/E2 for long waves,
-which depend on the substrate alone.
+E1 and E2 are the plane-strain moduli E/(1 - nu^2) of film and substrate. Source: the frequency response of a layered half-space
+of Nogi & Kato (1997) and O'Sullivan & King (1988), taken from secondary sources. It was derived again from the continuity of
+displacements and tractions at the interface (reference/make_layered.py solves these six equations for one wave at a time). L
+and K depend on the elastic constants through Dundurs' two parameters only (Dundurs 1969): K = (alpha - beta)/(1 - beta), L =
+(alpha + beta)/(1 + beta). c tends to 1 for short waves, which depend on the film alone, and to E1/E2 for long waves, which
+depend on the substrate alone.
 
 Without friction both bodies bear the same pressure and their displacements add. The compliance of a contact is therefore the
 sum of the two compliances. This is exact for an elastic counterbody, and for films on two different bodies.
@@ -25,8 +25,8 @@ class Layer:
     """Describe a film on one of the two bodies.
 
     share: fraction of the compliance of the two surface materials (as half-spaces) that belongs to this film's material, above
-    0, at most 1. ratio: plane-strain modulus of the film over that of the body below, finite; 0 if that body is rigid. excess:
-    4 beta - alpha with Dundurs' parameters alpha and beta, -1 to 1; it holds the effect of Poisson's ratios.
+    0, at most 1. ratio: ratio of the plane-strain moduli of film and body below, finite; 0 if that body is rigid. excess: 4
+    beta - alpha with Dundurs' parameters alpha and beta, -1 to 1; it holds the effect of Poisson's ratios.
     """
 
     share: float
@@ -37,8 +37,8 @@ class Layer:
     def of(cls, share: float, ratio: float, nu: float, nu_below: float) -> "Layer":
         """Return a layer with Poisson's ratios nu of the film and nu_below of the body below, each 0 to 0.5.
 
-        share: the film's fraction of the compliance of the two surface materials. ratio: plane-strain modulus of the film over
-        that of the body.
+        share: the film's fraction of the compliance of the two surface materials. ratio: ratio of the plane-strain moduli of
+        film and body.
         """
         return cls(share, ratio, float(poisson_excess(ratio, nu, nu_below)))
 
@@ -61,10 +61,10 @@ def poisson_excess(ratio, nu, nu_below):
 
 
 def _film(x: np.ndarray, ratio: float, excess: float) -> np.ndarray:
-    """Return the compliance c(x) of a film on a body over that of a half-space of film material.
+    """Return the compliance c(x) of a film on a body over the compliance of a half-space of film material.
 
-    x: wavenumber times film thickness. ratio: plane-strain modulus of the film over that of the body. excess: 4 beta - alpha
-    with Dundurs' parameters.
+    x: wavenumber times film thickness. ratio: ratio of the plane-strain moduli of film and body. excess: 4 beta - alpha with
+    Dundurs' parameters.
     """
     alpha = (ratio - 1.0) / (ratio + 1.0)
     beta = (excess + alpha) / 4.0
@@ -76,7 +76,7 @@ def _film(x: np.ndarray, ratio: float, excess: float) -> np.ndarray:
 def compliance(x: np.ndarray, pair: Pair) -> np.ndarray:
     """Return the elastic compliance (n,) of two coated bodies at the wavenumbers k = x/t, for x (n,).
 
-    t is the thickness of one film. The compliance is divided by that of half-spaces of the two surface materials.
+    t is the thickness of one film. It is divided by the compliance of half-spaces of the two surface materials.
     """
     total = np.full(np.shape(x), 1.0 - sum(layer.share for layer in pair))
     for layer in pair:
@@ -85,7 +85,7 @@ def compliance(x: np.ndarray, pair: Pair) -> np.ndarray:
 
 
 def modulus_without_film(pair: Pair) -> float:
-    """Return the contact modulus of the bodies without films, divided by that of half-spaces of the surface materials.
+    """Return the contact modulus of the bodies without films, divided by the one of half-spaces of the surface materials.
 
     It is infinite if both bodies are rigid.
     """

@@ -56,7 +56,8 @@ def curves(pair: Pair) -> np.ndarray:
 def fit(solved: np.ndarray, below: float) -> np.ndarray:
     """Fit the coefficients (CURVES, TERMS) of the curves ln E_P, ln D and ln B to exact solutions at the contact radii RADII.
 
-    solved: fields of `sphere.Response` (radii, 7). below: contact modulus without films, over that of the surface materials.
+    solved: fields of `sphere.Response` (radii, 7). below: contact modulus without films over the contact modulus of the surface
+    materials.
     """
     at = {name: column for name, column in zip(Response._fields, solved.T, strict=True)}
     ends = {"load": np.log(below), "approach": 0.0, "edge": np.log(below)}

@@ -45,7 +45,7 @@ Forms = tuple[np.ndarray, ...]
 class Yield(NamedTuple):
     """Store where a coated body first yields, and how high the stress there is, at mean pressure 1 and a given traction.
 
-    excess: von Mises stress at this place, divided by the ratio of the yield stress of the material there to that of the body.
+    excess: von Mises stress at this place, divided by the ratio of the yield stresses of the material there and of the body.
     where: "film", "interface" (either side) or "body". x: position ahead of the axis, in the direction of the traction. z:
     depth below the surface. x and z are divided by the contact radius.
     """
@@ -59,7 +59,7 @@ class Yield(NamedTuple):
 def first_yield(stresses: Stresses, traction: float, film_strength: float = 1.0) -> Yield:
     """Locate first yield in a coated body under a pressure and a traction of `traction` times this pressure.
 
-    stresses: stresses in the body under a sphere. traction: >= 0. film_strength: yield stress of the film over that of the body
+    stresses: stresses in the body under a sphere. traction: >= 0. film_strength: ratio of the yield stresses of film and body
     below.
     """
     candidates = []
@@ -176,7 +176,7 @@ def _alone(nu: float) -> Radial:
 
 
 def stretched(below: Radial, body: CoatedBody) -> Radial:
-    """Return the stresses in a very thin film, whose strain along the surface is that of the surface below it.
+    """Return the stresses in a very thin film, which is strained along the surface like the surface below it.
 
     below: stresses in the body without a film, at depths that begin with 0. body: elastic constants of film and body.
     """

@@ -29,8 +29,8 @@ _FILE = "curves.npz"
 def curves_of_films(share: np.ndarray, ratio: np.ndarray, excess: np.ndarray) -> np.ndarray:
     """Return the response curves of n films, each on one body, as coefficients (n, CURVES, TERMS) of `curves`.
 
-    share, ratio, excess (n,): the film's fraction of the compliance, its modulus over that of the body below, and 4 beta -
-    alpha with Dundurs' parameters, as in `compliance.Layer`.
+    share, ratio, excess (n,): the film's fraction of the compliance, its modulus over the modulus of the body below, and 4 beta
+    - alpha with Dundurs' parameters, as in `compliance.Layer`.
     """
     places = np.stack([np.log(ratio) / _RANGE, excess, 2.0 * _together(share, ratio) - 1.0], axis=1)
     tabled = np.abs(places[:, 0]) <= 1.0
@@ -45,7 +45,7 @@ def curves_of_films(share: np.ndarray, ratio: np.ndarray, excess: np.ndarray) ->
 def _together(share, ratio):
     """Return the table coordinate v = sqrt(r) W/(1 - W + sqrt(r) W), for arrays or numbers.
 
-    share: the film's fraction W of the compliance. ratio: modulus r of the film over that of the body below.
+    share: the film's fraction W of the compliance. ratio: ratio r of the moduli of film and body below.
     """
     root = np.sqrt(ratio)
     return root * share / (1.0 - share + root * share)

@@ -41,8 +41,9 @@ class Waves:
     """Store the amplitudes of waves in film and body, for wavenumbers x = k t (m,), with the film thickness t.
 
     z is the depth times k, y = x - z the distance from the interface upwards, s = z - x downwards. added (4, 2, m): factors of
-    exp(-z), z exp(-z), exp(-y) and y exp(-y) in the stress function that the film adds to that of a half-space. The second axis
-    is (pressure, shear along the wave). below (2, 2, m): factors of exp(-s) and s exp(-s) in the stress function of the body.
+    exp(-z), z exp(-z), exp(-y) and y exp(-y) in the stress function that the film adds to the one of a half-space. The second
+    axis is (pressure, shear along the wave). below (2, 2, m): factors of exp(-s) and s exp(-s) in the stress function of the
+    body.
 
     across, across_below (m,): displacements under shear across the wave, times the shear modulus of film or body. across is the
     factor of exp(-y) + exp(-y - 2 z), added to the exp(-z) of a half-space. across_below is the factor of exp(-s) in the body.
@@ -103,7 +104,7 @@ def waves(x: np.ndarray, body: CoatedBody) -> Waves:
 
 
 def film_function(waves: Waves, depth: float) -> np.ndarray:
-    """Return the stress function F that a film adds to that of a half-space, at one depth, with F' and F'': (3, 2, m).
+    """Return the stress function F that a film adds to the one of a half-space, at one depth, with F' and F'': (3, 2, m).
 
     depth: divided by the film thickness, 0 to 1. The second axis is (pressure, shear), the third the m waves.
     """

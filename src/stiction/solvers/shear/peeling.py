@@ -7,14 +7,14 @@ Fract. Mech. 9, 931):
 
     G_T = c q s/2                                                                                                         (1)
 
-q is the traction of the point, and s the slip of its neighbours outside the contact. The constant c is that of discs of radius
-a, whose mean G_T is beta T^2/(32 pi a^3) with the tangential compliance beta (Savkoor & Briggs 1977): within 3 % at radii of 6
-to 40 points. Pixels make G_T uneven, so it is smoothed along the edge over a few points. Every point of the map takes G_T of
-the nearest point of the edge. Contact and shear are solved alternately until the area stays. In these iterations the contact
-only shrinks.
+q is the traction of the point, and s the slip of its neighbours outside the contact. The constant c was determined for discs of
+radius a, whose mean G_T is beta T^2/(32 pi a^3) with the tangential compliance beta (Savkoor & Briggs 1977): within 3 % at
+radii of 6 to 40 points. Pixels make G_T uneven, so it is smoothed along the edge over a few points. Every point of the map
+takes G_T of the nearest point of the edge. Contact and shear are solved alternately until the area stays. In these iterations
+the contact only shrinks.
 
 `peel_map` applies given forces to a contact that sticks. `slide_and_peel` shifts a contact whose points slip at their strength;
-G_T is still that of a contact that sticks under the same force, as in the closed forms.
+G_T is still computed for a contact that sticks under the same force, as in the closed forms.
 """
 
 from collections.abc import Callable, Sequence

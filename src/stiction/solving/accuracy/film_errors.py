@@ -170,7 +170,7 @@ def on_other_kinds(problem: Problem, place: ContactFeatures, found: ErrorsNear, 
         levels = np.nan_to_num(more.levels) * of_elastic[:, None]
         apart.append(levels - middle[:, None])
         shift = shift + middle
-    middle = np.where(loaded, found.middle + shift if place.kind_known else found.middle, np.nan)  # unknown where nothing touches
+    middle = np.where(loaded, found.middle + shift if place.kind_known else found.middle, np.nan)  # NaN without contact
     largest = np.take_along_axis(np.array(apart), np.abs(apart).argmax(axis=0)[None], axis=0)[0]
     levels = middle[:, None] + np.sign(largest) * np.sqrt(np.sum(np.square(apart), axis=0))
     relative = np.hypot(found.relative, bare.relative)

@@ -1,7 +1,7 @@
 """Estimate the error of a model at a contact from its errors on similar surfaces whose contact was solved.
 
 The benchmark set (docs/explanation/truth.md) holds the solved contact area of many surfaces, and the area by every model and
-asperity method, at several mean pressures, hardnesses and films. The errors of each surface are interpolated to the pressure
+asperity method, at a range of mean pressures, hardnesses and films. The errors of each surface are interpolated to the pressure
 and hardness of the contact, both over E* h' (h': rms slope), and then averaged over the surfaces with the weight exp(-d^2/2).
 The distance d counts differences in Nayak's alpha and, for a map, in skewness, lay and the slope of its top. For a contact
 given by numbers the kind of surface is not known: its mean error is computed over Gaussian surfaces, for which models are
@@ -296,7 +296,7 @@ def _map_area(surface: "HeightMap") -> "MapArea":
 def _none_but_own(found: ErrorsNear) -> ErrorsNear:
     """Return errors of zero at distance zero, for a solution of the map; its discretisation error is added later.
 
-    found: errors, of which the shapes and other fields are used.
+    found: errors, from which the shapes and the other fields are copied.
     """
     nothing = np.zeros_like(found.distance)
     each = {name: nothing for name in ("relative", "middle", "distance")}

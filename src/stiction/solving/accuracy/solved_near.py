@@ -163,7 +163,7 @@ def differences(known: SolvedSet, place: ContactFeatures) -> list[Difference]:
 
 
 def _of_stated(known: SolvedSet, name: str, ours: float) -> Difference:
-    """Return the difference between a stated statistic and that of every solved surface (s,).
+    """Return the difference between a stated statistic and the statistic of every solved surface (s,).
 
     name: of the statistic. ours: its stated value. The texture aspect ratio (Str) of a stretched isotropic surface is one over
     its lay.
