@@ -106,7 +106,7 @@ PRINTING = {
     "design": (SILVER + DESIGN, "design CASE"),
     "film": (STICKY + 'model = "soft_coating_2015"\n', "film CASE"),
     "fit of a prediction": (CASE, "fit CASE --data DATA"),
-    "fit of free numbers": (STICKY + FIT, "fit CASE --data DATA --out OUT"),
+    "fit of free parameters": (STICKY + FIT, "fit CASE --data DATA --out OUT"),
     "fit": (
         CASE.replace('interface = "oxidised metal"', 'interfacial_shear_strength = "100 MPa"') + NAMED + FIT,
         "fit CASE --data DATA",

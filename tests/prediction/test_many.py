@@ -91,9 +91,20 @@ def test_a_contact_that_is_refused_leaves_the_others():
     areas = ["1 cm^2", "1e-11 m^2", "2 cm^2"]
     found = st.predict({"contact": BARE | {"nominal_area": areas}, "solve": {"load": ["1 N"]}})
     assert np.isfinite(found.friction_coefficient.values.ravel()).tolist() == [True, False, True]
-    assert found.attrs["refused"] == 1
+    assert found.attrs["refused"] == 1 and found.attrs["why_refused"].startswith("load: '1 N'")
     with refusal("load", "1 N", "9.43 mN"):
         st.predict({"contact": BARE | {"nominal_area": ["1e-11 m^2", "2e-11 m^2"]}, "solve": {"load": ["1 N"]}})
+
+
+def test_a_swept_number_of_the_harder_body_leaves_the_same_prediction():
+    """The yield stress of a harder body changes nothing, whether its hardness is uncertain or not."""
+    soft = {"youngs_modulus": "87 MPa", "poissons_ratio": 0.39, "hardness": "3.6 MPa"}
+    hard = {"youngs_modulus": "8.7 GPa", "poissons_ratio": 0.23, "hardness": {"low": "0.8 GPa", "high": "0.82 GPa"}}
+    hard |= {"yield_stress": {"values": ["266 MPa", "531 MPa"], "along": "place"}}
+    contact = BARE | {"first": hard, "second": soft}
+    mu = st.predict({"contact": contact, "solve": {"load": ["10 N"]}, "uncertainty": {}}).friction_coefficient
+    assert mu.sizes["place"] == 2 and float(mu.min()) > 0.0
+    np.testing.assert_allclose(mu.isel(place=0), mu.isel(place=1), rtol=1e-12)
 
 
 def test_arrays_of_python_are_predicted_too():

@@ -1,5 +1,6 @@
 """Build the terminal table of a parameter sweep: a row for each combination of parameters, mu at some of the loads."""
 
+import math
 from itertools import product
 from typing import TYPE_CHECKING
 
@@ -82,6 +83,7 @@ def swept_table(data: "xarray.Dataset", all_rows: bool = False) -> Table:
         for column in columns:
             cell = results.isel(place | ({points: column} if points else {}))
             text = shown(float(cell[name]), name, 2 if intervals else 4)
-            cells.append(f"{text} ({span(cell, name)})" if intervals else text)
+            has_interval = intervals and math.isfinite(cell[name])
+            cells.append(f"{text} ({span(cell, name)})" if has_interval else text)
         rows.append(cells)
     return Table(numbers(*heads), rows)

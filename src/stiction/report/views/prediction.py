@@ -78,8 +78,10 @@ def _swept_view(case: "Case", data: "xarray.Dataset", details: bool) -> View:
     def parts() -> Iterator[Any]:
         if case.title:
             yield Text(case.title, style="bold")
-        refused = f"; {data.attrs['refused']} refused" if data.attrs["refused"] else ""
-        yield f"mu with its {data.attrs['level']:.0%} interval; {data.attrs['draws']} samples of each contact{refused}"
+        yield f"mu with its {data.attrs['level']:.0%} interval; {data.attrs['draws']} samples of each contact"
+        if refused := data.attrs["refused"]:
+            why = data.attrs["why_refused"]
+            yield f"{refused} of {data['friction_coefficient'].size} points refused" + (f", for example: {why}" if why else "")
         yield swept_table(data, details)
 
     files = {"curve.csv": partial(write_csv, data, comments=_comments(case, data))}

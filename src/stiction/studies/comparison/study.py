@@ -1,4 +1,4 @@
-"""Compare all applicable models on one contact; the prediction is shown above them.
+"""Compare all models that apply to one contact, below its prediction.
 
 Models that agree share a row. The table states whether the contact fits a model, and why not, and the mean error of the
 model's area on benchmark surfaces near this contact. If the contact states an interfacial_shear_strength, models of contact

@@ -1,6 +1,6 @@
 """Fit numbers of a case to measured friction, pull-off force, contact area or resistance.
 
-The table [fit.free] of the case names the free numbers, each with its low and high end. A case that names no model is
+The table [fit.free] of the case names the free parameters, each with its low and high end. A case that names no model is
 predicted: samples count by how well they agree with the measured values. For a case that names a model, 95 % intervals follow
 from the profile likelihood, and the output states what the data do not determine. --out writes fitted.toml, a case file for
 `stiction run`, with pictures and tables. If interrupted after the model is fitted, the command keeps this fit.
@@ -37,4 +37,4 @@ def _run(plan: tuple[Any, ...], progress: Any) -> tuple[Any, ...]:
     return run_fit(plan_of_fit(case, data), progress), out
 
 
-STUDY = Study("fit", __doc__, "Case file with a table [fit] that names the free numbers.", _plan, _run)
+STUDY = Study("fit", __doc__, "Case file with a table [fit] that names the free parameters.", _plan, _run)

@@ -22,4 +22,4 @@ class Fit(Input):
     specific_contact_resistance: str | None = Field(None, description='text with a unit, e.g. "1e-12 ohm m^2"')
 
 
-TABLE = (Fit, "free numbers of `stiction fit`")
+TABLE = (Fit, "free parameters of `stiction fit`")

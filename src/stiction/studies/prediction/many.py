@@ -169,8 +169,9 @@ def predict_swept(case: Case, level: float = 0.9) -> "xarray.Dataset":
     """Return the predictions of a case with swept numbers, over their dimensions and the loads.
 
     level: coverage probability of the intervals. Variables are named as in `predict`. Refused points, each a contact at a load,
-    are NaN; the attribute `refused` is their number. The attribute `draws` is the number of samples per contact. Raises
-    InputError if the case has separations instead of loads, or if all points are refused.
+    are NaN; the attribute `refused` is their number, `why_refused` the reason for the first of them. The attribute `draws` is
+    the number of samples per contact. Raises InputError if the case has separations instead of loads, or if all points are
+    refused.
     """
     import xarray
 
@@ -192,4 +193,20 @@ def predict_swept(case: Case, level: float = 0.9) -> "xarray.Dataset":
     coords = coordinates(case.subject.arrays())
     coords["load"] = xarray.Variable("load", case.load, {"units": "N", "long_name": "load"})
     attributes = {"level": level, "draws": count, "refused": refused, "model": RECOMMENDED}
+    if refused:
+        missing = np.argwhere(np.isnan(tables["friction_coefficient"][1]))[0]
+        attributes["why_refused"] = _why_refused(case, {dim: slice(at, at + 1) for dim, at in zip(sizes, missing, strict=True)})
     return xarray.Dataset(tables, coords=coords, attrs=attributes | ({"case": case.title} if case.title else {}))
+
+
+def _why_refused(case: Case, place: Region) -> str:
+    """Return the reason why the contact and load at this place of a swept case are refused; "" if they are answered alone."""
+    import xarray
+
+    loads = xarray.DataArray(case.load, dims=("load",))
+    numbers = {path: part_of(value, place) for path, value in case.swept.items()}
+    try:
+        _together(case, numbers, part_of(loads, place), tuple(case.uncertain), 0.9, COUNT)
+    except (InputError, ArithmeticError) as error:
+        return str(error)
+    return ""

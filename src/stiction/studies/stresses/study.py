@@ -1,4 +1,4 @@
-"""Compute the stresses in a film: where film, interface or body yields first, and what peels the film off.
+"""Compute the stresses in a film: where film, interface or body yields first, and the stresses that peel the film off.
 
 The stresses are those of an elastic sphere on a film, pressed and dragged, with the size and load of the mean touching
 asperity. The film law is always `layered`. Tension and shear at the interface are divided by the yield stress and the shear

@@ -4,7 +4,7 @@ One model may solve all samples, or each sample may have its own model.
 """
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -167,6 +167,19 @@ def _layout(case: Case, variants: Sequence[Variant], names: Sequence[str]) -> Dr
     return draws
 
 
+def _extend(draws: Draws, name: str, sizes: Mapping[str, int]) -> None:
+    """Add the dimensions that samples of a result have and the nominal contact lacks.
+
+    The nominal result lacks the dimension of a swept number that only one body has, if the other body decides. sizes: length of
+    each dimension of the samples.
+    """
+    table, dims = draws.tables[name], draws.dims[name]
+    if more := [dim for dim in sizes if dim not in (SAMPLE, *dims)]:
+        shape = (*table.shape, *(sizes[dim] for dim in more))
+        draws.tables[name] = np.broadcast_to(table[(..., *[np.newaxis] * len(more))], shape).copy()
+        draws.dims[name] = (*dims, *more)
+
+
 def _keep(draws: Draws, rows: np.ndarray, solved: BatchResult | None) -> None:
     if solved is None:
         draws.validity_warnings[WHY_NOT[0]] += len(rows) * draws.points
@@ -179,7 +192,8 @@ def _keep(draws: Draws, rows: np.ndarray, solved: BatchResult | None) -> None:
             values = np.where(impossible, np.nan, values) if tuple(dims) == points else values
             wanted = draws.dims[name]  # the dimension of separations is called "separation" where sigma is sampled
             have = ["mean_separation" if dim == "separation" and dim not in wanted else dim for dim in dims]
-            draws.tables[name][rows] = arranged(values, have, (SAMPLE, *wanted))
+            _extend(draws, name, dict(zip(have, values.shape, strict=True)))
+            draws.tables[name][rows] = arranged(values, have, (SAMPLE, *draws.dims[name]))
     times = len(rows) * draws.points // bits.size
     draws.impossible += times * int(impossible.sum())
     for bit, text in enumerate(meanings_of(solved.rules)):
