@@ -1,13 +1,14 @@
 """LIGGGHTS: friction coefficient and cohesion energy density of two spheres, as variables of an input script.
 
-Document: LIGGGHTS-PUBLIC, "gran cohesion sjkr2" (force k A with A = 2 pi delta 2 R*; by default the tangential model sees
-Hertz's force without it) and "gran tangential no_history" (limit mu F_n). With the force P_c (2 x^3 - 3 x^2), where x^2 is
-the overlap over that of the largest tension P_c:
+Document: LIGGGHTS-PUBLIC, "gran cohesion sjkr2" and "gran tangential no_history". The cohesion force is k A, with the cohesion
+energy density k, the area A = 2 pi delta 2 R*, the overlap delta and the effective radius R*. By default the tangential model
+limits friction to mu times Hertz's force, without the cohesion force. Let P_c be the largest tension, and x^2 the overlap over
+the overlap at this tension. The normal force is then P_c (2 x^3 - 3 x^2), and
 
-    k^3 = 9 w E*^2/(32 pi^2 R*),    x = 1/2 + cosh(arcosh(1 + 2 P/P_c)/3),    Hertz's force 2 P_c x^3.
+    k^3 = 9 w E*^2/(32 pi^2 R*),    x = 1/2 + cosh(arcosh(1 + 2 P/P_c)/3),    Hertz's force 2 P_c x^3
 
-So P_c is JKR's pull-off force, and mu times Hertz's force is the predicted friction force at the stated load. For a sphere on
-a wall LIGGGHTS takes half of A, so k is twice as large there.
+for a P_c that is JKR's pull-off force. mu is chosen such that mu times Hertz's force is the predicted friction force at the
+stated load P. For a sphere on a wall LIGGGHTS takes half of A, so k must be twice as large there.
 """
 
 from math import acosh, cbrt, cosh, pi
