@@ -1,4 +1,4 @@
-"""Name the types of the arguments of public functions, for editors and type checkers."""
+"""Define type aliases for the arguments of public functions, for editors and type checkers."""
 
 from os import PathLike
 from typing import TYPE_CHECKING, Protocol, TypeAlias
@@ -11,18 +11,18 @@ if TYPE_CHECKING:
 
 
 class HasUnit(Protocol):
-    """Describe a number or array that carries a unit, such as a quantity of the package pint."""
+    """Describe, for type checkers, a number or array that carries a unit, such as a quantity of the package pint."""
 
     @property
     def magnitude(self) -> object:
-        """Return the number or the array."""
+        """Return the number or the array without its unit."""
 
     @property
     def units(self) -> object:
-        """Return the unit."""
+        """Return the unit of the number or array."""
 
 
-# A number in SI units, a text with a unit ("48 nm"), a sequence of these, an array (NumPy, pandas, xarray), or pint's.
+# A number in SI units, a text with a unit ("48 nm"), a sequence of these, an array (NumPy, pandas, xarray), or a pint quantity.
 QuantityLike: TypeAlias = ArrayLike | HasUnit
 # A number in SI units, or numbers of a parameter sweep along named dimensions.
 NumberOrArray: TypeAlias = "float | xarray.DataArray"

@@ -1,4 +1,4 @@
-"""Manage the cache on disk: files that are slow to compute and can be computed again."""
+"""Write files to the cache on disk, and delete old ones; the cache holds results that can be computed again."""
 
 import os
 import time
@@ -16,15 +16,19 @@ _UNUSED = 90 * 24 * 3600.0  # seconds after which a file that nobody used is del
 
 
 def cache_folder(part: str) -> Path:
-    """Return the folder of one part of the cache; the environment variable STICTION_CACHE_DIR sets the parent folder."""
+    """Return the folder of one part of the cache on disk.
+
+    part: name of the subfolder, such as "points". Its parent is the path in the environment variable STICTION_CACHE_DIR, or
+    else the user's cache folder for stiction. The folder is not created.
+    """
     root = os.environ.get("STICTION_CACHE_DIR") or platformdirs.user_cache_dir("stiction", appauthor=False)
     return Path(root) / part
 
 
 def is_private(folder: Path) -> bool:
-    """Return whether only this user can write to a folder.
+    """Return whether only the user who runs this process can write to a folder.
 
-    Also return True if the folder does not exist, and on systems that have no file owners (Windows).
+    The result is also True if the folder does not exist, and on systems without file owners (Windows).
     """
     try:
         about = folder.stat()
@@ -34,11 +38,15 @@ def is_private(folder: Path) -> bool:
 
 
 def keep_file(path: Path, write: Callable[[BinaryIO], object], most: int) -> None:
-    """Write a file to the cache, and delete old files that have the same suffix.
+    """Write a file to the cache, then delete old cache files with the same suffix in the same folder.
 
-    write: function that writes the content to an open binary file. most: largest total size of such files in bytes. Files
-    unused for 90 days are deleted too. The file is written completely or not at all. A full disk or missing permission gives a
-    notice, not an error: results do not depend on the cache.
+    - path: path of the file
+    - write: function that writes the content to an open binary file
+    - most: largest total size [bytes] of the files with this suffix; the least recently used files are deleted first
+
+    Files unused for 90 days are deleted too; the modification time counts, which readers of the cache renew. The file is
+    written completely or not at all. If it cannot be written, for instance because the disk is full, the user gets a notice and
+    no error.
     """
     part = path.with_suffix(f".{uuid.uuid4().hex}")
     try:
@@ -57,8 +65,8 @@ def keep_file(path: Path, write: Callable[[BinaryIO], object], most: int) -> Non
 def _delete_oldest(path: Path, most: int) -> None:
     """Delete cache files that were unused for 90 days, and the least recently used ones beyond a total of `most` bytes.
 
-    path: a file of the cache; only files in its folder with its suffix are deleted. Another process may delete the same files
-    at the same time.
+    path: a file of the cache; only files in its folder with the same suffix are counted and deleted. Files that another process
+    has already deleted are skipped.
     """
     known = []
     for file in path.parent.glob(f"*{path.suffix}"):

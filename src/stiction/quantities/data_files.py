@@ -1,10 +1,10 @@
-"""Read the data files of the package: TOML files with tables [KIND.NAME] and defaults for them at the top."""
+"""Read the data files of the package: TOML files with tables [KIND.NAME] and shared default entries at the top."""
 
 import tomllib
 from importlib import resources
 from typing import Any
 
-# Meaning of the grades of numbers.
+# How reliable a number in a data file is, by its grade.
 GRADES = {
     "A": "measured on such an interface or surface; the printed number was read",
     "B": "derived from printed numbers that were read; the spread is a judgement",
@@ -13,10 +13,14 @@ GRADES = {
 
 
 def read_tables(room: str, folder: str, kind: str) -> dict[str, dict[str, Any]]:
-    """Return the TOML tables [kind.NAME] of all files in a data folder, as a dict by NAME.
+    """Return the TOML tables [kind.NAME] of all files in a data folder, as a dict NAME -> table.
 
-    room: package that holds the folder, such as "contact". Entries at the top of a file are defaults for all tables in that
-    file; nested tables are merged field by field. Raises ValueError if a NAME occurs in two files.
+    - room: subpackage of stiction that contains the folder, such as "contact"
+    - folder: name of the folder, such as "material_data"
+    - kind: first part of the table names, such as "materials"
+
+    Entries at the top of a file are defaults for all tables in that file. A default that is itself a table is merged with the
+    table's own entry field by field. Raises ValueError if a NAME occurs in two files.
     """
     tables: dict[str, dict[str, Any]] = {}
     for file in sorted(resources.files(f"stiction.{room}").joinpath(folder).iterdir(), key=lambda file: file.name):

@@ -1,8 +1,8 @@
-"""Align and broadcast arrays with named dimensions, and attach their coordinates to results.
+"""Align and broadcast arrays with named dimensions, and attach coordinates to results.
 
-An array input is an xarray.DataArray with named dimensions and without indexes (`without_indexes`). xarray then matches arrays
-by the names of their dimensions alone, and never drops or sorts values. `coordinates` checks once, for all inputs together,
-that the arrays agree.
+An array input is an xarray.DataArray with named dimensions. `without_indexes` removes its indexes, so that xarray matches
+arrays by the names of their dimensions alone, and never drops or sorts values. `coordinates` checks for all inputs together
+that arrays with the same dimension agree on its length and its coordinate values.
 """
 
 from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
@@ -19,22 +19,26 @@ if TYPE_CHECKING:
 
 
 def without_indexes(array: Any) -> Any:
-    """Return the DataArray with its coordinates kept as plain variables, because xarray aligns arrays that have an index."""
+    """Return an xarray array without indexes; its coordinates stay as plain variables.
+
+    xarray aligns only arrays with indexes, which may drop or sort values. An array without indexes is returned unchanged.
+    """
     indexes = getattr(array, "xindexes", ())  # a Variable has none
     return array.drop_indexes(list(indexes)) if indexes else array
 
 
 def check_names(array: Any, field: str) -> None:
-    """Raise an InputError unless all dimension names of a DataArray are text."""
+    """Raise an InputError unless all dimension names of an xarray array are text; field: name of the input, for the error."""
     for dim in array.dims:
         if not isinstance(dim, str):
             raise InputError(field, InWords(f"dimension {dim!r}"), "dimension names that are text")
 
 
 def dimensions(values: Iterable[Any], first: Mapping[str, int] = MappingProxyType({})) -> dict[str, int]:
-    """Return the length of every dimension of the values, by name, in the order of first appearance.
+    """Return dimension name -> length for all dimensions of some arrays, in the order of first appearance.
 
-    first: dimensions that come first, with their lengths. Raises InputError if two values disagree about a length.
+    values: xarray arrays; values without dimensions (numbers, None) are ignored. first: dimensions and lengths that come first
+    in the result. Raises InputError if two arrays have different lengths along one dimension.
     """
     dims = dict(first)
     for value in values:
@@ -49,23 +53,33 @@ def dimensions(values: Iterable[Any], first: Mapping[str, int] = MappingProxyTyp
 
 
 def aligned(value: Any, dims: Mapping[str, int]) -> np.ndarray:
-    """Return the value as an array with its dimensions in the order of `dims`; missing dimensions get length 1."""
+    """Return a number or xarray array as a NumPy array whose axes are the dimensions `dims`, in this order.
+
+    dims: name -> length. A dimension that the value does not have becomes an axis of length 1; a number stays without axes.
+    """
     if not hasattr(value, "dims"):
         return np.asarray(value, dtype=float)
     return arranged(value.values, value.dims, dims)
 
 
 def arranged(values: np.ndarray, have: Sequence[Hashable], wanted: Iterable[str]) -> np.ndarray:
-    """Transpose an array from the dimensions `have` to the dimensions `wanted`; missing dimensions get length 1."""
+    """Return a NumPy array with its axes in another order.
+
+    values: array. have: names of its axes. wanted: names of the axes of the result, in order; an axis that `values` does not
+    have gets length 1.
+    """
     wanted, sizes = [*wanted], dict(zip(have, values.shape, strict=True))
     return values.transpose([have.index(dim) for dim in wanted if dim in sizes]).reshape([sizes.get(dim, 1) for dim in wanted])
 
 
 def in_columns(data: "xarray.Dataset", dim: str, part: str, text_of: Callable[[Any], str] = str) -> "xarray.Dataset":
-    """Return a dataset in which every point along the dimension `dim` has become a variable of its own.
+    """Return a dataset in which each point along the dimension `dim` has become a variable of its own, without that dimension.
 
-    With dim = part = "quantile", the variable mu_quantile becomes the variables mu_q05 and mu_q95: `part` in its name is
-    replaced. text_of: function that returns the text for one point, such as "q05".
+    - part: part of the variable's name that is replaced by the text for the point
+    - text_of: function that returns the text for a coordinate value along `dim`
+
+    Example with dim = part = "quantile": the variable mu_quantile becomes the variables mu_q05 and mu_q95, if text_of returns
+    "q05" and "q95".
     """
     for name in [str(name) for name in data.data_vars if dim in data[name].dims]:
         each = {name.replace(part, text_of(point.item())): data[name].sel({dim: point}).drop_vars(dim) for point in data[dim]}
@@ -74,9 +88,10 @@ def in_columns(data: "xarray.Dataset", dim: str, part: str, text_of: Callable[[A
 
 
 def flattened(values: Mapping[str, Any]) -> tuple[dict[str, np.ndarray | None], dict[str, int]]:
-    """Return values with named dimensions as flat arrays (n,) over all n combinations, and the length of each dimension.
+    """Return numbers and xarray arrays as flat arrays over all combinations of their dimensions, and dimension name -> length.
 
-    A value of None stays None.
+    values: name -> number, array or None. The first result maps each name to an array (n,) of floats, or to None for None; n is
+    the product of all lengths.
     """
     dims = dimensions(values.values())
     shape = tuple(dims.values())
@@ -88,11 +103,11 @@ def flattened(values: Mapping[str, Any]) -> tuple[dict[str, np.ndarray | None], 
 
 
 def coordinates(arrays: Iterable[tuple[str, Any]]) -> dict[str, Any]:
-    """Return the coordinates along all dimensions of the arrays, as name -> xarray.Variable.
+    """Return the coordinates along all dimensions of some input arrays, as name -> xarray.Variable.
 
-    arrays: pairs of the dotted name of an input and its DataArray. An array from `stiction.axis` is its own coordinate: its
-    values label the points of its dimension. If several such arrays share a dimension with another name, they vary together,
-    and each becomes a coordinate under its own name. Raises InputError if two arrays disagree about a dimension.
+    arrays: pairs (dotted name of the input, xarray.DataArray). An array made by `stiction.axis` is itself the coordinate of its
+    dimension. If several of these arrays, with different values, share a dimension, each becomes a coordinate named after its
+    own input. Raises InputError if two arrays differ in the length of a dimension or in its coordinate.
     """
     by_name: dict[str, Any] = {}
     own: dict[str, list[tuple[str, Any]]] = {}
@@ -121,16 +136,22 @@ def coordinates(arrays: Iterable[tuple[str, Any]]) -> dict[str, Any]:
 
 
 # xarray imports dask, pint and others to see whether an array belongs to them, which takes half of the time of a first result.
-# It does not ask with `fastpath`, nor of an index of pandas.
+# It skips this test with `fastpath`, and for a pandas index.
 def variable(dims: Sequence[str], values: "ArrayLike", attributes: Mapping[str, Any] | None = None) -> "xarray.Variable":
-    """Return an array with named dimensions and attributes as an xarray.Variable."""
+    """Return an array with named dimensions and attributes as an xarray.Variable.
+
+    dims: name of each axis. values: array or number. attributes: such as units and long_name, by name.
+    """
     import xarray
 
     return xarray.Variable(dims, np.asarray(values), attributes, fastpath=True)
 
 
 def coordinate(dim: str, values: np.ndarray, attributes: Mapping[str, Any] | None = None) -> "xarray.Variable":
-    """Return the coordinate values along one dimension as an xarray.Variable."""
+    """Return the values along one dimension, with attributes, as an xarray.Variable that can be used as a coordinate.
+
+    dim: name of the dimension. values: array (n,). attributes: such as units and long_name, by name.
+    """
     import pandas
     import xarray
 
@@ -138,9 +159,9 @@ def coordinate(dim: str, values: np.ndarray, attributes: Mapping[str, Any] | Non
 
 
 def labelled(value: Any, names: Mapping[str, Any]) -> Any:
-    """Return an xarray.Variable as a DataArray with those coordinates (name -> Variable) that lie along its dimensions.
+    """Return an xarray.Variable as a DataArray with coordinates; return a number unchanged.
 
-    A number is returned unchanged.
+    names: coordinate name -> xarray.Variable. Only coordinates whose dimensions are all among those of `value` are added.
     """
     if not hasattr(value, "dims"):
         return value
@@ -155,10 +176,14 @@ def _is_its_own(array: Any, dim: str) -> bool:
 
 
 def _own_coordinates(dim: str, several: list[tuple[str, Any]], named: bool) -> dict[str, Any]:
-    """Return the coordinates of several arrays that vary together along the dimension `dim`.
+    """Return name -> coordinate for input arrays that vary together along one dimension.
 
-    If all arrays are equal and the dimension has no coordinate yet (`named` is False), there is one coordinate, named after
-    the dimension. Otherwise each array becomes a coordinate under its own name.
+    - dim: name of the dimension
+    - several: pairs (dotted name of the input, xarray.Variable with its values)
+    - named: whether the dimension already has a coordinate with its name
+
+    If `named` is False and all arrays are equal, the only coordinate is named after the dimension. Otherwise each array becomes
+    a coordinate with the last part of its dotted name, or the full name where two inputs have the same last part.
     """
     values = [variable.values for _, variable in several]
     if not named and all(np.array_equal(array, values[0]) for array in values):

@@ -1,4 +1,4 @@
-"""Define the error that all bad user input raises, and the warning for unusual input."""
+"""Define the error that every unusable user input raises, and the warning for unusual input."""
 
 import difflib
 import re
@@ -9,11 +9,14 @@ _LONGEST = 80  # characters; a longer value is shown by both ends, because the e
 
 
 class InWords(str):
-    """Describe an input value in words; an error shows this text without quotes."""
+    """Mark a text as a description of an input value; an error shows this text without quotes."""
 
 
 def _short(value) -> str:
-    """Return a value as one line of text: quoted if it is text, "not given" if None, with its middle cut out if long."""
+    """Return an input value as one line of text for an error.
+
+    Text is quoted, None becomes "not given", and the middle of a line longer than 80 characters is replaced by "...".
+    """
     if value is None:
         return "not given"
     if isinstance(value, InWords):
@@ -65,7 +68,10 @@ class InputError(ValueError):
 
 @contextmanager
 def field_as(name: Callable[[str], str]) -> Iterator[None]:
-    """Within the context, rename the field of every InputError by the function `name`."""
+    """Within the context, replace the field name of every InputError that is raised.
+
+    name: function that maps the old field name to the new one.
+    """
     try:
         yield
     except InputError as error:
@@ -73,12 +79,18 @@ def field_as(name: Callable[[str], str]) -> Iterator[None]:
 
 
 def field_named(name: str) -> AbstractContextManager[None]:
-    """Return a context that replaces the field of every InputError by `name`; pass "" if the caller adds the full path."""
+    """Return a context that sets the field name of every InputError raised in it to `name`.
+
+    name: "" if the caller adds the full path of the field.
+    """
     return field_as(lambda field: name)
 
 
 def field_below(place: str) -> AbstractContextManager[None]:
-    """Return a context that puts the path `place` of a table before the field of every InputError."""
+    """Return a context that puts `place` and a dot before the field name of every InputError raised in it.
+
+    place: dotted path of a table, such as "contact.coating": the field "thickness" becomes "contact.coating.thickness".
+    """
     return field_as(lambda field: f"{place}.{field}".rstrip("."))
 
 
@@ -86,9 +98,10 @@ _MANY = 20  # known words, above which an error does not list them
 
 
 def nearest(word, known: Iterable[str]) -> str:
-    """Return the known words as text for an error, with the words most similar to `word` first.
+    """Return the words that are allowed, as text for an error, with those most similar to a misspelt word first.
 
-    Of more than 20 known words only the similar ones are listed, or the first three if none is similar.
+    word: the unknown word. known: the allowed words. If there are more than 20, only the similar ones are listed, or the first
+    three with the number of the others if none is similar.
     """
     known = list(known)
     plain = {name.casefold(): name for name in known}

@@ -1,4 +1,4 @@
-"""List the optional packages, the extra of the project that installs each, and raise a clear error if one is missing."""
+"""List the optional packages and the extra of stiction that installs each; raise an error if one is missing."""
 
 import sys
 from importlib.util import find_spec
@@ -6,7 +6,7 @@ from typing import Any
 
 from stiction.quantities.errors import InputError, InWords
 
-# The package that is imported -> the extra of pyproject.toml that brings it.
+# Name of the package in an import statement -> extra of pyproject.toml that installs it.
 EXTRA_OF = {
     "matplotlib": "pictures",
     "SurfaceTopography": "scans",
@@ -24,12 +24,15 @@ def installed(package: str) -> bool:
 
 
 def how_to_install(package: str) -> str:
-    """Return the command that installs a package of `EXTRA_OF`."""
+    """Return the pip command that installs an optional package; package: a key of EXTRA_OF, such as "matplotlib"."""
     return f"pip install 'stiction[{EXTRA_OF[package]}]'"
 
 
 def require(field: str, *packages: str) -> None:
-    """Raise an InputError unless all given packages of `EXTRA_OF` are installed; field: the input that needs them."""
+    """Raise an InputError, with the command that installs the package, unless all given optional packages are installed.
+
+    field: name of the input that needs the packages, for the error. packages: keys of EXTRA_OF, such as "matplotlib".
+    """
     missing = [package for package in packages if not installed(package)]
     if missing:
         raise InputError(
@@ -40,14 +43,14 @@ def require(field: str, *packages: str) -> None:
 def leave_out(package: str) -> None:
     """Make a package look uninstalled in this process, so that other libraries do not import it.
 
-    When xarray makes its first array, it imports dask and pint, only to check whether the array belongs to them. This takes
-    half of the start-up time of a command. `bring_back` makes the package available again.
+    If it is already imported, nothing changes. xarray imports dask and pint only to test whether an array belongs to them.
+    Hiding both halves the start-up time of a command. `bring_back` makes the package available again.
     """
     modules: dict[str, Any] = sys.modules
     modules.setdefault(package, None)
 
 
 def bring_back(package: str) -> None:
-    """Make a package available again after `leave_out`."""
+    """Make a package available again that `leave_out` has hidden; do nothing for other packages."""
     if sys.modules.get(package, sys) is None:
         del sys.modules[package]

@@ -25,10 +25,13 @@ _SCALE = re.compile(r"HV(?:\s*/?\s*\d+(?:\.\d+)?)?|HRC|HRB|HRA|HB[WS]?|HK", re.I
 
 
 def from_hardness_test(number: float, unit: str, text: str) -> float | None:
-    """Return the result of a hardness test in pascals, or None if the unit is not a hardness scale.
+    """Return the result of a hardness test as a pressure [Pa], or None if the unit is not a hardness scale.
 
-    The test force, as in "700 HV0.5", is ignored. Raises InputError for unsupported scales and for Rockwell C numbers outside
-    20 to 68.
+    - number: the measured number, such as 700
+    - unit: the scale, such as "HV", "HB" or "HRC"; the test force in "HV0.5" is ignored
+    - text: the whole input as the user wrote it, for the error
+
+    Raises InputError for an unsupported scale and for Rockwell C numbers outside 20 to 68.
     """
     if not _SCALE.fullmatch(unit):
         return None

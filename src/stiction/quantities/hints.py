@@ -1,4 +1,4 @@
-"""Suggest the intended unit or value at the end of an error."""
+"""Build the hint at the end of an input error that suggests the intended unit or spelling of a number."""
 
 import re
 
@@ -9,7 +9,10 @@ _PREFIXES = ("", "p", "n", "u", "m", "k", "M", "G")
 
 
 def with_a_point(text: str) -> str:
-    """Return a hint that rewrites a number with a decimal comma, or "" if the text has no decimal comma."""
+    """Return a hint on a number with a decimal comma: the same text with a decimal point; "" if `text` has no decimal comma.
+
+    For a number with more than one comma the hint is to write it without commas.
+    """
     number = _COMMA.match(text[:100])
     if number is None:
         return ""
@@ -19,10 +22,13 @@ def with_a_point(text: str) -> str:
 
 
 def meant(number: str, unit: str, quantity: Quantity) -> str:
-    """Return a hint that suggests the unit the user probably meant, or "" if there is no suggestion.
+    """Return a hint for an error that suggests the unit the user probably meant; "" if there is no suggestion.
 
-    The suggestion is a known unit that differs only in capital letters. If a pressure has no unit, the unit of the example in
-    the table of quantities is suggested.
+    - number, unit: the two parts of the text that the user wrote; unit is "" if missing
+    - quantity: the quantity that was expected
+
+    The suggestion is a unit of this quantity that differs from `unit` only in capital letters. For a pressure without unit, the
+    unit of the example in the table of quantities is suggested.
     """
     usual = quantity.example.rpartition(" ")[2]
     if not unit:
@@ -33,9 +39,9 @@ def meant(number: str, unit: str, quantity: Quantity) -> str:
 
 
 def too_soft(value: object, pascals: float, quantity: Quantity) -> str:
-    """Return a hint that suggests a larger unit for a pressure below its lower bound, or "".
+    """Return a hint that suggests a larger unit for a pressure below its lower bound; "" for any other value.
 
-    value: the value as the user wrote it. pascals: the value in Pa.
+    value: the value as the user wrote it, such as "210 mPa". pascals: the same value in Pa. quantity: the expected quantity.
     """
     if quantity.unit != "Pa" or not 0.0 < pascals < quantity.lower:
         return ""

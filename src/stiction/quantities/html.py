@@ -1,11 +1,14 @@
-"""Build the HTML table that a notebook shows for an input record."""
+"""Build the HTML table that a notebook shows for an input record, such as a Contact or a Material."""
 
 from collections.abc import Iterable
 from html import escape
 
 
 def table(title: str, rows: Iterable[tuple[str, str]], notes: Iterable[str] = ()) -> str:
-    """Return the HTML of a title, rows (name, text) and notes below them; all text is escaped."""
+    """Return the HTML of a title, a table with one line per row, and a list of notes below it; all text is escaped.
+
+    rows: pairs (name, text). notes: one text per list item.
+    """
     cells = "".join(
         f'<tr><th style="text-align:left">{escape(name)}</th><td style="text-align:left">{escape(text)}</td></tr>'
         for name, text in rows

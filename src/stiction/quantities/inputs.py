@@ -1,4 +1,4 @@
-"""Define the base class of all input records: immutable, with numbers checked against the table of quantities."""
+"""Define the base class of all input records, such as Contact: immutable, with checked numbers."""
 
 import math
 import re
@@ -26,9 +26,10 @@ if TYPE_CHECKING:
 
 
 def floats(value: Any, field: str, allowed: str) -> np.ndarray:
-    """Return numbers without unit as an array of floats of the same shape; bounds are not checked.
+    """Return numbers without unit, in any array-like form, as an array of floats of the same shape; bounds are not checked.
 
-    Raises InputError for dates, bytes, complex numbers and booleans; NumPy would convert some of them.
+    field, allowed: name of the input and its allowed values, for the error. Raises InputError for values that are not numbers,
+    including dates, bytes, complex numbers and booleans, some of which NumPy would convert.
     """
     try:
         array = np.asarray(value)
@@ -40,7 +41,7 @@ def floats(value: Any, field: str, allowed: str) -> np.ndarray:
 
 
 def require_positive(**values: float) -> None:
-    """Raise InputError for the first value that is not a finite number > 0."""
+    """Raise InputError for the first keyword argument whose value is not a finite number > 0; the error names the keyword."""
     for name, value in values.items():
         if not (isinstance(value, Real) and 0.0 < float(value) < math.inf):
             raise InputError(name, value, "a finite number > 0")
@@ -63,7 +64,7 @@ def _optional_number(value, info: ValidationInfo):
     return None if value is None else _number(value, info)
 
 
-# The name of the field is the name of the quantity: it decides unit and bounds.
+# A numeric field has the name of its quantity, which decides its unit and bounds.
 if TYPE_CHECKING:
     Number = Converted[NumberOrArray, QuantityLike]
     OptionalNumber = Converted[NumberOrArray | None, QuantityLike | None]
@@ -81,12 +82,18 @@ _SAID_BY_NOTES = ("source", "range")
 
 
 def by_default(value: object) -> Any:
-    """Return the default of a numeric field, as Any: type checkers would compare its type with `Converted`."""
+    """Return `value` unchanged, typed as Any, to be the default of a numeric field of an input record.
+
+    Otherwise type checkers would reject the default: they compare its type with the annotation `Converted`.
+    """
     return value
 
 
 def plain_number(entry: Any, where: str) -> float:
-    """Return a finite number without a unit; `where`: its place in a case file. Raises InputError."""
+    """Return a value of a case file as a finite float.
+
+    where: dotted place of the value in the file, for the error. Raises InputError for infinite and NaN values.
+    """
     try:
         number = float(entry)
     except OverflowError:  # TOML has whole numbers without end
@@ -97,16 +104,16 @@ def plain_number(entry: Any, where: str) -> float:
 
 
 def require_callable(callback: Any, field: str) -> None:
-    """Raise an InputError if the progress callback is not callable."""
+    """Raise an InputError unless `callback`, which is to report progress, is callable; field: its name, for the error."""
     if not callable(callback):
         raise InputError(field, callback, "a function, or None")
 
 
 def require_names(table: Mapping, where: str = "") -> None:
-    """Raise an InputError if a table has a key that is not text or a text value with control characters.
+    """Raise an InputError if a table has a key that is not text, or a text value with control characters.
 
-    Nested tables are checked too; where: dotted name of the table. A key that is not text would fail later with a TypeError.
-    Control characters break libraries that write result files, and terminals would execute them.
+    Nested tables are checked too. where: dotted name of the table, for the error. A key that is not text would fail later with
+    a TypeError. Control characters break libraries that write result files, and terminals would execute them.
     """
     for key, value in table.items():
         if not isinstance(key, str):
@@ -119,7 +126,7 @@ def require_names(table: Mapping, where: str = "") -> None:
 
 
 class Input(BaseModel):
-    """Provide the base class of input records: immutable, without unknown keys, and with an InputError for any bad field."""
+    """Provide the base class of input records: immutable, with an InputError for an unknown field or a bad value."""
 
     model_config = ConfigDict(frozen=True, extra="forbid", arbitrary_types_allowed=True)
     instead: ClassVar[str] = ""  # what the user may state in place of a missing number, for the error
@@ -137,31 +144,34 @@ class Input(BaseModel):
             raise _input_error(error, type(self)) from None
 
     def replace(self, **changes: object) -> Self:
-        """Return a copy of the record with some fields changed; all fields are checked again.
+        """Return a copy of the record with the fields in `changes` replaced; all fields are checked again.
 
-        Raises InputError for a bad field.
+        Raises InputError for a bad value or an unknown field.
         """
         fields = {name: getattr(self, name) for name in self.model_fields_set}
         return type(self)(**fields | changes)
 
     def __getstate__(self) -> dict[Any, Any]:
-        """Return what is pickled and copied: the fields, without cached values, because some cannot be pickled."""
+        """Return the state that is pickled and copied: the fields alone, because some cached values cannot be pickled."""
         state = super().__getstate__()
         fields = type(self).model_fields
         return state | {"__dict__": {name: value for name, value in state["__dict__"].items() if name in fields}}
 
     def part(self, name: str) -> object:
-        """Return the field of this name, or None if the record has no such field."""
+        """Return the value of the field `name`, or None if the record has no such field."""
         return getattr(self, name) if name in type(self).model_fields else None
 
     def model_copy(self, *, update: Mapping[str, object] | None = None, deep: bool = False) -> Self:
-        """Return a copy with the fields in `update` changed and checked as in `replace`."""
+        """Return a copy of the record, with the fields in `update` replaced and checked as `replace` does.
+
+        deep: whether a copy without changes also copies the values of its fields.
+        """
         return self.replace(**update) if update else super().model_copy(deep=deep)
 
     def __setattr__(self, name: str, value: Any) -> None:
-        """Raise an InputError for a public name, because records are immutable.
+        """Raise an InputError when a public attribute is assigned, because records are immutable; private attributes are set.
 
-        If the new value is itself invalid, the error names that value instead.
+        If the field exists and the new value is not allowed, the error names the value instead.
         """
         if name in type(self).model_fields:
             self.replace(**{name: value})
@@ -176,7 +186,10 @@ class Input(BaseModel):
 
     @classmethod
     def __pydantic_init_subclass__(cls, **kwargs):
-        """Add unit, meaning and bounds of every numeric field to the docstring, from the table of quantities."""
+        """Append the unit, meaning and bounds of every numeric field to the docstring of a new subclass.
+
+        The texts come from the table of quantities.
+        """
         rows = [
             f"    {name}: {QUANTITIES[name].label}, {QUANTITIES[name].allowed}"
             + ("" if field.is_required() else ", may be left out")
@@ -196,7 +209,7 @@ class Input(BaseModel):
         return schema
 
     def arrays(self) -> Iterator[tuple[str, "xarray.DataArray"]]:
-        """Yield the dotted name and the xarray.DataArray of every array in this record and its nested records."""
+        """Yield (dotted name, xarray.DataArray) for every array in this record and in the records nested in it."""
         for name in type(self).model_fields:
             value = getattr(self, name)
             if isinstance(value, Input):
@@ -206,9 +219,9 @@ class Input(BaseModel):
 
     @property
     def unlabelled(self) -> Self:
-        """Return the same record with its arrays as xarray.Variable: they have named dimensions but no coordinates.
+        """Return the record with each xarray.DataArray as an xarray.Variable, which has named dimensions but no coordinates.
 
-        Arithmetic on them is five times as fast.
+        Arithmetic with a Variable is five times as fast.
         """
         return self._without_labels or self
 
@@ -219,7 +232,10 @@ class Input(BaseModel):
         return type(self).model_construct(self.model_fields_set, **fields) if changed else None
 
     def listed(self) -> list[tuple[str, str]]:
-        """Return the dotted name and the value, as text with unit, of every field that was given, nested records included."""
+        """Return the dotted name and the value, as text with its unit, of every number, text and table in this record.
+
+        Records nested in it are included; the fields `source` and `range` are left out.
+        """
         rows: list[tuple[str, str]] = []
         for name in type(self).model_fields:
             value = getattr(self, name)
@@ -237,7 +253,7 @@ class Input(BaseModel):
         return rows
 
     def _repr_html_(self) -> str:
-        """Return the HTML that a notebook shows."""
+        """Return the record as an HTML table, which a notebook shows."""
         meanings = {name: QUANTITIES[name].meaning for name in QUANTITIES}
         rows = [
             (name, f"{text}  ({meanings[last]})" if (last := name.rpartition(".")[2]) in meanings else text)
@@ -246,21 +262,27 @@ class Input(BaseModel):
         return html.table(type(self).__name__, rows, self.notes())
 
     def notes(self) -> list[str]:
-        """Return the lines of text that a notebook shows below the numbers."""
+        """Return the lines of text that a notebook shows below the table of this record; none by default."""
         return []
 
     def check_dimensions(self) -> None:
-        """Raise an InputError if two arrays of the record disagree about a dimension."""
+        """Raise an InputError if two arrays of the record differ in the length or coordinate of a dimension that they share."""
         coordinates(self.arrays())
 
 
 def _unlabelled(value: Any) -> Any:
-    """Return an array without its coordinates, or a record whose arrays have none; return other values unchanged."""
+    """Return the value of a field without coordinates: an array as an xarray.Variable, a record with its arrays changed so.
+
+    Any other value is returned unchanged.
+    """
     return value.unlabelled if isinstance(value, Input) else getattr(value, "variable", value)
 
 
 def as_text(value: Any, name: str) -> str:
-    """Return a number of the named quantity with its unit as text; for an array its size, range and dimensions."""
+    """Return a number of a quantity as text with its unit, such as "48 nm"; for an array its size, range and dimensions.
+
+    value: number or xarray array in SI units. name: key of the quantity in QUANTITIES.
+    """
     if not hasattr(value, "dims"):
         return show(value, name)
     ends = [show(float(end), name) for end in (value.min(), value.max())]
@@ -268,7 +290,10 @@ def as_text(value: Any, name: str) -> str:
 
 
 def number_schema(quantity: Quantity) -> dict:
-    """Return the JSON schema of a numeric field: text if the quantity has a unit, else a number with bounds."""
+    """Return the JSON schema of a numeric field of the case file.
+
+    If the quantity has a unit, the schema demands text ("48 nm"), else a number with the bounds of the quantity.
+    """
     schema: dict[str, Any] = {"description": f"{quantity.label}; {quantity.allowed}"}
     if quantity.unit:
         schema["type"] = "string"
@@ -284,7 +309,10 @@ def number_schema(quantity: Quantity) -> dict:
 
 
 def _drop_null(entry: dict) -> None:
-    """Remove null from a JSON schema entry, because TOML has no null; a field that may be None is left out of the file."""
+    """Remove null from the JSON schema of a field, in place: a default of null, and null among the allowed types.
+
+    TOML has no null: a field that may be None is left out of the case file.
+    """
     if entry.get("default", 0) is None:
         del entry["default"]
     choices = [choice for choice in entry.pop("anyOf", []) if choice.get("type") != "null"]
@@ -298,16 +326,20 @@ _PROFILES = {"Rq": "Sq", "Sa": "Ra"}  # the quantities have one symbol for profi
 
 
 def _by_symbol(key: str, cls: type[Input]) -> str:
-    """Return the field whose quantity has this symbol, with the symbol; "" if none has."""
+    """Return "FIELD for KEY" if a field of an input record has the quantity with the symbol `key`; otherwise "".
+
+    Example: "asperity_radius for R" for key "R". cls: the class of the record.
+    """
     symbol = _PROFILES.get(key, key)
     names = [name for name in cls.model_fields if name in QUANTITIES and QUANTITIES[name].symbol == symbol]
     return f"{names[0]} for {key}" if names else ""
 
 
 def _input_error(error: ValidationError, cls: type[Input]) -> InputError:
-    """Convert the first of pydantic's validation errors into an InputError.
+    """Convert the most useful of pydantic's validation errors into an InputError.
 
-    A misspelt key is reported before the required field that is missing because of it.
+    cls: the record class that was validated. An unknown key is reported before all other errors, because a misspelt key also
+    makes a required field appear to be missing.
     """
     details = min(error.errors(), key=lambda entry: entry["type"] != "extra_forbidden")
     path = [str(part) for part in details["loc"]]

@@ -1,4 +1,4 @@
-"""Describe keyword arguments and field types to editors and type checkers."""
+"""Describe keyword arguments and field types to editors and type checkers; nothing here changes a computation."""
 
 import inspect
 from collections.abc import Callable
@@ -10,7 +10,7 @@ Taken = TypeVar("Taken")
 
 
 class Converted(Generic[Value, Taken]):
-    """Tell type checkers that a record field accepts the types `Taken` and returns the type `Value` (PEP 681)."""
+    """Tell type checkers that a field of a record may be set to the types `Taken` and then has the type `Value` (PEP 681)."""
 
     def __get__(self, record: object, owner: object) -> Value:
         raise NotImplementedError  # for type checkers alone
@@ -20,7 +20,10 @@ class Converted(Generic[Value, Taken]):
 
 
 def with_keywords(names: type) -> Callable[[F], F]:
-    """Return a decorator that gives a function with `**kwargs` the keywords of a TypedDict in its signature."""
+    """Return a decorator that replaces `**kwargs` in the visible signature of a function by named keyword arguments.
+
+    names: a TypedDict with the name and type of each keyword. With total=False each keyword has the default None.
+    """
 
     def named(function: F) -> F:
         signature = inspect.signature(function)

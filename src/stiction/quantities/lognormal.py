@@ -1,4 +1,4 @@
-"""Compute quantiles of a positive number from its median and its 5 % and 95 % quantiles."""
+"""Compute quantiles of a lognormally distributed number from its median and its 5 % and 95 % quantiles."""
 
 from typing import Any
 
@@ -22,6 +22,7 @@ def lognormal_quantile(level: Any, median: float, low: float, high: float) -> np
     Returns
     -------
     numpy.ndarray, the shape of `level`
+        Quantile at each level, in the unit of `median`.
 
     Raises
     ------

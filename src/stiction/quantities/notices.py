@@ -1,14 +1,14 @@
-"""Send notices to the user: a warning in Python, one line in a command."""
+"""Send notices to the user: a Python warning of class Notice, which a command prints as one line."""
 
 import warnings
 from functools import cache
 
 
 class Notice(UserWarning):
-    """Report a problem that does not affect the results."""
+    """Warn of a problem that does not change any result, such as a cache file that cannot be written."""
 
 
 @cache
 def notice(text: str) -> None:
-    """Issue a notice, once per process for each text."""
+    """Issue a Notice with this text; the same text is issued only once per process."""
     warnings.warn(text, Notice, stacklevel=3)

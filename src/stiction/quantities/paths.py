@@ -7,10 +7,11 @@ from stiction.quantities.errors import InputError
 
 
 def read_text(path: Path, field: str, wanted: str, largest: int, name: str | None = None) -> str:
-    """Return the text of a regular UTF-8 file of at most `largest` bytes.
+    """Return the text of a UTF-8 file of at most `largest` bytes; raise InputError with the reason if it cannot be read.
 
-    wanted: the kind of file, for the error text. name: the path as the user wrote it, if different. Raises InputError with the
-    reason if the file cannot be read.
+    - field: name of the input, for the error
+    - wanted: kind of file that is expected, for the error
+    - name: path as the user wrote it, for the error; by default `path`
     """
     try:
         why = _not_read(path, largest)
@@ -32,10 +33,10 @@ def _not_read(path: Path, largest: int) -> str:
 
 
 def require_place(path: Path, allowed: str) -> None:
-    """Raise an InputError if no file or folder can be created at the output path; an existing path is accepted.
+    """Raise an InputError if no file or folder could be written at an output path; an existing path is accepted.
 
-    allowed: the allowed values, for the error text. Detected are names that the operating system refuses, a file in place of a
-    parent folder, and a parent folder without write permission.
+    path: value of the option --out. allowed: allowed values, for the error. Refused are names that the operating system does
+    not accept, a path with a file in place of a parent folder, and a parent folder without write permission.
     """
     try:
         path.stat()

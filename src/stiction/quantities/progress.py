@@ -1,6 +1,7 @@
 """Define the callbacks that report the progress of long computations.
 
-A progress callback takes a label and returns a function that wraps an iterable of steps.
+A progress callback takes a label, such as "solving", and returns a function. This function takes an iterable of steps and
+returns an iterator over the same steps, which may report each one.
 """
 
 from collections.abc import Callable, Iterable
@@ -10,15 +11,15 @@ _Step = TypeVar("_Step")
 
 
 class Steps(Protocol):
-    """Wrap an iterable of steps, as `iter` or `tqdm.tqdm` does."""
+    """Describe a function that returns an iterator over the steps it is given, as `iter` or `tqdm.tqdm` does."""
 
     def __call__(self, steps: Iterable[_Step], /) -> Iterable[_Step]:
-        """Yield the steps."""
+        """Yield the given steps in order, possibly reporting each one to the user."""
 
 
-Progress = Callable[[str], Steps]  # from a label, what wraps its steps
+Progress = Callable[[str], Steps]
 
 
 def silent(label: str) -> Steps:
-    """Return a progress wrapper that passes an iterable of steps on unchanged and reports nothing."""
+    """Return the function `iter`, which passes steps on without reporting progress; the label is ignored."""
     return iter

@@ -1,4 +1,4 @@
-"""Read and check the ranges of material properties, which uncertainty studies sample."""
+"""Read and check the ranges (low and high value) of material properties, from which uncertainty studies draw samples."""
 
 from collections.abc import Mapping
 from typing import Annotated, Any
@@ -10,7 +10,7 @@ from stiction.quantities.errors import InputError, field_named
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show, to_si
 
-DIGITS = 3  # of a number of a preset, as it is shown
+DIGITS = 3  # significant digits with which the ends of a range are shown
 _FORM = 'a table of low and high values, e.g. hardness = ["0.3 GPa", "0.5 GPa"]'
 
 
@@ -21,7 +21,10 @@ def _read(value: Any) -> dict[str, tuple[float, float]]:
 
 
 def _ends(name: Any, ends: Any) -> tuple[float, float]:
-    """Return the low and high end of a range of the named quantity in SI units."""
+    """Return (low, high) of a range in SI units, from two numbers or texts with units.
+
+    name: key of a quantity in QUANTITIES. ends: list with the low and the high value. Raises InputError for anything else.
+    """
     if name not in QUANTITIES:
         raise InputError(str(name), ends, f"a range of a material property; {name} is not one")
     if not isinstance(ends, list | tuple) or len(ends) != 2:
@@ -38,23 +41,26 @@ def _ends(name: Any, ends: Any) -> tuple[float, float]:
     return low, high
 
 
-# Name of a number -> its low and high end, SI; given with units as the number itself is.
+# Name of a quantity -> (low, high) in SI units; the user states both as numbers or texts with units.
 Ranges = Annotated[
     dict[str, tuple[float, float]], BeforeValidator(_read, json_schema_input_type=dict[str, tuple[str | float, str | float]])
 ]
 
 
 def range_in_words(low: float, high: float, name: str) -> str:
-    """Return the range of the named quantity as text: "82 to 83 GPa", or "0.5 MPa to 2 GPa" with two unit prefixes."""
+    """Return a range as text: "82 to 83 GPa", or "0.5 MPa to 2 GPa" if the ends have different unit prefixes.
+
+    low, high: in SI units. name: key of the quantity in QUANTITIES.
+    """
     first, last = show(low, name, DIGITS), show(high, name, DIGITS)
     number, _, unit = first.partition(" ")
     return f"{number if unit == last.partition(' ')[2] else first} to {last}"
 
 
 def check_ranges(record: Any) -> None:
-    """Raise an InputError if a range in a material record is wrong.
+    """Raise an InputError if a range in the field `range` of a record, such as a Material, is wrong.
 
-    The record must have the property to which a range belongs, and the range must include the value of that property.
+    The record must have a value for each property with a range, and the value must lie within the range.
     """
     for name, (low, high) in record.range.items():
         value = getattr(record, name, None)

@@ -1,4 +1,4 @@
-"""Provide quasi-random points that fill the unit cube evenly, and evenly spread row numbers.
+"""Compute quasi-random points that fill the unit cube evenly, and row numbers that are evenly spread over a table.
 
 The points come from scipy.stats, which takes half a second to import. They are cached on disk, so that only the first study
 with a given number of points and dimensions needs that import.
@@ -10,11 +10,11 @@ import numpy as np
 
 from stiction.quantities.cache import cache_folder, keep_file
 
-_MOST = 20_000_000  # bytes of all stored points
+_MOST = 20_000_000  # largest size of all stored points, in bytes
 
 
 def spread_rows(count: int, most: int) -> np.ndarray:
-    """Return at most `most` of `count` row numbers, evenly spread from the first to the last."""
+    """Return row numbers (k,), ascending, evenly spread from the first to the last of `count` rows; k is `most` at most."""
     return np.unique(np.linspace(0, count - 1, min(count, most)).round().astype(int))
 
 

@@ -9,12 +9,12 @@ from typing import Any
 
 @contextmanager
 def uninterrupted() -> Iterator[None]:
-    """Within the context, hold back Ctrl-C; it takes effect when the context ends.
+    """Within the context, delay Ctrl-C until the context ends.
 
-    Files are then written completely, and zarr leaves no unfinished coroutines behind.
+    Files are then written completely, and the library zarr leaves no unfinished coroutines behind.
     """
     before = signal.getsignal(signal.SIGINT)
-    if before is None or current_thread() is not main_thread():  # only the main one is interrupted
+    if before is None or current_thread() is not main_thread():  # Python interrupts only the main thread
         yield
         return
     interrupts: list[Any] = []

@@ -1,6 +1,6 @@
-"""Convert between text with units ("48 nm") and SI numbers; no other module reads units.
+"""Convert between text with units ("48 nm") and numbers in SI units; no other module reads units.
 
-Common units are in units.csv. All others are read by pint, which is imported only then because its import is slow.
+The file units.csv has the common units. All others are read by pint, which is imported only then because its import is slow.
 """
 
 import re
@@ -33,22 +33,23 @@ _NUMBER_AND_UNIT = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s
 # pint evaluates what it reads, and "m^9^9^9" would never end: only products of single-digit powers reach it.
 _POWER = r"(?:1|%|[^\W\d]+(?:(?:\^|\*\*)[+-]?\d|⁻?[⁰¹²³⁴-⁹])?)"
 _UNIT = re.compile(rf"/?\s*{_POWER}(?:(?:\s*[/*·]\s*|\s+){_POWER})*")
-_LONGEST_TEXT = 100  # no quantity takes more, and the patterns above take their time over megabytes
+_LONGEST_TEXT = 100  # characters; no quantity needs more, and the patterns above are slow on megabytes of text
 _DECIMAL_COMMA = re.compile(r"\s*[+-]?\d*,\d")
-_CELSIUS = ("degC", "°C", "celsius", "deg C")  # temperatures only: no factor turns these into kelvins
+_CELSIUS = ("degC", "°C", "celsius", "deg C")  # allowed for temperatures only, because no factor converts them to kelvins
 _ZERO_CELSIUS = 273.15
-# By hand: to_compact of pint takes 27 times as long, and prints 999.9999999 nm as 1000 nm and 1.7e10 1/m^2 as 17000 1/mm^2.
-_AREA_SHIFT = 2  # decades, by which an area changes its prefix early: prefixes of areas are six decades apart
+# Prefixes are chosen here, because `to_compact` of pint takes 27 times as long, and prints 999.9999999 nm as 1000 nm and
+# 1.7e10 1/m^2 as 17000 1/mm^2.
+_AREA_SHIFT = 2  # decades by which an area changes its prefix early, because prefixes of areas are six decades apart
 _PREFIXES = {-12: "p", -9: "n", -6: "µ", -3: "m", 0: "", 3: "k", 6: "M", 9: "G", 12: "T"}
 
 
 def to_si(value, name: str):
-    """Return a value of the named quantity in SI units, checked against its bounds.
+    """Return the value of a quantity in SI units, checked against the bounds of the quantity.
 
-    value: a float, array, pandas.Series or xarray.DataArray in SI units; text with a unit ("48 nm"); a pint quantity; or a
-    list of these. A DataArray whose attribute `units` is not the SI unit is converted. name: a key of QUANTITIES.
+    value: a float, array, pandas.Series or xarray.DataArray in SI units; text with a unit ("48 nm"); a pint quantity; or a list
+    of these. A DataArray whose attribute `units` is another unit is converted. name: key of the quantity in QUANTITIES.
 
-    Returns a float, a float array, or a DataArray whose own attributes are removed (its coordinates keep theirs). Raises
+    Returns a float, an array of floats, or a DataArray without attributes of its own (its coordinates have theirs). Raises
     InputError if the value is not a number, is not finite, is out of bounds, or has a missing, unknown or wrong unit.
     """
     quantity = QUANTITIES[name]
@@ -66,10 +67,10 @@ def to_si(value, name: str):
 
 
 def show(value, name: str, digits: int = 6) -> str:
-    """Return a value of the named quantity, given in SI units, as short text with a suitable prefix.
+    """Return a value in SI units as short text with a suitable unit prefix, such as "48 nm", "1.25 mN" or "110 deg".
 
-    Examples: "48 nm", "1.25 mN", "110 deg". Areas have at most four digits before the point: 0.052 mm^2, not 52000 um^2.
-    digits: number of significant digits, 6 at most.
+    name: key of the quantity in QUANTITIES. digits: number of significant digits, 6 at most. Areas have at most four digits
+    before the point: 0.052 mm^2, not 52000 um^2.
     """
     value, unit = in_degrees(value, QUANTITIES[name].unit)
     value = float(f"{value:.{digits}g}")
@@ -85,15 +86,18 @@ def show(value, name: str, digits: int = 6) -> str:
 
 
 def span(ends: Iterable[float], form: str = ".3g") -> str:
-    """Return a range as text, "0.31 to 0.45", or one number if both ends look the same: "0.31"."""
+    """Return a range of numbers as text, "0.31 to 0.45", or one number if both ends look the same, "0.31".
+
+    ends: the low and the high end. form: format specification of the numbers.
+    """
     return " to ".join(dict.fromkeys(format(end, form) for end in ends))
 
 
 def values_in_words(values, where: str, count: int | None = None) -> InWords:
-    """Describe several numbers where one was expected, as text: "3 numbers, 100 nm to 2 um".
+    """Return a text for an error that describes several numbers where one was expected: "3 numbers, 100 nm to 2 um".
 
-    values: numbers in SI units. where: dotted name of the input; its last part is a key of QUANTITIES. count: how many numbers
-    there are, if `values` has only the smallest and largest.
+    values: numbers in SI units. where: dotted name of the input; its last part is the key of the quantity in QUANTITIES. count:
+    how many numbers there are, if `values` holds only the smallest and the largest.
     """
     numbers, name = np.asarray(values, dtype=float).ravel(), where.rpartition(".")[2]
     count = numbers.size if count is None else count
@@ -105,7 +109,7 @@ def values_in_words(values, where: str, count: int | None = None) -> InWords:
 
 
 def reason_of(error: InputError) -> str:
-    """Return why a model cannot be used, as text: an input is missing, or its value is out of range."""
+    """Return in words why an InputError makes a model unusable: the input is missing, or its value is out of range."""
     if error.value is None:
         return f"{error.field} is not given: {error.allowed}"
     name, value = error.field.rpartition(".")[2], error.value
@@ -157,7 +161,11 @@ def axis(name: str, values: "QuantityLike | None" = None, dimension: str | None 
 
 
 def values_along(name: str, values: "QuantityLike | None") -> np.ndarray:
-    """Return the values (n,) of a quantity in SI units; raise an InputError for more than one dimension, as `axis` does."""
+    """Return values of a quantity as an array (n,) in SI units.
+
+    name: key of the quantity in QUANTITIES. values: one number or a one-dimensional sequence, in SI units or with units. Raises
+    InputError for None, for more than one dimension, and as `to_si` does.
+    """
     if values is None:
         raise InputError(name, None, f"its values along the axis, {QUANTITIES[name].wanted}")
     numbers = np.atleast_1d(np.asarray(to_si(values, name)))
@@ -167,10 +175,11 @@ def values_along(name: str, values: "QuantityLike | None") -> np.ndarray:
 
 
 def from_series(series, name: str):
-    """Return a pandas.Series of the named quantity as a DataArray with a named dimension.
+    """Return a pandas.Series with values of a quantity as an xarray.DataArray in SI units with one named dimension.
 
-    The index becomes the coordinate, and its name the name of the dimension. If the index has no name, the result is that of
-    `axis`. Raises InputError as `to_si` does.
+    name: key of the quantity in QUANTITIES. The index of the series becomes the coordinate, and the name of the index the name
+    of the dimension. If the index has no name, the values are their own coordinate, as in `axis`. Raises InputError as `to_si`
+    does.
     """
     import xarray
 
@@ -197,12 +206,15 @@ def _from_text(text: str, quantity: Quantity) -> float:
     factor = _factor(unit, quantity, text)
     if rounded == 0 or not np.isfinite(rounded):
         return rounded  # also keeps a number like 1e999999999 away from exact arithmetic
-    # Exact until this one rounding: "5 um" is 5e-06 to the last digit.
+    # The product is exact and rounded only once, so that "5 um" is 5e-06 to the last digit.
     return _float(Fraction(number) * factor, quantity, text)
 
 
 def _factor(unit: str, quantity: Quantity, text) -> Fraction:
-    """Return the factor from `unit` to the SI unit of the quantity."""
+    """Return the exact factor by which a number in `unit` is multiplied to be in the SI unit of the quantity.
+
+    text: the input as the user wrote it, for the error. Raises InputError if the unit is unknown or has another dimension.
+    """
     try:
         if not _UNIT.fullmatch(unit):
             raise ValueError("not a unit")
@@ -227,13 +239,13 @@ def _exact_factor(unit: str, si_unit: str) -> Fraction:
 
 @cache
 def _common_factors() -> dict[tuple[str, str], Fraction]:
-    """Return the exact factor of each common unit to its SI unit."""
+    """Return (unit, SI unit) -> exact conversion factor for every unit in the table units.csv."""
     return {(row["unit"], row["si_unit"]): Fraction(row["factor"]) for row in rows_of_table("units.csv")}
 
 
 @cache
 def _pint():
-    """Import and return the package pint, also if a command has hidden it by `leave_out`."""
+    """Import and return the package pint, even if a command has hidden it with `leave_out`."""
     bring_back("pint")
     import pint
 
@@ -242,24 +254,24 @@ def _pint():
 
 @cache
 def _registry():
-    """Return pint's registry of all units.
+    """Return pint's registry, which can read all units.
 
-    Reading its definitions takes longer than solving a case, so they are cached on disk. A damaged cache, or one of another
-    pint release, is replaced.
+    pint's unit definitions take longer to read than a contact takes to solve, so they are cached on disk. A damaged cache is
+    deleted and made again.
     """
     pint = _pint()
     folder = cache_folder(f"units-{pint.__version__}")
     for _ in range(2):
         try:
             return pint.UnitRegistry(non_int_type=Fraction, cache_folder=folder)
-        except Exception:  # of a damaged file, anything that unpickling may raise: it is made anew
+        except Exception:  # unpickling a damaged file may raise anything; the cache is then made again
             shutil.rmtree(folder, ignore_errors=True)
     return pint.UnitRegistry(non_int_type=Fraction)
 
 
 @cache
 def _unit_errors() -> tuple[type[Exception], ...]:
-    """Return the exceptions that pint raises for text that is not a unit, those of Python's tokenizer and parser included."""
+    """Return the classes of exceptions that pint may raise for text that is not a unit, those of Python's parser included."""
     import tokenize
 
     return (
@@ -276,9 +288,9 @@ def _unit_errors() -> tuple[type[Exception], ...]:
 
 
 def _from_pint(value, quantity: Quantity):
-    """Return a quantity of the package pint, from any of its registries, in SI units.
+    """Return a pint quantity, from any of pint's registries, as a number or array in SI units.
 
-    The unit is converted to text and then read like a unit that the user typed.
+    quantity: the expected quantity. The unit is converted to text first and then read like a unit that the user typed.
     """
     unit, numbers = f"{value.units:C}", value.magnitude
     if unit in ("", "dimensionless") and not quantity.unit:
@@ -300,12 +312,12 @@ def _from_labelled(array, quantity: Quantity):
         if unit not in (quantity.unit, quantity.unit or "1"):  # xarray users write "1" where there is no unit
             values = values * float(_factor(unit, quantity, unit))
     result = without_indexes(array).copy(deep=False, data=np.asarray(values))
-    result.attrs = {}  # they would travel into products with other quantities; the field defines the quantity
+    result.attrs = {}  # otherwise products with other quantities would inherit them; the field defines the quantity
     return result
 
 
 def _from_numbers(value, quantity: Quantity):
-    """Return a float for a single number, and a float array for several."""
+    """Return a number without unit as a float, and an array or list as an array of floats; raise InputError for other types."""
     if isinstance(value, list | tuple):
         return np.array([_single(entry, quantity) for entry in value], dtype=float)
     if isinstance(value, Real | Decimal) and not isinstance(value, bool):
@@ -345,7 +357,10 @@ def _check(number, quantity: Quantity, original) -> None:
 
 
 def _as_given(original, place: tuple[int, ...], worst: float):
-    """Return the out-of-bounds value as the user wrote it, with its unit if there was one."""
+    """Return the value that is out of bounds for the error: as the user wrote it, else as a number in SI units.
+
+    original: the whole input. place: indices of the value in it, () for a single number. worst: the value in SI units.
+    """
     if isinstance(original, str):
         return original
     if isinstance(original, list | tuple) and len(place) == 1:
