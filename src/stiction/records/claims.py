@@ -1,4 +1,7 @@
-"""Define what a record states besides its formulas: grade, validity ranges, limiting cases, discontinuities and parameters."""
+"""Define the claims that the record of a law makes besides its formulas.
+
+These are its grade, validity ranges, limiting cases, discontinuities and parameters.
+"""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -12,7 +15,7 @@ GRADES = {
     "C": "reconstructed: the source was not available or is misprinted; the sources name what was reconstructed",
 }
 
-# Traits of asperity laws, which tangential and film laws may require.
+# Properties of asperity laws (traits), which tangential laws and film laws may require.
 TRAITS = {
     "JKR": "while elastic, the contact follows the law of Johnson, Kendall and Roberts",
     "no adhesion": "the load is compressive, and zero at first touch",
@@ -21,7 +24,7 @@ TRAITS = {
     "2015": "the asperity of the 2015 paper (soft_coating_2015)",
 }
 
-# Tangential resistance of yielded junctions in a tangential law; it differs by three orders of magnitude.
+# Assumptions of tangential laws on the resistance of yielded junctions. The resistances differ by three orders of magnitude.
 YIELDED = {
     "none": "yielded junctions have no resistance",
     "interface": "the shear strength of the interface acts on their area under the normal load",
@@ -41,10 +44,12 @@ KINDS_OF_WARNING = {
 
 @dataclass(frozen=True)
 class Validity:
-    """Describe a range of one quantity in which a model is valid; outside it a validity warning is given.
+    """Describe the range of one quantity in which a model is valid; a result outside this range gets a validity warning.
 
-    quantity: key in `quantities`; low, high: ends of the range; why: which assumption fails outside; kind: a key of
-    KINDS_OF_WARNING.
+    - quantity: key of the quantity in the results or dimensionless groups, such as "plasticity_index"
+    - low, high: ends of the range; -inf or inf for an open end
+    - why: the assumption that fails outside the range
+    - kind: kind of the validity warning, a key of KINDS_OF_WARNING
     """
 
     quantity: str
@@ -60,12 +65,13 @@ class Validity:
 
 @dataclass(frozen=True)
 class Limit:
-    """Describe a limiting case, in which the model agrees with `parent`, a model of the same kind.
+    """Describe a limiting case in which a model must agree with another model of the same kind; a test checks it.
 
-    A test checks every limit in the registry.
-
-    groups: values of the dimensionless groups in this limit. quantities: results that must agree. within: relative difference
-    allowed. options: options of the model for which the limit holds.
+    - parent: key of the other model
+    - groups: values of the dimensionless groups in this limit, by name
+    - quantities: names of the results that must agree
+    - within: largest relative difference allowed
+    - options: options of the model for which the limit holds, by name
     """
 
     parent: str
@@ -85,11 +91,14 @@ FILM_LIMITS = {
 
 @dataclass(frozen=True)
 class Departure:
-    """State the relative error of a published film law in a limit that every film should satisfy.
+    """State by how much a published film law is wrong in a limit that every film law should satisfy.
 
-    limit: a key of FILM_LIMITS. quantity: the result with the error. least, most: smallest and largest error over soft
-    and hard films together, at plasticity indices of 0.5 and more; infinite if unbounded. A test checks these numbers. It
-    also checks that the law's validity ranges exclude every film with an error above 20 %.
+    - limit: a key of FILM_LIMITS, such as "thin"
+    - quantity: name of the result with the error
+    - least, most: smallest and largest relative error over soft and hard films, at plasticity indices of 0.5 and more; inf if
+      unbounded
+
+    Tests check these errors, and that the validity ranges of the law exclude every film with an error above 20 %.
     """
 
     limit: str
@@ -104,11 +113,14 @@ class Departure:
 
 @dataclass(frozen=True)
 class Jump:
-    """Describe a discontinuity of a published law between two of its segments.
+    """Describe a discontinuity of a published asperity law between two of its segments (smooth parts of the law).
 
-    segment: index of the segment that begins at the jump, 1 for the second. load, area: factors by which load and area
-    change. where: the place in words. groups: values of the groups for which the factors hold, if they depend on them. A
-    test checks the factors to 1 in 1000.
+    - segment: index of the segment that begins at the jump, 1 for the second
+    - load, area: factors by which load and contact area change at the jump
+    - where: place of the jump, in words
+    - groups: values of the dimensionless groups for which the factors hold; empty if the factors depend on none
+
+    A test checks the factors to 1 in 1000.
     """
 
     segment: int
@@ -120,11 +132,13 @@ class Jump:
 
 @dataclass(frozen=True)
 class Parameter:
-    """Describe a parameter of an asperity method that the user may set: a number, a length or one of several values.
+    """Describe a parameter of an asperity method that the user may set: a number, a length, or one of a few values.
 
-    meaning: what the value means, and the default if `default` is None. values: all allowed values; if empty, finite
-    numbers above `lower` (or equal to it if `lower_included`). unit: "m" for a length, which may also be text with its
-    unit; "" for a plain number.
+    - meaning: what the value means, and the default if `default` is None
+    - default: value that is used if the user sets none
+    - values: all allowed values; if empty, every finite number above `lower` is allowed
+    - lower: lower bound; lower_included: whether the bound itself is allowed
+    - unit: "m" for a length, which the user may also write as text with a unit; "" for a plain number
     """
 
     meaning: str
@@ -144,7 +158,7 @@ class Parameter:
         return f"{'>=' if self.lower_included else '>'} {self.lower:g}{' ' * bool(self.unit)}{self.unit}, finite"
 
     def allows(self, value: Any) -> bool:
-        """Return whether a value, in m if it is a length, is allowed."""
+        """Return whether a value is allowed; a length must be a number in m."""
         if self.values:
             return isinstance(value, str | Real) and value in self.values
         number: Any = value if isinstance(value, Real) else nan
@@ -152,7 +166,7 @@ class Parameter:
 
 
 def range_in_words(low: float, high: float) -> str:
-    """Return a range as text: "0 to 0.5", "5 or more" or "5 or less"."""
+    """Return a range of numbers as text: "0 to 0.5", "5 or more" or "5 or less"; an infinite end is open."""
     if high == inf:
         return f"{low:g} or more"
     return f"{high:g} or less" if low == -inf else f"{low:g} to {high:g}"

@@ -1,6 +1,7 @@
-"""Define the record that describes a model or law, and find records by kind and key.
+"""Define the class Record, which describes a model or law, and find records by kind and key.
 
-A record is found in the file named after its key in the folder of its kind, or through an entry point of another package.
+A record is the constant RECORD of a module. The module is named after the key of the record and lies in the folder of its kind.
+Other packages can provide records through entry points.
 """
 
 import importlib
@@ -23,20 +24,19 @@ from stiction.records.sources import Source
 
 @dataclass(frozen=True, kw_only=True)
 class Record:
-    """Describe one model or law. Each kind of record adds its formulas.
+    """Describe one model or law: its sources, its claims and its inputs. A subclass for each kind of law adds the formulas.
 
-    - kind: name of the kind and of its folder; room: package with that folder
-    - keyword: argument of `solve` that selects a record of this kind, "" if none does
-    - key: author_year, or a name
-    - grade: a key of GRADES
-    - verified: what the numbers were checked against
-    - needs, takes: dimensionless groups that the model requires, and those that it uses if they are given
-    - validity, limits: ranges in which it is claimed, and limiting cases
-    - own_options: allowed values of each option, the default first
+    - kind: name of the kind, such as "film"; room: subpackage of stiction with a folder of this name, in which the records are
+    - keyword: argument of `st.solve` that selects a record of this kind, "" if none does
+    - key: name of the record, such as "greenwood_williamson_1966"; title: a phrase that describes it
+    - grade: a key of GRADES; sources: origin of each equation; verified: what its numbers were checked against
+    - needs, takes: dimensionless groups that the model requires, and those that it uses if they are known
+    - validity, limits: ranges in which it is valid, and cases in which it agrees with another model
+    - own_options: allowed values of each option, by name, the default first
     - load_falls: whether, in the source, a compressive load always decreases with growing separation
     - accuracy: relative accuracy of sums over asperities; coarser if kinks of the law are located numerically
     - notes: remarks for users
-    - entries: BibTeX by key, for sources outside the package's bibliography
+    - entries: BibTeX by key, for sources that are not in the package's bibliography
     """
 
     kind: ClassVar[str]
@@ -59,11 +59,14 @@ class Record:
 
     @property
     def options(self) -> Mapping[str, tuple[str, ...]]:
-        """Return the allowed values of every option, the default first."""
+        """Return name -> allowed values of every option of the model or law, the default first."""
         return self.own_options
 
     def parts(self, options: Mapping[str, str]) -> list["Record"]:
-        """Return the records of the sub-models that these options select; a result must cite them too."""
+        """Return the records of the laws that these options add to this one; a result must cite them too.
+
+        options: option name -> chosen value. The base class returns no record.
+        """
         return []
 
 
@@ -71,7 +74,7 @@ _R = TypeVar("_R", bound="Record")
 
 
 def _package(kind: type[Record]) -> str:
-    """Return the name of the package that contains the records of a kind."""
+    """Return the name of the Python package that contains the records of a kind, such as "stiction.laws.film" for FilmLaw."""
     return f"stiction.{kind.room}.{kind.kind.replace(' ', '_')}"
 
 
@@ -80,9 +83,9 @@ _LONG = 10.0  # seconds that a plug-in may take to be imported before a notice n
 
 @cache
 def _outside() -> tuple[tuple[Record, str], ...]:
-    """Return all records of installed plug-in packages, each with the name of its module.
+    """Return (record, name of its module) for every usable record in the installed plug-in packages.
 
-    A plug-in that cannot be used gives a notice, and so does one whose import takes long.
+    The user gets a notice for each plug-in that cannot be used, and for each whose import takes longer than 10 seconds.
     """
     loaded: list[tuple[Record, str]] = []
     for entry in entry_points(group="stiction"):
@@ -109,7 +112,10 @@ def _outside() -> tuple[tuple[Record, str], ...]:
 
 
 def _problem(record: object, others: list[Record]) -> str:
-    """Return why an object from a plug-in cannot be used as a record; "" if it can. others: records of earlier plug-ins."""
+    """Return in words why an object from a plug-in cannot be used as a record; "" if it can.
+
+    others: records of the plug-ins loaded before it, whose keys must not be repeated.
+    """
     if not isinstance(record, Record) or not hasattr(record, "kind"):
         return f"it is a {type(record).__name__}, not a record of a law"
     if not isinstance(record.key, str) or not record.key.isidentifier():
@@ -121,7 +127,7 @@ def _problem(record: object, others: list[Record]) -> str:
 
 
 def plug_in_error(error: BaseException) -> InputError | None:
-    """Return an error in one line that names the plug-in whose code raised an exception; None if no plug-in did."""
+    """Return an InputError that names the plug-in whose code raised an exception; None if no code of a plug-in was running."""
     modules = {str(frame.f_globals.get("__name__")) for frame, _ in traceback.walk_tb(error.__traceback__)}
     packages = {module.partition(".")[0] for module in modules}
     for record, module in _outside():
@@ -133,7 +139,7 @@ def plug_in_error(error: BaseException) -> InputError | None:
 
 @cache
 def _inside(folder: str) -> tuple[Record, ...]:
-    """Return the records of all modules in one package."""
+    """Return the records in all modules of a Python package; folder: name of the package, such as "stiction.laws.film"."""
     package = importlib.import_module(folder)
     names = [info.name for info in pkgutil.iter_modules(package.__path__, f"{folder}.")]
     modules = [importlib.import_module(name) for name in names]
@@ -141,16 +147,16 @@ def _inside(folder: str) -> tuple[Record, ...]:
 
 
 def of_kind(kind: type[_R]) -> dict[str, _R]:
-    """Return all records of one kind by key, in alphabetical order."""
+    """Return all records of one kind by key, in alphabetical order, with those of plug-ins; kind: a class, such as FilmLaw."""
     everybody = (*(record for record, _ in _outside()), *_inside(_package(kind)))
     matches = [record for record in everybody if isinstance(record, kind) and record.kind == kind.kind]
     return {record.key: record for record in sorted(matches, key=lambda record: record.key)}
 
 
 def find(key: str, kind: type[_R]) -> _R:
-    """Return the record with this key and kind; raise InputError if there is none.
+    """Return the record with this key and kind; raise InputError, with the known keys, if there is none.
 
-    Only the module of the record is imported, if it belongs to this package.
+    kind: a class, such as FilmLaw. Only the module of the record is imported, unless the record is in a plug-in.
     """
     module = f"{_package(kind)}.{key}"
     if isinstance(key, str) and key.isidentifier() and importlib.util.find_spec(module) is not None:
@@ -164,7 +170,7 @@ def find(key: str, kind: type[_R]) -> _R:
 
 
 def text_of(record: Record) -> str:
-    """Return the documentation of a record as Markdown: equations with sources, assumptions, reconstructions.
+    """Return the documentation of a record as Markdown: equations, sources, assumptions and reconstructions.
 
     It is the docstring of the module that defines the record, in this package or in a plug-in; "" if there is none.
     """

@@ -1,8 +1,8 @@
-"""Define the kinds of records of models and laws, list all records, and check which of them can be combined.
+"""Define the kinds of records of models and laws, list all records, and check which laws can be combined.
 
-A model is a module with a RECORD in the folder of its kind. To add one, write that module (or, in another package, an entry
-point in the group "stiction"), a file of reference numbers for the tests, and a bibliography entry. Tables, command line,
-citations and contract tests use the record.
+A model or law is a module with a constant RECORD, in the folder of its kind. To add one, write that module, a file of reference
+numbers for the tests, and a bibliography entry. Another package provides it by an entry point in the group "stiction". Tables,
+command line, citations and contract tests use the record.
 """
 
 from collections.abc import Callable, Iterable, Mapping
@@ -27,9 +27,11 @@ if TYPE_CHECKING:
 class AsperityLaw(Record):
     """Describe the relation between displacement, normal load and contact area of one asperity.
 
-    - segments(groups, **own_options): list of NormalSegment, in the order in which an approaching asperity meets them
-    - released(groups, distance, **own_options): the same for unloading, after the surfaces were pressed together and drawn
-      apart by `distance` (n,), over sigma; None if the law has no unloading
+    groups: dimensionless groups of n contacts (contact.indices.Groups).
+
+    - segments(groups, **own_options): list of NormalSegment, in the order in which an approaching asperity passes through them
+    - released(groups, distance, **own_options): the same list for unloading, after the surfaces were pressed together and then
+      separated by `distance` (n,), in units of sigma; None if the law does not describe unloading
     - traits: properties of the law, keys of TRAITS
     - jumps: discontinuities of the published law
     """
@@ -41,7 +43,7 @@ class AsperityLaw(Record):
     jumps: tuple[Jump, ...] = ()
 
 
-# The option that names another law for yielded junctions without resistance, and its default.
+# Name of the option that selects a second law for yielded junctions, to which the first gives no resistance; and its default.
 JUNCTIONS, NO_JUNCTIONS = "plastic_junctions", "none"
 
 
@@ -49,17 +51,18 @@ JUNCTIONS, NO_JUNCTIONS = "plastic_junctions", "none"
 class TangentialLaw(Record):
     """Describe the tangential force at which one loaded asperity slips.
 
-    - tangential_resistance(segment, groups, **own_options): TangentialResistance, or None if the segment has no resistance
-    - wants: traits that the asperity law must have, with the reason for each
-    - interfacial: whether the law describes the interface and not the bodies. For a coated asperity it then uses the whole
-      load and the outer contact area, whether film or substrate carries the load.
-    - layered: whether it treats film and body as one layered elastic solid. It then goes with film laws that are
-      `solved_as_one`.
-    - of_half_space: if neither interfacial nor layered, why the law cannot be used for such a solid
-    - like: law to use there instead, or ""
+    - tangential_resistance(segment, groups, **own_options): TangentialResistance of one segment of an asperity law, or None if
+      the asperity has no resistance there. groups: dimensionless groups of n contacts (contact.indices.Groups)
+    - wants: trait that the asperity law must have -> why
+    - interfacial: whether the law describes the interface and not the bodies. On a coated asperity it then uses the whole load
+      and the outer contact area, whether film or substrate carries the load
+    - layered: whether it treats film and body as one layered elastic solid; it then suits film laws with `solved_as_one`
+    - of_half_space: why the law cannot be used for a layered solid; "" if it is interfacial or layered
+    - like: key of the law to use for a layered solid instead, or ""
     - of_area: whether the force is shear strength times contact area, plus a part that depends on the load
-    - junctions: laws that the option `plastic_junctions` offers for yielded junctions, if this law gives them no resistance
-    - yielded: resistance of yielded junctions, a key of YIELDED; "" if the source does not state it
+    - junctions: keys of the laws that the option `plastic_junctions` offers for yielded junctions (contact spots), to which
+      this law gives no resistance
+    - yielded: its assumption on the resistance of yielded junctions, a key of YIELDED; "" if the source states none
     """
 
     kind = keyword = "tangential"
@@ -85,23 +88,25 @@ class TangentialLaw(Record):
 
 @dataclass(frozen=True, kw_only=True)
 class FilmLaw(Record):
-    """Describe how a film and its substrate carry the load of an asperity together.
+    """Describe how a film and its substrate together carry the load of an asperity.
 
-    - regimes(groups, law, **own_options): list of Regime; `law` is a joining.Law, the asperity of either body
-    - wants: traits that the asperity law must have, with the reason for each
+    - regimes(groups, law, **own_options): list of engine.regime.Regime. groups: dimensionless groups of n contacts. law:
+      asperity law and tangential law of film and substrate (laws.joining.Law)
+    - wants: trait that the asperity law must have -> why
     - own_asperity: whether the film law has its own asperity law and ignores the one in `law`
     - one_body: whether film and substrate count as one body with the film's surface. If the film states a work of adhesion,
-      the one of the bodies and the groups in `takes` of `law` are then ignored.
-    - solved_as_one: whether its elastic asperity is a sphere on a layered solid; tangential laws with `layered` then apply
+      that of the bodies is then unused, and so are the groups in the field `takes` of the other laws
+    - solved_as_one: whether its elastic asperity is a sphere on a layered solid; tangential laws with `layered` then suit it
       too
-    - bares_substrate: whether the substrate can be exposed. A law of the interface then shears the covered part of the
-      contact, and the rest has the shear strength of the substrate.
+    - bares_substrate: whether the substrate can be exposed. A tangential law of the interface then shears only the part of the
+      contact with a film; the rest has the shear strength of the substrate
     - confined: whether the film can carry more than its own hardness, up to the hardness of the substrate
-    - tangential: tangential laws it goes with: "" any, "interface" those of the interface, or the key of its own law
-    - asperity: key of the asperity law in its source; another law with the wanted traits may replace it
+    - tangential: which tangential laws suit it: "" all, "interface" those that describe the interface, or the key of a single
+      law
+    - asperity: key of the asperity law in its source; another asperity law with the traits in `wants` may replace it
     - interchangeable: whether it can be combined with other models; False if it belongs to one variant of one model
-    - departures: errors in the limits of a thin film, a thick film, and a film like its substrate
-    - composites: option -> default key, for properties of film and substrate together that a Composite computes
+    - departures: its errors for a thin film, for a thick film, and for a film equal to its substrate
+    - composites: option -> default key, for each joint property of film and substrate that a Composite computes
     """
 
     kind = keyword = "film"
@@ -130,28 +135,31 @@ class FilmLaw(Record):
 class RoughSurface(Record):
     """Describe a model of the contact of a whole rough surface. It has one of four forms.
 
-    1. A sum of an asperity law over the heights:
-       - asperity, tangential: keys of the default laws; tangential "none" computes contact only
-       - default_film: default film law; "" if the model is for bare contacts only
+    groups: dimensionless groups of n contacts (contact.indices.Groups). Loads and areas are per asperity, in units of
+    K R^(1/2) sigma^(3/2) and pi R sigma; separations h are in units of sigma.
+
+    1. A sum of an asperity law over the asperity heights:
+       - asperity, tangential: keys of the default laws; with tangential "none" only contact is computed
+       - default_film: key of the default film law; "" if the model is for contacts without a film only
        - film_by_option: option value -> key of the film law that the value selects
        - regimes(groups, law, film or None, **own_options): list of Regime, if the model is more than a plain sum
-    2. A closed form in the separation h (asperity is ""):
-       - curve(h, groups, **own_options): load and area (n, H) at separations (H,)
+    2. A closed form in the separation (asperity is ""):
+       - curve(h, groups, **own_options): load and area (n, H) at separations h (H,)
        - separation_near(load, groups, **own_options): estimated separations (n, H) at loads (n, H), NaN if unknown. `curve`
          then also takes separations (n, H). Only for models without adhesion.
     3. A closed form in the load, for theories without a separation:
        - area_at_load(load, groups, **own_options): area (n, H) at loads (n, H)
-       - area_on_map(load, groups, map): the same for a HeightMap that represents both faces
-       - way(map or None): text that says how the area is computed
+       - area_on_map(load, groups, map): the same for a HeightMap that represents the roughness of both faces
+       - way(map or None): text that states how the area is computed
     4. A solution of a measured surface:
-       - of_map(surface, contact, pressures, **own_options): boundary_elements.curve.MapCurve of a HeightMap, with a film if
-         there is one, at nominal pressures [Pa]
+       - of_map(surface, contact, pressures, **own_options): boundary_elements.curve.MapCurve of a HeightMap at nominal
+         pressures [Pa], with a film if the contact has one
 
     Flags:
 
-    - takes_surface_moments: sigma, R and N only stand for the moments of a Gaussian surface; asperities are not used
+    - takes_surface_moments: sigma, R and N only stand for the spectral moments of a Gaussian surface; there are no asperities
     - on_film: a closed form that requires a film; other closed forms allow none
-    - up_to_full_contact: it includes the interaction of contacts and holds for any contact area
+    - up_to_full_contact: it includes the interaction of contact spots and holds for any contact area
     - adheres: a model without asperity law that includes adhesion
     """
 
@@ -175,13 +183,14 @@ class RoughSurface(Record):
 
 @dataclass(frozen=True, kw_only=True)
 class Composite(Record):
-    """Describe a property of film and substrate together, as a function of depth. The formulas take scalars.
+    """Describe a formula for a joint property of film and substrate, as a function of depth. All formulas take scalars.
 
-    - property "modulus": value(E_film/E_substrate, thickness/contact radius, Poisson's ratios of film and substrate)
-      returns the composite modulus over the modulus of the substrate
-    - property "hardness": value(H_film/H_substrate, depth/thickness, constant, exponent) returns the composite hardness
-      over the hardness of the substrate
-    - constants(n_E, n_H, n_Y): constants (n,) of a hardness formula; n_Y is the ratio of the yield stresses
+    - property "modulus": value(E_film/E_substrate, thickness/contact radius, Poisson's ratio of film, Poisson's ratio of
+      substrate) returns the joint modulus over the modulus of the substrate
+    - property "hardness": value(H_film/H_substrate, depth/thickness, constant, exponent) returns the joint hardness over the
+      hardness of the substrate
+    - constants(n_E, n_H, n_Y): constants (n,) of a hardness formula; n_E, n_H, n_Y are modulus, hardness and yield stress of
+      the film over those of the substrate
     - landmarks(constant, exponent): values (n, m) of depth/thickness between which the formula is smooth
     """
 
@@ -192,7 +201,7 @@ class Composite(Record):
     landmarks: Callable | None = None
 
 
-# The tangential laws that ageing and contamination laws require, as part of an error.
+# Which tangential laws allow ageing and contamination laws, as part of an error.
 OF_AREA = "none, or a tangential law whose force is interface strength times contact area"
 
 
@@ -200,12 +209,12 @@ OF_AREA = "none, or a tangential law whose force is interface strength times con
 class Addition(Record):
     """Describe a law that a contact can have in addition to those of its model, such as a law of menisci.
 
-    A folder of `laws` holds one kind of them. The docstring of its `__init__.py` names the kind; its kind.py defines KIND,
-    a subclass of this class.
+    Each folder of `laws` with a file kind.py holds one kind of such laws. The docstring of its `__init__.py` names the kind;
+    its kind.py defines KIND, a subclass of this class.
 
-    - default: key of the law used if the contact has the inputs of this kind (`is_stated`); "" for none
-    - order: position of the kind among the others
-    - wants: traits that the asperity law must have, with the reason for each
+    - default: key of the law used if the contact has the inputs of this kind (see `is_stated`); "" for none
+    - order: position of the kind in lists, the lowest first
+    - wants: trait that the asperity law must have -> why
     """
 
     default: ClassVar[str] = ""
@@ -214,20 +223,23 @@ class Addition(Record):
 
     @classmethod
     def allowed(cls, model: RoughSurface, tangential: TangentialLaw | None, film: FilmLaw | None) -> str:
-        """Return which laws this kind of added law requires, if it cannot be combined with the given ones; "" if it can."""
+        """Return what is allowed in place of a law of this kind, as text for an error, if none can be added; "" if one can.
+
+        model, tangential, film: the other laws of the contact; None for no tangential law or no film law.
+        """
         return ""
 
     @classmethod
     def is_stated(cls, groups: "Groups") -> bool:
-        """Return whether the contact has the inputs that this kind of law needs."""
+        """Return whether the contact has the inputs of this kind of law, so that the default law of the kind is used."""
         return False
 
     def changed(self, groups: "Groups") -> "Groups":
-        """Return the dimensionless groups after this law has changed them; all other laws then use the changed groups."""
+        """Return the dimensionless groups as this law changes them; all other laws then use the changed groups."""
         return groups
 
     def regimes(self, groups: "Groups") -> "list[Regime]":
-        """Return the regimes that this law adds to the sum over asperities."""
+        """Return the regimes (smooth parts of an asperity's behaviour) that this law adds to the sum over asperities."""
         return []
 
     def results(
@@ -236,20 +248,22 @@ class Addition(Record):
         summed: "Callable[[TangentialLaw], np.ndarray]",
         asperities: "np.ndarray | None",
     ) -> "dict[str, np.ndarray]":
-        """Return the results (n, m) that this law adds to a sum, by name.
+        """Return name -> array (n, m) of the results that this law adds, for n contacts at m loads or separations.
 
-        summed(law): returns the sum per asperity with `law` as tangential law. asperities: number of asperities (n, 1), or
-        None if unknown.
+        - results: results of the sum over asperities, by name, (n, m) each
+        - summed(law): function that returns the sum per asperity of the tangential force by `law`, (n, m)
+        - asperities: number of asperities of each contact (n, 1), or None if unknown
         """
         return {}
 
 
 @dataclass(frozen=True, kw_only=True)
 class Criterion(Record):
-    """Describe a number that separates two kinds of behaviour of a rough contact, such as elastic and plastic.
+    """Describe a ratio whose value below or above 1 tells two kinds of behaviour of a rough contact apart.
 
-    ratio(groups): array (n,), for asperities with the spectral moments of the surface. below, above: what holds for the
-    contact if the ratio is below or above 1. on_map: whether `ratio` also takes a HeightMap that represents both faces.
+    - ratio(groups): the ratio (n,) for n contacts, whose dimensionless groups have the spectral moments of the surface
+    - below, above: sentence on the contact if the ratio is below 1, or above 1, such as elastic or plastic
+    - on_map: whether `ratio` also takes a HeightMap that represents the roughness of both faces
     """
 
     kind = "criterion"
@@ -268,11 +282,12 @@ class AsperityMethod(Record):
     - label: short description for pictures
     - order: position among the methods in tables and pictures, which also sets its colour
     - of_profiles: whether it also accepts a single profile
-    - of_summits: whether it finds Nayak's sigma, R and N on a resolved Gaussian surface, and so may be the default method
+    - of_summits: whether it finds the sigma, R and N of Nayak's theory (1971) on a Gaussian surface with fine enough points;
+      only then it may be the default method
     - of_moments: whether its asperities have exactly the measured spectral moments, which models of the whole surface use
     - accuracy: relative error of sigma and R on paraboloids 400 points wide
     - validity: ranges of properties of the asperities found
-    - limits: limiting cases without groups; the parent is another method
+    - limits: cases in which it agrees with another asperity method, whose key is the `parent`
     """
 
     kind, keyword = "asperity method", "method"
@@ -288,18 +303,18 @@ class AsperityMethod(Record):
 
 @cache
 def kinds_of_additions() -> dict[str, type[Addition]]:
-    """Return the kinds of laws that can be added to a model, by keyword."""
+    """Return keyword -> class of each kind of law that can be added to a model, such as "meniscus", in their order."""
     additions = [import_module(f"stiction.laws.{name}.kind").KIND for name in names_of_additions()]
     return {kind.keyword: kind for kind in sorted(additions, key=lambda kind: kind.order)}
 
 
 def kinds() -> tuple[type[Record], ...]:
-    """Return the classes of records, such as AsperityLaw and FilmLaw."""
+    """Return the class of every kind of record, such as AsperityLaw and FilmLaw."""
     additions = kinds_of_additions().values()
     return RoughSurface, AsperityLaw, TangentialLaw, FilmLaw, Composite, *additions, Criterion, AsperityMethod
 
 
-# What the authors of records and those who read them import from here.
+# Public names: all that modules with a record, and modules that use records, import from here.
 __all__ = [
     "FILM_LIMITS", "GRADES", "JUNCTIONS", "NO_JUNCTIONS", "OF_AREA", "TRAITS", "YIELDED", "Addition", "AsperityLaw",
     "AsperityMethod", "Composite", "Criterion", "Departure", "FilmLaw", "Jump", "Limit", "Parameter", "Record",
@@ -309,12 +324,12 @@ __all__ = [
 
 
 def records() -> tuple[Record, ...]:
-    """Return all records, ordered by kind and then by key."""
+    """Return the records of all models and laws, ordered by kind and then by key."""
     return tuple(record for kind in kinds() for record in of_kind(kind).values())
 
 
 def all_options() -> dict[str, tuple[str, ...]]:
-    """Return the options of all models and laws: option name -> every value that any of them allows."""
+    """Return option name -> every value that any model or law allows for it."""
     known: dict[str, dict[str, None]] = {}
     for record in records():
         for name, values in record.options.items():
@@ -323,23 +338,23 @@ def all_options() -> dict[str, tuple[str, ...]]:
 
 
 def composites_of(property: str) -> dict[str, Composite]:
-    """Return, by key, the formulas for this property, "modulus" or "hardness", of film and substrate together."""
+    """Return the formulas for a joint property of film and substrate by key; property: "modulus" or "hardness"."""
     return {key: composite for key, composite in of_kind(Composite).items() if composite.property == property}
 
 
 def _first(key: str, known: Iterable[str]) -> tuple[str, ...]:
-    """Return the known keys as a tuple, with `key` moved to the front."""
+    """Return all keys in `known` as a tuple, with `key` moved to the front."""
     return key, *(other for other in known if other != key)
 
 
 def incompatibility(law: TangentialLaw | FilmLaw | Addition, asperity: AsperityLaw) -> str:
-    """Return why a tangential law, film law or added law cannot be combined with an asperity law; "" if it can."""
+    """Return in words why a tangential law, film law or added law cannot be combined with an asperity law; "" if it can."""
     missing = [why for trait, why in law.wants.items() if trait not in asperity.traits]
     return f"{law.key} does not suit {asperity.key}: {' and '.join(missing)}" if missing else ""
 
 
 def friction_incompatibility(film: FilmLaw, tangential: TangentialLaw | None) -> str:
-    """Return why a film law cannot be combined with a tangential law; "" if it can."""
+    """Return in words why a film law cannot be combined with a tangential law; "" if it can, or if the latter is None."""
     if tangential is None or film.tangential in ("", tangential.key):
         return ""
     if film.tangential != "interface":
@@ -354,14 +369,18 @@ def friction_incompatibility(film: FilmLaw, tangential: TangentialLaw | None) ->
 
 
 def select_options(record: Record, options: Mapping[str, str]) -> dict[str, str]:
-    """Return the record's own options with their values, using defaults for those not given."""
+    """Return the values of a record's options, by name; the default where `options` has no value.
+
+    options: option name -> value; names of options that the record does not have are ignored.
+    """
     return {name: options.get(name, values[0]) for name, values in record.options.items()}
 
 
 def resolve_options(known: Iterable[Record], options: Mapping[str, str | None]) -> dict[str, str]:
-    """Return the values of all options that the `known` records have: those in `options`, else the defaults.
+    """Return the value of every option of these records, by name: the one in `options`, else the default.
 
-    Raises InputError for an unknown option or value.
+    known: records of the laws in use. options: name -> value, None for the default. Raises InputError for an option that no
+    record has, or for a value that is not allowed.
     """
     known = tuple(known)
     allowed = {name: values for record in known for name, values in record.options.items()}

@@ -1,4 +1,4 @@
-"""Describe sources of equations and numbers, and read the bibliography of the package."""
+"""Describe the source of an equation or number, and read the bibliography of the package."""
 
 import re
 from collections.abc import Iterable, Mapping
@@ -14,8 +14,9 @@ from stiction.quantities.errors import InputError, nearest
 class Source:
     """Describe the source of one equation, number or idea.
 
-    key: entry of sources.bib. where: place in the source, such as "eq. (2)", "table 1" or "p. 12"; "" for the whole work.
-    note: what was corrected (an erratum) or reconstructed; "" if it is used as printed.
+    - key: key of the BibTeX entry, in sources.bib or in the field `entries` of a record
+    - where: place in the source, such as "eq. (2)", "table 1" or "p. 12"; "" for the whole work
+    - note: what was corrected (an erratum) or reconstructed; "" if the source is used as printed
     """
 
     key: str
@@ -27,7 +28,7 @@ class Source:
         return f"{place} ({self.note})" if self.note else place
 
 
-# An entry runs from its "@type{key," at the start of a line to a closing brace alone on a line.
+# An entry of the bibliography runs from "@type{key," at the start of a line to a closing brace alone on a line.
 ENTRY = re.compile(r"^@(?P<kind>\w+)\{(?P<key>[^,\s]+),$(?P<fields>.*?)^\}$", re.MULTILINE | re.DOTALL)
 
 
@@ -38,15 +39,15 @@ def _entries() -> dict[str, str]:
 
 
 def bibliography() -> dict[str, str]:
-    """Return the BibTeX text of every entry of the bibliography by key, in alphabetical order."""
+    """Return key -> BibTeX text of every entry in the package's bibliography, in the order of the file."""
     return dict(_entries())
 
 
 def bibtex(keys: Iterable[str], more: Mapping[str, str] = MappingProxyType({})) -> str:
-    """Return the BibTeX of these keys as the text of a .bib file; "" for no keys.
+    """Return the BibTeX entries of these keys as the text of a .bib file; "" for no keys.
 
-    keys: keys of the bibliography; repeated keys are written once. more: further entries, BibTeX by key. Entries are in the
-    order of the bibliography, with a blank line between two. Raises InputError for an unknown key.
+    keys: keys of the bibliography or of `more`, in any order and with repetitions. more: further entries, key -> BibTeX text.
+    The entries stand in the order of the bibliography, with a blank line between two. Raises InputError for an unknown key.
     """
     wanted = set(keys)
     entries = _entries() | dict(more)

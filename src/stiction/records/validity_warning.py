@@ -1,4 +1,4 @@
-"""Define the warning that a result lies outside the validity range of a model."""
+"""Define the warning that a result lies outside the range in which a model is valid."""
 
 import math
 from collections.abc import Mapping
@@ -13,10 +13,13 @@ from stiction.records.claims import KINDS_OF_WARNING, range_in_words
 class ValidityWarning:
     """Describe a reason why a result may be wrong: one of its quantities is outside a validity range.
 
-    why: text. quantity: key of the quantity outside its range; "" for a general warning, which has only `why`. least, most:
-    smallest and largest of the values outside the range. outside, points: number of points outside and in total; points is 0
-    if `why` is a whole sentence, otherwise `why` is printed after quantity and values. low, high: ends of the range, infinite
-    if open. kind: a key of KINDS_OF_WARNING.
+    - why: the reason, in words
+    - quantity: key of the quantity outside its range; "" for a general warning, which has only `why` and `kind`
+    - least, most: smallest and largest of the values outside the range
+    - low, high: ends of the range; -inf or inf if open
+    - outside, points: number of solved points outside the range, and of all solved points. With points = 0 `why` is a whole
+      sentence, otherwise it follows the quantity and its values when printed
+    - kind: a key of KINDS_OF_WARNING
     """
 
     why: str
@@ -35,15 +38,15 @@ class ValidityWarning:
 
     @property
     def beyond(self) -> float:
-        """Return the largest excess over the range, relative to the bound; absolute if the bound is 0."""
+        """Return how far the values lie outside the range, relative to the bound that they pass; absolute if it is 0."""
         ends = [(self.low, self.low - self.least), (self.high, self.most - self.high)]
         excesses = [distance / abs(bound) if bound else distance for bound, distance in ends if math.isfinite(bound)]
         return max(excesses, default=math.nan)
 
     def as_data(self) -> dict[str, str | float | None]:
-        """Return the fields and `beyond` as a table for JSON; without a quantity only `why` and `kind`.
+        """Return the fields and `beyond` by name, for JSON; a warning without a quantity has only `why` and `kind`.
 
-        NaN and an open end become null, an infinite value becomes "inf" or "-inf".
+        NaN and an open end of the range become None, an infinite value becomes "inf" or "-inf".
         """
         if not self.quantity:
             return {"why": self.why, "kind": self.kind}
@@ -54,7 +57,7 @@ class ValidityWarning:
 
     @classmethod
     def from_data(cls, data: Mapping[str, Any]) -> "ValidityWarning":
-        """Return the warning from the table that `as_data` returned; missing and null fields have their defaults."""
+        """Return the warning from the dict that `as_data` returned; fields missing or None get their defaults."""
         fields = {name: value for name, value in data.items() if name != "beyond" and value is not None}
         return cls(**fields | {name: float(fields[name]) for name in ("least", "most") if name in fields})
 
@@ -74,19 +77,19 @@ class ValidityWarning:
 
     @property
     def in_brief(self) -> str:
-        """Return the quantity outside its range with its value."""
+        """Return the short name of the quantity outside its range and its values, as text; `why` if `points` is 0."""
         return f"{QUANTITIES[self.quantity].short or self.quantity} {self._values}" if self.points else self.why
 
     @property
     def rule(self) -> str:
-        """Return the allowed range that was left, written with the symbol of the quantity, without the actual value."""
+        """Return which range is left and why, as text with the symbol of the quantity but without its value."""
         return (
             f"{QUANTITIES[self.quantity].symbol} is not {self._range}: {self.why}" if self.quantity in QUANTITIES else self.why
         )
 
     @property
     def short(self) -> str:
-        """Return the symbol, the value and the claimed range of the quantity, with the reason."""
+        """Return symbol, values and allowed range of the quantity with the reason, as text; `why` if `points` is 0."""
         if not self.points:
             return self.why
         return f"{QUANTITIES[self.quantity].symbol} = {self._values}, not {self._range}: {self.why}"
