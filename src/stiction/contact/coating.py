@@ -1,4 +1,4 @@
-"""A film on one body or on both."""
+"""Define the class Coating, a film on one body of a contact or on both."""
 
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Annotated, Any, Literal
@@ -18,20 +18,21 @@ else:
 
 
 class Coating(Input):
-    """A film on one body or on both.
+    """Describe a film on one body of a contact, or a film on each of the two bodies.
 
     Parameters
     ----------
     material : Material, str or dict
-        Material, name of a preset, or its numbers.
+        Material, name of a preset, or a dict with the fields of a Material.
     thickness : float [m], str with a unit, or array
-        Film thickness, of both films together if there are two.
+        Film thickness; with two films the sum of both.
     bodies : {"both", "first", "second"}
-        Body that carries the film; with "both", the default and the paper's case, film meets film.
+        Body that carries the film; with "both" (default, as in the 2015 paper) each body does, and film meets film.
     work_of_adhesion : float [J/m^2], str with a unit, or array, optional
-        Of the surfaces that meet; by default the value of the contact.
+        Work of adhesion of the surfaces that meet; by default the value of the contact.
     friction_constant : float [N/m], str with a unit, or array, optional
-        C of mu = (C t/W)^(1/3), used by one film law (Ravindran et al. 1980); by default it follows from strength and hardness.
+        Constant C of the friction mu = (C t/W)^(1/3) of an asperity with load W on a film of thickness t. Only the film law of
+        Ravindran et al. (1980) uses it; by default it follows from strength and hardness.
 
     Raises
     ------
@@ -40,8 +41,8 @@ class Coating(Input):
 
     Notes
     -----
-    The film models take one H/Y for film and substrate (theory 2), and one E_t/E, the value of the bodies. A yield_stress or
-    tangent_modulus of the film only decides whether it or an equally hard body yields first.
+    The film laws use the H/Y and the E_t/E (tangent modulus over Young's modulus) of the bodies for the film too. A
+    yield_stress or tangent_modulus of the film only decides whether the film or an equally hard body yields first.
 
     Examples
     --------
@@ -58,9 +59,9 @@ class Coating(Input):
 
 
 def softer_in_words(film: Material, counterbody: Material, bare: Any) -> str:
-    """Report that the counterbody yields before the film.
+    """Return a remark that the body opposite the film is softer than the film, and therefore yields first.
 
-    bare: the hardness of the bodies without their film [Pa].
+    film, counterbody: materials of the film and of the body opposite. bare: hardness of the contact without the film [Pa].
     """
     ratio = counterbody.hardness / bare
     n_H = f"n_H = {float(ratio):.4g}" if np.ndim(ratio) == 0 else "n_H"

@@ -1,4 +1,4 @@
-"""Compute the dimensionless groups of a contact from materials, film and roughness (docs/explanation/theory.md)."""
+"""Define the class Contact, which computes the dimensionless groups of two rough bodies (docs/explanation/theory.md)."""
 
 from functools import cached_property
 from math import pi
@@ -34,29 +34,32 @@ _STATE: Any = Field(None, description="the name of a state, see `stiction interf
 
 
 class Contact(Subject):
-    """Two bodies with rough surfaces, perhaps a film between them.
+    """Describe two rough bodies in contact, with or without a film between them.
 
     Parameters
     ----------
     first, second : Material, str or dict
-        Material, preset or numbers. Their order only sets the direction in which `st.slide` moves unlike bodies over a map.
+        Material, name of a preset, or a dict. Their order matters only in `st.slide`, where unlike bodies move over a map.
     roughness : Roughness, dict, HeightMap, topography or (array, size)
-        Numbers of the asperities; or a scan of the first body, the second being smooth; or a dict like the table of a case
-        file, with a scan or numbers as `first`, `second` or both, and how asperities are found.
+        sigma, R and N of the asperities; or a scan of the first body, the second being smooth; or a dict like the table of a
+        case file, with a scan or numbers as `first`, `second` or both, and how asperities are found.
     nominal_area : float [m^2], str with a unit, or array
         Area on which the load rests.
     work_of_adhesion : float [J/m^2], str with a unit, or array, optional
-        Of the bodies' surfaces, see the function of that name; by default, or at zero, there is no adhesion.
-    coating, hardness_to_yield : optional
-        Film; H/Y, by default hardness over yield_stress of the softer body, or 2.8 if that has no yield_stress.
+        Of the bodies' surfaces, see `st.work_of_adhesion`; by default, or at zero, there is no adhesion.
+    coating : Coating or dict, optional
+        Film on one body or on both.
+    hardness_to_yield : float or array, optional
+        H/Y; by default hardness over yield_stress of the softer body, or 2.8 if that body has no yield_stress.
     interfacial_shear_strength, pressure_coefficient : float [Pa] and float, str with a unit, or array, optional
-        Shear strength of the interface on the real contact area, and its increase with pressure.
+        tau_0 and alpha in the shear strength tau_0 + alpha p of the interface at the pressure p, on the real contact area.
     interface : str, dict or Interface, optional
-        State of the interface in place of these two numbers; `stiction interfaces` lists the states. Results take its medians.
+        State of the interface in place of these two numbers; `stiction interfaces` lists the states. Results use its medians.
     peeling, strength_variation, burgers_vector : float, the last [m] or str with a unit, optional
-        Mode-mixity share of an adhesive asperity (1); variation of junction strength; Burgers vector for `hurtado_kim_1999`.
+        Fraction of the energy released by shear that opens an adhesive asperity (1); standard deviation over mean of the
+        strength of junctions; Burgers vector, for the law `hurtado_kim_1999`.
     weakening_slip, residual_strength : float [m] and float, str with a unit, or array, optional
-        Slip over which the strength of the interface falls, and the fraction of it that stays; the slip needs the fraction.
+        Slip over which the strength of the interface falls, and the fraction of it that remains; the slip needs the fraction.
     liquid, hold_time, reference_time, ageing_rate : optional
         Liquid that condenses between asperities; ageing of the interface at rest: three numbers, all or none.
 
@@ -67,8 +70,8 @@ class Contact(Subject):
 
     Notes
     -----
-    Every number may be an array with a named dimension (`stiction.axis`). The softer body decides the strength; of two equally
-    hard bodies the one with the lower yield stress, then Poisson's ratio, then tangent modulus.
+    Every number may be an array with a named dimension (`stiction.axis`). The strength of the contact is that of the softer
+    body; of two equally hard bodies that with the lower yield stress, then Poisson's ratio, then tangent modulus.
 
     Examples
     --------
@@ -114,7 +117,7 @@ class Contact(Subject):
         return self
 
     def _check_adhesion(self) -> None:
-        """Raise InputError if an array parameter mixes contacts with and without adhesion, which need different groups."""
+        """Raise InputError if some points of a sweep adhere and others do not, or if only one of contact and film adheres."""
         some = np.asarray(0.0 if self.work_of_adhesion is None else self.work_of_adhesion)
         if (some == 0.0).any() and some.any():
             raise InputError(
@@ -132,20 +135,20 @@ class Contact(Subject):
 
     @property
     def adheres(self) -> bool:
-        """Return whether the contact has a work of adhesion."""
+        """Return whether the work of adhesion of the contact is stated and above 0."""
         return bool(np.any(np.asarray(0.0 if self.work_of_adhesion is None else self.work_of_adhesion) > 0.0))
 
     def indices(self) -> Indices:
-        """Return the dimensionless groups of theory 1, and of theory 4 with a film.
+        """Return the dimensionless groups of this contact, of the bare bodies and, if there is a film, of the film.
 
-        Arrays broadcast by dimension. Raises InputError if a group is out of its bounds.
+        Array inputs are broadcast by the names of their dimensions. Raises InputError if a group is out of its bounds.
         """
         return self._indices
 
     @cached_property
     def _indices(self) -> Indices:
         try:
-            with np.errstate(all="ignore"):  # what overflows in an array is refused by Indices
+            with np.errstate(all="ignore"):  # Indices refuses numbers that have overflowed in an array
                 groups = self.unlabelled._groups()
         except ArithmeticError:
             raise InputError("contact", "numbers that overflow", "numbers of the size that real materials have") from None
@@ -153,8 +156,8 @@ class Contact(Subject):
         return Indices(**{name: labelled(value, names) for name, value in groups.items()} if names else groups)
 
     def known(self, name: str) -> object:
-        """Return the property or dimensionless group of this name; None if the contact does not determine it."""
-        is_group = name in Indices.model_fields or hasattr(Indices, name)  # groups are computed only if one is requested
+        """Return the property or dimensionless group called `name`; None if the contact does not determine it."""
+        is_group = name in Indices.model_fields or hasattr(Indices, name)  # the groups are computed only for one of them
         return self.indices().known(name) if is_group and not hasattr(self, name) else super().known(name)
 
     def _groups(self) -> dict[str, Any]:
@@ -182,7 +185,10 @@ class Contact(Subject):
         return groups if self.coating is None else groups | self._film_groups(self.coating, bare)
 
     def _adhesion(self, bare: "Pair") -> dict[str, Any]:
-        """Return theta, lambda and Tabor's parameter; without adhesion, the hardness group only."""
+        """Return the adhesion indices theta and lambda and Tabor's parameter; without adhesion, the hardness group instead.
+
+        bare: both bodies without a film.
+        """
         sigma, radius, gamma = self._sigma, self._radius, self.work_of_adhesion
         if gamma is None or not self.adheres:
             return {"hardness_group": pi * bare.hardness * (radius / sigma) ** 0.5 / bare.K}
@@ -195,12 +201,12 @@ class Contact(Subject):
     def _film_groups(self, coating: Coating, bare: "Pair") -> dict[str, Any]:
         film = Pair(at_radius(coating.material, self._radius), at_radius(self._against_film(coating), self._radius))
         gamma, film_gamma, constant = self.work_of_adhesion, coating.work_of_adhesion, coating.friction_constant
-        # With both coated, the more compliant counts as the coated one, so that their order does not matter.
+        # If both bodies are coated, the more compliant one counts as the coated body, so that their order does not matter.
         coated, counter = (self.second, self.first) if coating.bodies == "second" else (self.first, self.second)
         first = True if coating.bodies != "both" else more_compliant(coated, counter)
-        share = choose(first, compliance_of(coated), compliance_of(counter)) * (0.75 * bare.K)  # rounded, it may exceed 1
+        share = choose(first, compliance_of(coated), compliance_of(counter)) * (0.75 * bare.K)  # round-off may exceed 1
         return {
-            # theory 4; the ratio of K is the paper's n_E = E_c/E_s where film and bodies share one nu
+            # The ratio of K equals the n_E = E_c/E_s of the 2015 paper if film and bodies have the same nu.
             "n_E": film.K / bare.K,
             "n_H": film.hardness / bare.hardness,
             "tau": coating.thickness / self._sigma,
@@ -238,7 +244,7 @@ class Contact(Subject):
 
     @property
     def softer_counterbody(self) -> tuple[Material, Material] | None:
-        """Return the film and its counterbody if the counterbody is softer at any point of a sweep; otherwise None."""
+        """Return (film, body opposite the film) if this body is softer than the film at any point of a sweep; else None."""
         if self.coating is None or self.coating.bodies == "both":
             return None
         film, other = (at_radius(body, self._radius) for body in (self.coating.material, self._against_film(self.coating)))
@@ -267,7 +273,7 @@ class Contact(Subject):
         return self if surface is None else self.model_copy(update={"roughness": surface})
 
     def all_groups(self) -> dict[str, "NumberOrArray"]:
-        """Return all groups, including the plasticity index, which needs the materials."""
+        """Return name -> value of every known dimensionless group, with the plasticity index, which needs the materials."""
         return super().all_groups() | {"plasticity_index": self.plasticity_index}
 
     def given_as(self, group: str) -> str:
@@ -279,7 +285,11 @@ class Contact(Subject):
         return to_si(value, name)
 
     def read_point(self, entry: object, name: str, where: str) -> float:
-        """Return a load or mean separation of a case file [SI] from text with a unit or, as separation over sigma, a number."""
+        """Return a load [N] or mean separation [m] from the text with a unit that a case file states.
+
+        entry: the text, or for a mean separation also a number, in units of sigma. name: "load" or "mean_separation". where:
+        place in the file, for errors.
+        """
         if not isinstance(entry, str):
             if name == "mean_separation":
                 return plain_number(entry, where) * self._sigma
@@ -294,7 +304,7 @@ class Contact(Subject):
         return QUANTITIES[name].attributes
 
     def scales(self) -> Scales:
-        """Return the scales of load, area, separation and asperity number (theory 1)."""
+        """Return the factors that convert dimensionless load, area, separation and asperity number to SI units."""
         return self.unlabelled._scales
 
     @cached_property
@@ -310,19 +320,20 @@ class Contact(Subject):
 
     @property
     def contact_modulus(self) -> "NumberOrArray":
-        """Return E* of the two bodies without film [Pa] (theory 1)."""
+        """Return the contact modulus E* [Pa] of the two bodies without a film: 1/E* is the sum of (1 - nu^2)/E."""
         return 0.75 * self._bare.K
 
     @property
     def touching(self) -> tuple[Material, Material]:
-        """Return the materials of the two surfaces that meet; a film replaces its body."""
+        """Return the materials of the two surfaces that meet: the film of a coated body, otherwise the body itself."""
         return (self.first, self.second) if self.coating is None else (self.coating.material, self._against_film(self.coating))
 
     def interface_at(self, level: "ArrayLike" = 0.5) -> tuple["Values | None", "Values | None"]:
-        """Return the strength tau_0 [Pa] and the pressure coefficient of the interface; None where unknown.
+        """Return the shear strength tau_0 [Pa] and the pressure coefficient of the interface; each is None if unknown.
 
-        The bodies do not limit this strength. level: quantile levels of the state of the interface, between 0 and 1. A
-        strength over hardness or shear modulus is relative to the softer touching body. Raises InputError.
+        level: quantile levels between 0 and 1 at which the distributions of the interface state are read; numbers without a
+        state do not depend on it. The strength is not capped by that of the bodies. If the state gives it over hardness or
+        shear modulus, those of the softer touching body apply. Raises InputError.
         """
         if self.interface is None:
             return self.interfacial_shear_strength, self.pressure_coefficient
@@ -330,29 +341,33 @@ class Contact(Subject):
 
     @property
     def interface_strength(self) -> "NumberOrArray | None":
-        """Return tau_0 of the interface [Pa], at most the shear strength of the weaker surface; None if it is not stated."""
+        """Return tau_0 of the interface [Pa], capped at the shear strength of the weaker surface; None if it is not stated."""
         stated = self.interface_at()[0] is not None
         return self.indices().interface_strength * self._bare.hardness if stated else None
 
     @property
     def kelvin_radius(self) -> "NumberOrArray | None":
-        """Return the Kelvin radius of the menisci [m], see Liquid; None without a liquid."""
+        """Return the Kelvin radius of the menisci [m], see `Liquid.kelvin_radius`; None without a liquid."""
         return None if self.liquid is None else self.liquid.kelvin_radius
 
     @property
     def kelvin_radius_over_confirmed(self) -> "NumberOrArray | None":
-        """Return the Kelvin radius over the smallest one confirmed by experiment; None without a liquid."""
+        """Return the Kelvin radius over the smallest radius at which Kelvin's equation was confirmed; None without a liquid."""
         return None if self.liquid is None else self.liquid.kelvin_radius_over_confirmed
 
     @property
     def plasticity_index(self) -> "NumberOrArray":
-        """Return the plasticity index (E*/H) (sigma/R)^(1/2) without a film, with H of the softer body (GW 1966)."""
+        """Return the plasticity index (E*/H) (sigma/R)^(1/2) of the bodies without a film (Greenwood & Williamson 1966).
+
+        H is the hardness of the softer body.
+        """
         return self.contact_modulus / self._bare.hardness * (self._sigma / self._radius) ** 0.5
 
     def tabor_parameter(self, equilibrium_distance: "QuantityLike" = EQUILIBRIUM_DISTANCE) -> "NumberOrArray":
-        """Return Tabor's parameter (R gamma^2/(E*^2 epsilon^3))^(1/3) without a film (Tabor 1977).
+        """Return Tabor's parameter (R gamma^2/(E*^2 epsilon^3))^(1/3) of the bodies without a film (Tabor 1977).
 
-        equilibrium_distance: epsilon, SI or text with unit. JKR holds well above about 5, DMT well below about 0.1.
+        equilibrium_distance: epsilon, in m or text with a unit. The parameter is 0 without adhesion. JKR adhesion holds well
+        above about 5, DMT well below about 0.1.
         """
         distance = to_si(equilibrium_distance, "equilibrium_distance")
         if (gamma := self.work_of_adhesion) is None or not self.adheres:
@@ -361,12 +376,12 @@ class Contact(Subject):
 
     @cached_property
     def _bare(self) -> Pair:
-        """Return both bodies without a film, with the hardness at the size of the asperities."""
+        """Return both bodies without a film, each with the hardness that it has under asperities of radius R."""
         return Pair(at_radius(self.first, self._radius), at_radius(self.second, self._radius))
 
     @property
     def size_effect(self) -> "NumberOrArray | None":
-        """Return the largest (hardness at asperities/hardness of large imprints)^2 - 1 of the bodies; None without it."""
+        """Return the largest (H at asperities/H of large imprints)^2 - 1 of bodies and film; None if none has a size effect."""
         ratios = [size_ratio(body, self._radius) for body in self._bodies if body.characteristic_depth is not None]
         return max(ratios, key=lambda ratio: float(np.max(ratio))) if ratios else None
 
@@ -379,5 +394,5 @@ class Contact(Subject):
         return self.roughness.asperity_radius
 
     def _against_film(self, coating: Coating) -> Material:
-        """Return the material that the film touches: the film of the other body, or the other body if it is bare."""
+        """Return the material that the film touches: the film of the other body, or the other body if it has no film."""
         return {"both": coating.material, "first": self.second, "second": self.first}[coating.bodies]

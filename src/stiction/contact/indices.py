@@ -1,4 +1,4 @@
-"""Represent the dimensionless groups of a contact: Indices for users, Groups as arrays for laws."""
+"""Define the dimensionless groups of a contact: Indices for users, and Groups, with arrays, for laws."""
 
 import math
 from typing import TYPE_CHECKING, Any, Self
@@ -24,12 +24,12 @@ _FILM = (
     "counter_nu", "film_friction_constant",
 )  # fmt: skip
 
-# What follows from others where it is not given.
+# Groups that follow from others where the user does not state them.
 _FOLLOWS = ("hardness_group", "films", "layer_n_H", "layer_nu", "coated_share", "coated_nu", "counter_nu")
 
 
 def hardness_group(theta, lam):
-    """Return the hardness group eta = pi H sqrt(R/sigma)/K from the adhesion indices theta and lambda.
+    """Return the hardness group eta = pi H sqrt(R/sigma)/K from the adhesion indices theta (elastic) and lambda (plastic).
 
     eta = sqrt(pi) 18^(1/4) lambda^(1/4) theta^(-1/2), with half the coefficient 7.3 of eq 1.
     """
@@ -37,17 +37,18 @@ def hardness_group(theta, lam):
 
 
 def stiffness_group(nu):
-    """Return the normal-tangential stiffness product K beta = (8/3)(2 - nu)/(1 - nu).
+    """Return the product K beta = (8/3)(2 - nu)/(1 - nu) of normal stiffness K and tangential compliance beta.
 
-    It holds for bodies of one material or if one body is rigid: 6.4762 at nu = 0.3 (theory 1).
+    nu: Poisson's ratio. It holds for two bodies of one material, or if one body is rigid: 6.4762 at nu = 0.3 (S1.3).
     """
     return 8.0 / 3.0 * (2.0 - nu) / (1.0 - nu)
 
 
 def check_film(theta, lam, n_E, n_H, n_g=1.0) -> None:
-    """Raise InputError unless the adhesion indices theta and lambda of the film material are within their bounds.
+    """Raise InputError unless the adhesion indices of the contact with an infinitely thick film are within their bounds.
 
-    They are those of a half-space of film material. All arguments may be arrays.
+    theta, lam: adhesion indices without a film. n_E, n_H, n_g: modulus, hardness and work of adhesion of the film over those of
+    the bodies. All may be arrays.
     """
     with np.errstate(over="ignore"):
         alone = {"theta": (theta * n_E / n_g, n_E), "lam": (lam * (n_H * n_H / (n_E * n_g)) ** 2, n_H)}
@@ -58,27 +59,26 @@ def check_film(theta, lam, n_E, n_H, n_g=1.0) -> None:
 
 
 class Indices(Subject):
-    """Dimensionless groups of a contact (theory 1 and 4).
+    """Describe a contact by its dimensionless groups (docs/explanation/theory.md).
 
     Parameters
     ----------
     theta, lam : float or array, optional
-        Elastic and plastic adhesion index; without adhesion hardness_group is given in place of both.
+        Elastic and plastic adhesion index; without adhesion state hardness_group in place of both.
     hardness_group, nu, K_beta, hardness_to_yield, tabor_parameter, sharpness, roughness_parameter : float or array, optional
-        Groups of the bare bodies; K_beta is by default the value of like bodies, (8/3)(2 - nu)/(1 - nu).
+        Groups of the bodies without a film; K_beta is by default (8/3)(2 - nu)/(1 - nu), that of two equal bodies.
     n_E, n_H, tau : float or array, optional
-        Groups of a film, all three or none.
+        Modulus and hardness of a film over those of the bodies, and thickness over sigma: all three, or none without a film.
     n_g, film_aspect, film_nu, film_K_beta, film_friction_constant : float or array, optional
-        Further groups of a film.
+        Further groups of a film. By default n_g is 1, film_aspect infinite (the film is a half-space to every asperity),
+        film_nu is nu, film_K_beta follows from film_nu or is K_beta, film_friction_constant follows from strength and hardness.
     films, layer_n_H, layer_nu, coated_share, coated_nu, counter_nu : float or array, optional
-        Groups of coated bodies. film_nu is by default nu, film_K_beta follows from film_nu, or is K_beta; film_aspect is
-        infinite by default: the film is then a half-space to every asperity. One body is coated, and the other rigid, unless
-        films and coated_share say otherwise; with two films bodies are alike unless coated_share differs. By default layer_n_H
-        is n_H, layer_nu film_nu, coated_nu and counter_nu nu; film_friction_constant follows from strength and hardness.
+        Groups of the coated bodies. By default films is 1 (one coated body), coated_share is 1/films (the bare body is rigid,
+        or both coated bodies are equal), layer_n_H is n_H, layer_nu is film_nu, coated_nu and counter_nu are nu.
     nominal_width, size_over_burgers, shear_strength, pressure_coefficient, peeling, hardening, strength_variation : optional
         Groups that some laws use.
     waiting, ageing_rate, meniscus_index, meniscus_height : float or array, optional
-        Time at rest over the reference time, and ageing rate, both or none; groups of menisci, both or none.
+        Time at rest over the reference time, and ageing rate, both or none; two groups of menisci, both or none.
 
     Raises
     ------
@@ -87,7 +87,7 @@ class Indices(Subject):
 
     Notes
     -----
-    Any of them may be an array with a named dimension (`stiction.axis`). The list below has the meaning and bounds of each.
+    Every number may be an array with a named dimension (`stiction.axis`). The list below has the meaning and bounds of each.
 
     Examples
     --------
@@ -165,7 +165,7 @@ class Indices(Subject):
         return self
 
     def _check_bodies(self) -> None:
-        """Raise InputError for an impossible combination of film and bodies."""
+        """Raise InputError if film and bodies cannot exist together, such as an n_E above that of a rigid film."""
         if self.films is not None and not np.all((self.films == 1.0) | (self.films == 2.0)):
             raise InputError("films", self.films, "1 or 2, the number of coated bodies")
         if not self.has_film or self.coated_share is None:
@@ -184,30 +184,30 @@ class Indices(Subject):
 
     @property
     def has_film(self) -> bool:
-        """Return whether there is a film."""
+        """Return whether at least one body has a film."""
         return self.tau is not None
 
     @property
     def eta(self) -> "NumberOrArray":
-        """Return the hardness group eta = pi H sqrt(R/sigma)/K: a normalised area x at pressure H carries the load eta x."""
+        """Return the hardness group eta = pi H sqrt(R/sigma)/K: dimensionless load over dimensionless area at pressure H."""
         return hardness_group(self.theta, self.lam) if self.hardness_group is None else self.hardness_group
 
     @property
     def yield_strain(self) -> "NumberOrArray | None":
-        """Return the yield stress over the contact modulus E*; None where sqrt(sigma/R) is not known."""
+        """Return the yield stress over the contact modulus E*; None if `sharpness`, sqrt(sigma/R), is unknown."""
         if self.sharpness is None:
             return None
         return 4.0 / 3.0 * self.eta * self.sharpness / (math.pi * self.hardness_to_yield)
 
     @property
     def film_plasticity_index(self) -> "NumberOrArray | None":
-        """Return (E*/H) sqrt(sigma/R) = (3/4) pi/eta of the film as a half-space; None without a film."""
+        """Return (E*/H) sqrt(sigma/R) = (3/4) pi/eta of the contact with an infinitely thick film; None without a film."""
         film: Any = self  # with a film, n_E and n_H are known
         return 0.75 * math.pi / (self.eta * film.n_H / film.n_E) if self.has_film else None
 
     @property
     def film_stiffness(self) -> "NumberOrArray | None":
-        """Return n_E sqrt(R sigma)/t of a film of thickness t (infinite at t = 0); None without a film, or if R is unknown."""
+        """Return n_E sqrt(R sigma)/t for film thickness t, infinite at t = 0; None without a film or if R is unknown."""
         if not self.has_film or self.film_aspect is None:
             return None
         film: Any = self  # with a film, n_E is known
@@ -216,10 +216,10 @@ class Indices(Subject):
 
     @property
     def meniscus_tabor_parameter(self) -> "NumberOrArray | None":
-        """Return Tabor's parameter (R W^2/(E*^2 H^3))^(1/3) of a meniscus; None without menisci.
+        """Return Tabor's parameter (R W^2/(E*^2 H^3))^(1/3) of a meniscus at an asperity of radius R; None without menisci.
 
-        W = 2 gamma_L c is the work of adhesion of the liquid. H = 2 r c is the height of the meniscus, the range of its
-        attraction.
+        W = 2 gamma_L c is the work of adhesion of the liquid, with surface tension gamma_L and wetting factor c. H = 2 r c is
+        the height of the meniscus, the range of its attraction, with the Kelvin radius r.
         """
         if self.meniscus_index is None or self.meniscus_height is None:
             return None
@@ -227,16 +227,16 @@ class Indices(Subject):
 
     @property
     def meniscus_over_radius(self) -> "NumberOrArray | None":
-        """Return the height of a meniscus over the asperity radius, None if unknown."""
+        """Return the height of a meniscus over the asperity radius R; None without menisci or if sqrt(sigma/R) is unknown."""
         if self.meniscus_height is None or self.sharpness is None:
             return None
         return self.meniscus_height * self.sharpness**2
 
     @property
     def film_modulus(self) -> "NumberOrArray":
-        """Return the plane-strain modulus of the film over the contact modulus E* without a film.
+        """Return E_f/(1 - nu_f^2) of the film over the contact modulus E* of the bodies without a film.
 
-        It follows from n_E, in which the film touches its counterface: another film or an uncoated body.
+        n_E is the contact modulus of the film and the surface opposite it, over E*; the compliance of that surface is removed.
         """
         whole: Any = self.resolved()
         rest = np.where(np.asarray(whole.films) == 2.0, 0.5, (1.0 - whole.coated_share) * whole.n_E)
@@ -244,25 +244,22 @@ class Indices(Subject):
 
     @property
     def body_shear_strength(self) -> "NumberOrArray":
-        """Return the shear strength Y/sqrt(3) of the weaker touching surface, over the hardness of the bodies."""
+        """Return the shear strength Y/sqrt(3) of the weaker touching surface over the hardness of the bodies."""
         return (1.0 if self.n_H is None else self.n_H) / (math.sqrt(3.0) * self.hardness_to_yield)
 
     @property
     def strength_over_bodies(self) -> "NumberOrArray | None":
-        """Return the interfacial strength over the shear strength of the weaker surface; None if unknown."""
+        """Return the shear strength of the interface over that of the weaker touching surface; None if unknown."""
         return None if self.shear_strength is None else self.shear_strength / self.body_shear_strength
 
     @property
     def interface_strength(self) -> "NumberOrArray | None":
-        """Return the interfacial shear strength over hardness, capped by the weaker surface; None if unknown."""
+        """Return the interfacial shear strength over hardness, at most that of the weaker surface; None if unknown."""
         strengths: Any = self.shear_strength, self.body_shear_strength
         return None if self.shear_strength is None else np.minimum(*strengths)
 
     def knows(self, group: str) -> bool:
-        """Return whether a group that a law needs is known.
-
-        Without adhesion, theta and lambda are unknown.
-        """
+        """Return whether the group of this name has a value or a default; theta and lambda have none without adhesion."""
         return group in _FOLLOWS or getattr(self, group) is not None
 
     def indices(self) -> "Indices":
@@ -272,7 +269,7 @@ class Indices(Subject):
         return Scales()
 
     def resolved(self) -> Self:
-        """Return the groups with defaults in place of unknown ones: K_beta and, with a film, those of film and bodies."""
+        """Return the indices with defaults for K_beta and, with a film, for all groups of film and bodies that are unknown."""
         K_beta = stiffness_group(self.nu) if self.K_beta is None else self.K_beta
         if not self.has_film:
             return self._unchecked(K_beta=K_beta)
@@ -289,12 +286,12 @@ class Indices(Subject):
         return self._unchecked(K_beta=K_beta, film_nu=film_nu, film_K_beta=film_K_beta, **alone | given)
 
     def film(self) -> Self:
-        """Return the groups of the film as a half-space.
+        """Return the groups of the contact with an infinitely thick film, which every asperity meets as a half-space.
 
         Its adhesion indices are theta n_E/n_g and lambda n_H^4/(n_E n_g)^2; its nu and K beta are those of the film.
 
-        Source: section 2 of the 2015 paper (theory 4); n_g is an addition of this project. Forces are then normalised with
-        the film's unit of force, which is n_E times that of the bodies. Raises InputError without a film.
+        Source: section 2 of the 2015 paper (S5.1); n_g is an addition of this project. Forces are then normalised with the
+        film's unit of force, which is n_E times that of the bodies. Raises InputError without a film.
         """
         if not self.has_film:
             raise InputError("tau", None, "the film thickness over sigma; a film needs tau, n_E and n_H together")
@@ -315,11 +312,11 @@ class Indices(Subject):
         return self.with_changes(n_g=1.0, **dict.fromkeys(_FILM))
 
     def with_changes(self, **changes: object) -> Self:
-        """Return the indices with these groups replaced."""
+        """Return a copy with the groups in `changes` replaced and all groups checked again."""
         return type(self)(**self._fields() | changes)
 
     def _unchecked(self, **defaults: Any) -> Self:
-        """Return the indices with default groups added, which need no check and follow from checked ones."""
+        """Return a copy with default groups added; nothing is checked, because the defaults follow from checked groups."""
         return type(self).model_construct(**self._fields() | defaults)
 
     def _fields(self) -> dict[str, Any]:
@@ -363,10 +360,9 @@ else:
 
 
 class Groups(_Arrays):
-    """Hold the groups of n contacts as laws take them: arrays (n,), None where unknown.
+    """Store the dimensionless groups of n contacts for laws: each an array (n,), or None if unknown.
 
-    Values are not validated again. Groups of a film are None for a bare contact. film_aspect is infinite if R is
-    unknown.
+    Values are not validated again. Groups of a film are None without one; film_aspect is infinite if R is unknown.
     """
 
     def __init__(self, /, **arrays: Any):
@@ -379,7 +375,10 @@ class Groups(_Arrays):
 
     @classmethod
     def of(cls, indices: Indices) -> tuple["Groups", dict[str, int]]:
-        """Return the groups of all combinations of array parameters, and the sizes of their named dimensions."""
+        """Return the groups of all n combinations of array inputs, and name -> length of their dimensions.
+
+        The shear strength of the interface is capped at that of the weaker touching surface.
+        """
         whole = indices.resolved()
         values = {name: getattr(whole, name) for name in cls.model_fields} | {"shear_strength": whole.interface_strength}
         if not whole.has_film:
@@ -393,6 +392,6 @@ class Groups(_Arrays):
         return len(self.hardness_group if self.theta is None else self.theta)
 
     def __getitem__(self, rows: slice | np.ndarray) -> "Groups":
-        """Return the groups of selected contacts."""
+        """Return the groups of selected contacts; rows: slice, mask or indices."""
         columns = self._fields().items()
         return Groups(**{name: column[rows] if np.ndim(column) else column for name, column in columns})

@@ -1,4 +1,4 @@
-"""States of an interface with distributions of shear strength, read from interface_data/ (one file per family)."""
+"""Define interface states, with distributions of the shear strength, and read them from the files in interface_data/."""
 
 from collections.abc import Iterable, Mapping
 from functools import cache
@@ -16,21 +16,27 @@ from stiction.quantities.lognormal import lognormal_quantile
 from stiction.quantities.ranges import Ranges, check_ranges, range_in_words
 from stiction.quantities.table import QUANTITIES
 
-# How the strength of a state may be given: as a stress, over the hardness, or over the shear modulus of the softer body.
+# Fields that state the strength: as a stress, over the hardness, or over the shear modulus of the softer body.
 STRENGTHS = ("interfacial_shear_strength", "shear_strength", "strength_over_shear_modulus")
 
 
 class Interface(Input):
-    """Hold the state of an interface: distributions of tau_0 and alpha in the shear strength tau_0 + alpha p.
+    """Describe the state of an interface, such as "oxidised metal", by distributions of its shear strength.
 
-    p is the pressure. Exactly one of the three strengths is stated, as its median. A strength over hardness or shear
-    modulus is relative to the softer body, or to the film if it touches the other body. pressure_coefficient: median of
-    alpha; if absent, the strength does not depend on pressure. range: 5 and 95 % quantiles; a number without a range is
-    exact. source, grade: of each number, see data_files.GRADES. pairs: prior weight for each pair of material classes,
-    "metal, ceramic" or "polymer, any"; 0: used only if the user states it. only_with: materials; at least one is
-    required. of_film: whether pairs of weight 0 need a film. not_for: where the state must not be used.
+    The shear strength is tau_0 + alpha p at the pressure p, tau_0 and alpha being lognormally distributed.
 
-    The strength of the bodies does not cap these values. Raises InputError.
+    - interfacial_shear_strength, shear_strength, strength_over_shear_modulus: median of tau_0 in Pa, over the hardness, or over
+      the shear modulus; exactly one is stated. Hardness and shear modulus are those of the softer touching body or film
+    - pressure_coefficient: median of alpha; None if the strength does not depend on pressure
+    - range: 5 and 95 % quantiles of a number, by name; a number without a range is exact
+    - source, grade: of each number, by name; grades as in data_files.GRADES
+    - pairs: prior weight of the state for a pair of material classes, such as "metal, ceramic" or "polymer, any"; with weight 0
+      only the user can choose it
+    - only_with: names of materials, at least one of which is required
+    - of_film: whether pairs of weight 0 require a film
+    - not_for: uses that must be avoided, in words
+
+    The strength of the bodies does not cap these values. Raises InputError for contradicting numbers.
     """
 
     name: str = Field(default="unnamed", description="what to call it")
@@ -59,15 +65,15 @@ class Interface(Input):
 
     @property
     def strength(self) -> str:
-        """Return the name of the stated strength, one of STRENGTHS."""
+        """Return the name of the stated strength, such as "interfacial_shear_strength", one of STRENGTHS."""
         return next(name for name in STRENGTHS if getattr(self, name) is not None)
 
     def strength_at(self, level: Any, hardness: Any = None, shear_modulus: Any = None, median: Any = None) -> Any:
-        """Return tau_0 [Pa] at quantile levels between 0 and 1; arrays broadcast.
+        """Return the shear strength tau_0 [Pa] of this interface state at quantile levels between 0 and 1; arrays broadcast.
 
-        hardness, shear_modulus: of the softer body [Pa]; only the reference of a relative strength is used. median: values
-        that replace the stated number, which must then have no range. Raises InputError for a level that is not between 0
-        and 1, and if the reference is missing.
+        hardness, shear_modulus: of the softer body [Pa]; needed only if the strength is stated over one of them. median:
+        numbers that replace the stated strength; its 5 and 95 % quantiles stay. Raises InputError for a level that is not
+        between 0 and 1, and if a needed hardness or shear modulus is missing.
         """
         scale: Any = 1.0
         if self.strength != "interfacial_shear_strength":
@@ -80,16 +86,17 @@ class Interface(Input):
         return scale * self._quantile(self.strength, level, median)
 
     def pressure_coefficient_at(self, level: Any, median: Any = None) -> np.ndarray:
-        """Return alpha at quantile levels between 0 and 1; 0 if the state has no pressure coefficient.
+        """Return the pressure coefficient alpha of this interface state at quantile levels between 0 and 1; 0 if it has none.
 
-        median: as of `strength_at`. Raises InputError.
+        median: numbers that replace the stated coefficient. Raises InputError for a level that is not between 0 and 1.
         """
         return self._quantile("pressure_coefficient", level, median)
 
     def at(self, level: Any, first: Material, second: Material) -> tuple[Any, Any]:
-        """Return shear strength [Pa] and pressure coefficient between two bodies at quantile levels.
+        """Return shear strength [Pa] and pressure coefficient of this state between two bodies at quantile levels.
 
-        The pressure coefficient is None if the state has none. Raises InputError for a level that is not between 0 and 1.
+        level: between 0 and 1. first, second: the two touching materials. The pressure coefficient is None if the state has
+        none. Raises InputError for a level that is not between 0 and 1.
         """
         softer = first_is_softer(first, second)
         hardness = choose(softer, first.hardness, second.hardness)
@@ -98,28 +105,28 @@ class Interface(Input):
         return self.strength_at(level, hardness, modulus), slope
 
     def allows(self, first: Material, second: Material, *, coated: bool = True) -> bool:
-        """Return whether a user may select the state for two bodies; coated: whether one of them is a film.
+        """Return whether a user may select this interface state for two bodies; coated: whether one of them is a film.
 
-        A state without pairs, such as one defined by a user, is allowed for any bodies.
+        A state without `pairs`, such as one defined by a user, is allowed for any bodies.
         """
         weight = self.weight_of(first, second)
         return not self.pairs or (weight is not None and (weight > 0.0 or coated or not self.of_film))
 
     def notes(self) -> list[str]:
-        """Return texts on the sources of the numbers, and on uses that must be avoided."""
+        """Return the source and grade of each number, and uses of this interface state that must be avoided, one text each."""
         texts = [f"{name}: {text} (grade {self.grade.get(name, 'C')})" for name, text in self.source.items()]
         return [*texts, *([f"not for: {self.not_for}"] if self.not_for else [])]
 
     def replace(self, **changes: object) -> Self:
-        """Return a copy of the state with these fields changed.
+        """Return a copy of the state with the fields in `changes` replaced.
 
-        A changed number loses its source, grade and range. Raises InputError.
+        A replaced number loses its source, grade and range. Raises InputError for a bad field.
         """
         kept = {field: grade for field, grade in self.grade.items() if field not in changes}
         return super().replace(**{"grade": kept} | changes | notes_left(self.source, self.range, changes))
 
     def listed(self) -> list[tuple[str, str]]:
-        """Return name and numbers, each with its 90 % range, as text."""
+        """Return (field, text) for the name of this state and each number, with the range of 90 % of its distribution."""
         rows = [("name", self.name)]
         for name in (self.strength, "pressure_coefficient"):
             if getattr(self, name) is not None:
@@ -136,7 +143,7 @@ class Interface(Input):
         return lognormal_quantile(level, median, *self.range[name])
 
     def weight_of(self, first: Material, second: Material) -> float | None:
-        """Return the prior weight of this state for two bodies; None if the bodies do not allow the state."""
+        """Return the prior weight of this state for two bodies, from their material classes; None if it does not suit them."""
         if self.only_with and not {first.name, second.name} & set(self.only_with):
             return None
         ruling, other = sorted((class_of(first), class_of(second)), key=MATERIAL_CLASSES.index)
@@ -144,19 +151,22 @@ class Interface(Input):
 
 
 def interface_names() -> list[str]:
-    """Return the names of the states, in alphabetical order."""
+    """Return the names of the interface states of the package, in alphabetical order."""
     return sorted(_states())
 
 
 def interface(name: str, /) -> Interface:
-    """Return the state of this name. Raises InputError for an unknown name, with similar names."""
+    """Return the interface state of this name, such as "oxidised metal".
+
+    Raises InputError, with similar names, if there is none.
+    """
     if not isinstance(name, str) or name not in _states():
         raise InputError("interface", name, "a state of an interface: " + nearest(name, interface_names()))
     return _states()[name]
 
 
 def allowed_interfaces(first: Material, second: Material, *, coated: bool) -> list[str]:
-    """Return the names of the states that are allowed for two bodies, in alphabetical order.
+    """Return the names of the interface states that a user may select for two bodies, in alphabetical order.
 
     coated: whether one of the bodies is a film.
     """
@@ -164,7 +174,10 @@ def allowed_interfaces(first: Material, second: Material, *, coated: bool) -> li
 
 
 def check_interface(contact: Input, state: Interface, first: Material, second: Material) -> None:
-    """Raise InputError if both a state and strength numbers are stated, or if the bodies do not allow the state."""
+    """Raise InputError if a contact states strength numbers too, or if its bodies do not allow the interface state.
+
+    state: interface state of the contact. first, second: materials of the two touching surfaces.
+    """
     stated = ("interfacial_shear_strength", "pressure_coefficient")
     for name in (name for name in stated if getattr(contact, name) is not None):
         allowed = f"either interface or {name}; leave out one of them"
@@ -177,10 +190,10 @@ def check_interface(contact: Input, state: Interface, first: Material, second: M
 
 
 def interface_weights(first: Material, second: Material) -> dict[str, float]:
-    """Return the prior weight of each state that two bodies allow if the user states none; the weights sum to 1.
+    """Return name -> prior weight of each interface state that is possible between two bodies; the weights sum to 1.
 
-    A coated body counts with the material of its film. The class of the weaker body, in the order of MATERIAL_CLASSES,
-    decides.
+    They apply if the user states no interface. first, second: materials of the touching surfaces, a film in place of its body.
+    The weights depend on the material classes of both.
     """
     prior = {name: state.weight_of(first, second) for name, state in _states().items()}
     weights = {name: weight for name, weight in prior.items() if weight}
@@ -201,7 +214,7 @@ class InterfaceNumber(TypedDict):
 
 
 class InterfaceRow(TypedDict):
-    """Describe one interface state, as `interfaces` returns it; the fields are those of `Interface`."""
+    """Describe one interface state, as `interfaces` returns it: its two numbers (the second may be None) and its uses."""
 
     name: str
     strength: InterfaceNumber
@@ -213,7 +226,7 @@ class InterfaceRow(TypedDict):
 
 
 def interfaces(names: Iterable[str] | None = None) -> list[InterfaceRow]:
-    """Return the states of interfaces with their numbers, one dict for each.
+    """Return the interface states of the package with their numbers, one dict for each.
 
     Parameters
     ----------
@@ -223,8 +236,8 @@ def interfaces(names: Iterable[str] | None = None) -> list[InterfaceRow]:
     Returns
     -------
     list of dict
-        Name, strength and pressure_coefficient (value, unit, 5 and 95 % quantiles, source and grade of each), pairs, only_with,
-        of_film and not_for.
+        Fields name, strength, pressure_coefficient, pairs, only_with, of_film and not_for. The two numbers are dicts of
+        quantity, value (median), unit, range (5 and 95 % quantiles), source and grade.
 
     Raises
     ------
@@ -278,14 +291,14 @@ def _states() -> dict[str, Interface]:
 
 
 def _as_interface(value: Any) -> Any:
-    """Return the state of this name; other values are returned unchanged, to be validated."""
+    """Return the interface state that a text names; return any other value of the field unchanged, to be validated."""
     if isinstance(value, Interface | dict | None):
         return value
     with field_named(""):
         return interface(value)
 
 
-# A field that holds a state: its name, a table of its numbers, or an Interface.
+# Type of a field with an interface state: its name, a table of its numbers, or an Interface.
 if TYPE_CHECKING:
     from stiction.quantities.keywords import Converted
 

@@ -1,4 +1,4 @@
-"""A vapour that condenses to menisci between two bodies."""
+"""Define the class Liquid, a vapour that condenses to menisci between two bodies."""
 
 from typing import TYPE_CHECKING, Any
 
@@ -16,26 +16,26 @@ if TYPE_CHECKING:
 GAS_CONSTANT = 8.31446261815324
 # Molar volume of liquid water at 20 C [m^3/mol]: 18.015 g/mol over 0.99821 g/cm^3; between 0 and 60 C it changes by 1.7 %.
 WATER = 18.05e-6
-# Least radii [m] at which experiments found Kelvin's equation to hold: of organic liquids, and of water, measured down to a
-# relative humidity of 94.5 % (Fisher, Gamble & Middlehurst 1981, and what they cite).
+# Smallest radii [m] at which experiments found Kelvin's equation to hold: of organic liquids, and of water, measured down to a
+# relative humidity of 94.5 % (Fisher, Gamble & Middlehurst 1981, and sources cited there).
 CONFIRMED, CONFIRMED_OF_WATER = 4e-9, 9e-9
-# Critical temperature of water, and between which temperatures it is a liquid [K] (IAPWS R1-76, revised 2014).
+# Critical temperature of water, and the temperatures between which it is a liquid [K] (IAPWS R1-76, revised 2014).
 _CRITICAL, _LIQUID = 647.096, (248.15, 647.096)
 
-_LEAST_WETTING = 1e-6  # mean cosine; below, what is left of angles that add up to 180 deg is rounding
+_LEAST_WETTING = 1e-6  # a smaller mean cosine may be the round-off of angles that add up to 180 deg
 
 
 class Liquid(Input):
-    """Liquid whose vapour is in equilibrium around a contact, as water in humid air.
+    """Describe a liquid whose vapour around a contact is in equilibrium with its menisci, such as water in humid air.
 
     Parameters
     ----------
     relative_humidity : float or array
-        Vapour pressure over saturation pressure.
+        Vapour pressure over saturation pressure, above 0 and below 1.
     temperature : float [K] or str with a unit
-        Temperature of vapour and bodies.
+        Temperature of vapour and bodies, by default 293.15 K.
     contact_angle_first, contact_angle_second : float [rad] or str with a unit
-        Contact angle on each body, or on the film that it carries; 0 where the liquid spreads.
+        Contact angle on each body, or on the film that it carries; 0 for a liquid that spreads.
     surface_tension : float [N/m] or str with a unit, optional
         By default the value of water at the temperature.
     molar_volume : float [m^3/mol] or str with a unit, optional
@@ -80,13 +80,13 @@ class Liquid(Input):
 
     @property
     def wetting(self) -> "NumberOrArray":
-        """Return the wetting factor c = (cos theta_1 + cos theta_2)/2."""
+        """Return the wetting factor c = (cos theta_1 + cos theta_2)/2 with the contact angles theta on both bodies."""
         cosines: Any = np.cos(self.contact_angle_first) + np.cos(self.contact_angle_second)
         return cosines / 2
 
     @property
     def tension(self) -> "NumberOrArray":
-        """Return the surface tension [N/m], by default the value of water.
+        """Return the surface tension [N/m]: the stated value, or that of water at the temperature.
 
         Water: 0.2358 (1 - T/T_c)^1.256 (1 - 0.625 (1 - T/T_c)) (IAPWS R1-76).
         """
@@ -107,24 +107,28 @@ class Liquid(Input):
 
     @property
     def kelvin_radius_over_confirmed(self) -> "NumberOrArray":
-        """Return the Kelvin radius over the smallest one confirmed by experiment.
+        """Return the Kelvin radius over the smallest radius at which experiments confirmed Kelvin's equation.
 
-        Water and other liquids have different confirmed values. A liquid with a default property counts as water.
+        That radius is 9 nm for water and 4 nm for other liquids. A liquid with the default surface tension or molar volume
+        counts as water.
         """
         of_water = self.molar_volume is None or self.surface_tension is None
         return self.kelvin_radius / (CONFIRMED_OF_WATER if of_water else CONFIRMED)
 
     @property
     def height(self) -> "NumberOrArray":
-        """Return the largest gap that a meniscus bridges [m]: 2 r c, with Kelvin radius r and wetting factor c."""
+        """Return the largest gap [m] that a meniscus bridges: 2 r c, with Kelvin radius r and wetting factor c."""
         return 2 * self.kelvin_radius * self.wetting
 
     @property
     def suction(self) -> "NumberOrArray":
-        """Return the Laplace pressure of a meniscus [Pa]: surface tension over Kelvin radius."""
+        """Return the Laplace pressure [Pa] by which a meniscus pulls: surface tension over Kelvin radius."""
         return self.tension / self.kelvin_radius
 
     @property
     def work(self) -> "NumberOrArray":
-        """Return the energy to separate a wetted area [J/m^2]: 2 gamma_L c, with surface tension and wetting factor c."""
+        """Return the energy per area to separate two wetted faces [J/m^2]: 2 gamma_L c.
+
+        gamma_L: surface tension. c: wetting factor.
+        """
         return 2 * self.tension * self.wetting

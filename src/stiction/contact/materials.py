@@ -1,7 +1,4 @@
-"""Materials with their properties, stated by the user or read from the presets in material_data/.
-
-Each file there holds the presets of one source.
-"""
+"""Define the class Material, and read the preset materials from the files in material_data/, one file per source."""
 
 from collections.abc import Mapping, Sequence
 from functools import cache
@@ -21,27 +18,27 @@ if TYPE_CHECKING:
 
     from stiction.quantities.arguments import NumberOrArray, QuantityLike
 
-# What decides which states an interface may be in, the class that rules a pair first.
+# Classes of materials, which decide what states an interface may have. The earlier class of a pair comes first in its name.
 MaterialClass = Literal["ice", "elastomer", "polymer", "layered solid", "carbon film", "soft metal", "metal", "ceramic"]
 MATERIAL_CLASSES: tuple[str, ...] = get_args(MaterialClass)
 
 
 class Material(Input):
-    """A homogeneous isotropic material.
+    """Describe a homogeneous isotropic material.
 
     Parameters
     ----------
     youngs_modulus, hardness : float [Pa], str with a unit, or array
         Hardness is the mean pressure of a fully plastic contact.
     poissons_ratio : float or array
-        Below 0.5.
+        At least 0 and below 0.5.
     yield_stress, tangent_modulus : float [Pa], str with a unit, or array, optional
-        Plastic properties that some laws use.
+        Yield stress in tension, and slope of stress over strain beyond yield; some laws use them.
     surface_energy : float [J/m^2], str with a unit, or array, optional
         Energy of a clean surface.
     characteristic_depth : float [m], str with a unit, or array, optional
-        h* of a hardness that grows as imprints get smaller (Nix and Gao 1998), under a pyramid. hardness is then the value of
-        large imprints; small asperities use a larger one, except on a map solved point by point.
+        Depth h* of a pyramid's imprint at which the hardness is sqrt(2) times that of large imprints (Nix and Gao 1998).
+        `hardness` is then that of large imprints; small asperities use a larger one, except on a map solved point by point.
     name : str, optional
         Name in results.
     source : str or dict, optional
@@ -81,19 +78,19 @@ class Material(Input):
         return self
 
     def replace(self, **changes: object) -> Self:
-        """Return a copy of the material with these fields changed.
+        """Return a copy of the material with the fields in `changes` replaced.
 
-        A changed number loses its source and its range. Raises InputError.
+        A replaced number loses its source and its range. Raises InputError for a bad field.
         """
         return super().replace(**changes | notes_left(self.source, self.range, changes))
 
     @property
     def shear_modulus(self) -> "NumberOrArray":
-        """Return the shear modulus of an isotropic material [Pa], E / (2 (1 + nu))."""
+        """Return the shear modulus [Pa] of an isotropic material, E / (2 (1 + nu))."""
         return self.youngs_modulus / (2 * (1 + self.poissons_ratio))
 
     def notes(self) -> list[str]:
-        """Return texts on the sources of the numbers, and their ranges."""
+        """Return the sources and the ranges of the numbers, one text each."""
         ends = [f"range of {field}: {range_in_words(*pair, field)}" for field, pair in self.range.items()]
         if not self.source:
             return ends
@@ -102,7 +99,10 @@ class Material(Input):
         return [*(f"{field}: {text}" for field, text in self.source.items() if text), *ends]
 
     def is_own(self, field: str) -> bool:
-        """Return whether the user stated this field with a value that differs from the preset of this name."""
+        """Return whether a field has a value that is not the value in the preset of the same name.
+
+        field: name of a number, such as "yield_stress". A value that no preset has counts as the user's own.
+        """
         value = getattr(self, field)
         of_this_name = _presets().get(self.name)
         preset = None if of_this_name is None else of_this_name.numbers.get(field)
@@ -110,7 +110,10 @@ class Material(Input):
 
     @classmethod
     def __get_pydantic_json_schema__(cls, core_schema, handler):
-        """Add to the schema the table that changes a preset: {preset = "silver", hardness = "0.5 GPa"}."""
+        """Return the JSON schema of a material, in which a table may also change a preset.
+
+        Example: {preset = "silver", hardness = "0.5 GPa"}.
+        """
         schema = super().__get_pydantic_json_schema__(core_schema, handler)
         schema["properties"]["preset"] = {
             "description": "preset, or material of the case, whose numbers hold wherever none is given here",
@@ -121,12 +124,12 @@ class Material(Input):
 
 
 def material_names() -> list[str]:
-    """Return the names of the presets, in alphabetical order."""
+    """Return the names of the preset materials, in alphabetical order."""
     return sorted(_presets())
 
 
 def material(name: str, /, **changes: "QuantityLike | None") -> Material:
-    """Return the preset of this name or symbol, with some numbers changed.
+    """Return the preset material of this name or chemical symbol, with some numbers replaced.
 
     Parameters
     ----------
@@ -138,12 +141,12 @@ def material(name: str, /, **changes: "QuantityLike | None") -> Material:
     Returns
     -------
     Material
-        The preset, changed.
+        The preset with the changes.
 
     Raises
     ------
     InputError
-        The name is unknown or stands for several presets, or a number is out of its bounds.
+        The name is unknown or stands for more than one preset, or a number is out of its bounds.
 
     Examples
     --------
@@ -160,19 +163,19 @@ def material(name: str, /, **changes: "QuantityLike | None") -> Material:
 def work_of_adhesion(
     first: Material | str, second: Material | str, *, interfacial: "QuantityLike"
 ) -> "float | xarray.DataArray":
-    """Return the work of adhesion of two surfaces (Dupre).
+    """Return the work of adhesion of two surfaces, gamma_1 + gamma_2 - gamma_12 (Dupre).
 
     Parameters
     ----------
     first, second : Material or str
-        Material or name of a preset, with a surface energy.
+        Material or name of a preset, with a surface energy gamma_1 or gamma_2.
     interfacial : float [J/m^2] or str with a unit
         Energy of the closed interface, gamma_12 >= 0.
 
     Returns
     -------
     float or xarray.DataArray
-        gamma_1 + gamma_2 - gamma_12 [J/m^2].
+        Work of adhesion [J/m^2].
 
     Raises
     ------
@@ -181,8 +184,8 @@ def work_of_adhesion(
 
     Notes
     -----
-    Zero interfacial energy holds for one material in perfect registry and is an upper bound otherwise. This holds for clean
-    surfaces; adsorbed layers lower the result by one or two orders of magnitude.
+    The interfacial energy is zero for one material in perfect registry; zero gives an upper bound otherwise. The surface
+    energies are those of clean surfaces; adsorbed layers lower the work of adhesion by one or two orders of magnitude.
 
     Examples
     --------
@@ -200,10 +203,10 @@ def work_of_adhesion(
 
 
 def preset_name(word: Any, field: str = "material", others: Sequence[str] = ()) -> str:
-    """Return the name of the preset that a name, chemical symbol or formula stands for: "silver" for "Ag".
+    """Return the name of the preset material that a name, chemical symbol or formula stands for: "silver" for "Ag".
 
-    Case matters only where it distinguishes presets: "tin" is the metal, "TiN" the nitride. others: further accepted
-    names. Raises InputError, with the name of the field, for an unknown or ambiguous word.
+    Case matters only where it distinguishes presets: "tin" is the metal, "TiN" the nitride. field: name of the input, for the
+    error. others: names of materials that the case defines, for the error. Raises InputError for an unknown or ambiguous word.
     """
     if not isinstance(word, str):
         raise InputError(field, word, "the name of a preset; `stiction materials` lists them")
@@ -229,7 +232,13 @@ def symbols_of(name: str) -> tuple[str, ...]:
 
 
 def notes_left(source: Any, ends: Mapping[str, Any], changes: Mapping[str, object]) -> dict[str, Any]:
-    """Return source and range of a record after changes: those of unchanged numbers, and those that the changes state."""
+    """Return the fields `source` and `range` of a record after some of its numbers are replaced.
+
+    - source: text, or number -> text; ends: number -> range, before the change
+    - changes: field -> new value; it may contain `source` and `range`
+
+    Replaced numbers lose their source and range, unless the changes state new ones.
+    """
     if isinstance(source, Mapping):
         source = {field: text for field, text in source.items() if field not in changes}
     given = changes.get("range", {})
@@ -238,7 +247,7 @@ def notes_left(source: Any, ends: Mapping[str, Any], changes: Mapping[str, objec
 
 
 def as_material(value):
-    """Convert the value of a field to a Material, from a Material, the name of a preset, or a table of numbers."""
+    """Return a Material from the name of a preset or from a table that changes a preset; return other values unchanged."""
     if isinstance(value, str):
         value = {"preset": value}
     if isinstance(value, dict) and "preset" in value:
@@ -249,10 +258,10 @@ def as_material(value):
 
 
 def class_of(body: Material) -> str:
-    """Return the stated class of a material, or guess it from its numbers.
+    """Return the stated material class of a body, or guess it from Young's modulus E and hardness H.
 
-    Elastomers have a Young's modulus below 0.1 GPa, polymers below 10 GPa. Ceramics have H/E of 0.038 or more. All
-    others are metals.
+    Below E = 0.1 GPa the class is "elastomer", below 10 GPa "polymer". Otherwise it is "ceramic" if H/E is 0.038 or more, else
+    "metal".
     """
     if body.material_class is not None:
         return body.material_class
@@ -263,7 +272,7 @@ def class_of(body: Material) -> str:
 
 
 class _Preset(NamedTuple):
-    """Store a preset as its file states it: numbers, sources, ranges, symbols and class."""
+    """Store a preset material as its file states it: numbers, sources, ranges, symbols and class."""
 
     numbers: dict[str, Any]
     source: dict[str, str]
@@ -274,7 +283,7 @@ class _Preset(NamedTuple):
 
 @cache
 def _presets() -> dict[str, _Preset]:
-    """Read every preset from the files of material_data/."""
+    """Return name -> preset material, read from the files of material_data/."""
     presets: dict[str, _Preset] = {}
     for name, data in read_tables("contact", "material_data", "materials").items():
         notes, ends = data.pop("source", {}), data.pop("range", {})

@@ -24,9 +24,9 @@ _OF_BODY = {"yield_stress": "hardness_to_yield", "tangent_modulus": "hardening",
 
 
 def optional_inputs(contact: "Contact") -> dict[str, str]:
-    """Return the group of each optional input that a contact states, by the name of the input.
+    """Return name of the input -> dimensionless group in which it is used, for every optional input that a contact states.
 
-    The group is "" for an input of the film that belongs to no group.
+    The group is "" for an input of the film that no group contains.
     """
     inputs = {name: group for name, group in _OF_CONTACT.items() if getattr(contact, name) is not None}
     for body in ("first", "second"):

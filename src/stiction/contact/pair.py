@@ -1,4 +1,4 @@
-"""Two half-spaces in contact: the elastic properties of both, and the strength of the softer one."""
+"""Combine the properties of two half-spaces in contact: the elastic properties of both, and the strength of the softer one."""
 
 from dataclasses import dataclass
 from functools import cached_property
@@ -12,9 +12,9 @@ from stiction.contact.materials import Material
 
 @dataclass(frozen=True)
 class Pair:
-    """Represent two half-spaces in contact (theory 1): elastic properties of both, strength of the softer one.
+    """Represent two half-spaces in contact: the elastic properties of both, and the strength of the softer one.
 
-    Every property is computed when it is first read.
+    Every property is computed when it is first read. Properties are numbers, or xarray arrays if a material has arrays.
     """
 
     first: Material
@@ -22,7 +22,7 @@ class Pair:
 
     @cached_property
     def K(self) -> Any:
-        """Return the stiffness modulus K = 4 E*/3 [Pa], with E* the contact modulus."""
+        """Return the stiffness modulus K = 4 E*/3 [Pa], with 1/E* the sum of (1 - nu^2)/E of both bodies."""
         return 4 / (3 * sum(map(compliance_of, (self.first, self.second))))  # departure D1
 
     @cached_property
@@ -42,12 +42,12 @@ class Pair:
 
     @cached_property
     def k(self) -> Any:
-        """Return hardness over yield stress of the softer body."""
+        """Return hardness over yield stress of the softer body, or 2.8 if it has no yield stress."""
         return self._of_softer(_hardness_to_yield(self.first), _hardness_to_yield(self.second))
 
     @cached_property
     def hardening(self) -> Any:
-        """Return tangent modulus over Young's modulus of the softer body; None if unknown."""
+        """Return tangent modulus over Young's modulus of the softer body; None if it has no tangent modulus."""
         return self._of_softer(_hardening(self.first), _hardening(self.second))
 
     @cached_property
@@ -64,11 +64,11 @@ def compliance_of(body: Material):
 
 
 def first_is_softer(first: Material, second: Material) -> Any:
-    """Return whether the first body, rather than the second, decides the strength of the contact, elementwise.
+    """Return whether the first of two bodies decides the strength of their contact, elementwise for arrays.
 
-    The softer body decides. Of two equally hard bodies the one with the lower yield stress decides. If these are equal
-    too, the lower Poisson's ratio decides, because such a body yields at a lower pressure (Chang, Etsion & Bogy 1987).
-    The last criterion is the lower tangent modulus over Young's modulus; an unknown one precedes a known one.
+    The softer body decides. Of two equally hard bodies, the one with the lower yield stress decides. If these are equal too,
+    the one with the lower Poisson's ratio decides, because it yields at a lower pressure (Chang, Etsion & Bogy 1987). The last
+    criterion is the lower tangent modulus over Young's modulus; a body without tangent modulus comes before one that has it.
     """
     keys = (
         (first.hardness, second.hardness),
@@ -80,7 +80,7 @@ def first_is_softer(first: Material, second: Material) -> Any:
 
 
 def more_compliant(first: Material, second: Material) -> Any:
-    """Return whether the first body is the more compliant, elementwise.
+    """Return whether the first of two bodies is the more compliant one, by (1 - nu^2)/E, elementwise for arrays.
 
     Of two equally compliant bodies, the one with the lower Poisson's ratio counts as more compliant.
     """
@@ -88,9 +88,10 @@ def more_compliant(first: Material, second: Material) -> Any:
 
 
 def _before(keys: tuple[tuple[Any, Any], ...]) -> Any:
-    """Return whether the first body precedes the second at the first pair of keys that differs.
+    """Return whether a first body comes before a second one in the order that some keys define, elementwise for arrays.
 
-    keys: pairs (key of the first body, key of the second body), compared in this order; the smaller key precedes.
+    keys: pairs (number of the first body, number of the second body). The first pair with different numbers decides: the body
+    with the smaller number comes before. If all are equal, the first body does.
     """
     (mine, other), *rest = keys
     equal = mine == other
@@ -112,17 +113,16 @@ def _hardening(body: Material):
 
 
 def choose(condition, one, other):
-    """Return `one` where the condition holds, else `other`.
+    """Return `one` where the condition holds, else `other`, elementwise if the condition is an xarray array.
 
-    Elementwise if the condition is a labelled array. The result is None if a selected value is None anywhere along a
-    sweep.
+    one, other: numbers, xarray arrays or None. If one of them is None and is selected anywhere, the whole result is None.
     """
     if hasattr(condition, "dims"):
         if one is None or other is None:
             known, chosen = (one, condition) if other is None else (other, ~condition)
             return known if chosen.all() else None
         dims = {*condition.dims, *getattr(one, "dims", ()), *getattr(other, "dims", ())}
-        for chosen, value in ((condition, one), (~condition, other)):  # the same for all, mostly, and without a copy
+        for chosen, value in ((condition, one), (~condition, other)):  # usually one value is chosen everywhere: no copy
             if dims == {*getattr(value, "dims", ())} and chosen.all():
                 return value
         import xarray

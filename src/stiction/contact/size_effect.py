@@ -1,21 +1,22 @@
-r"""Compute hardness that grows as asperities get smaller.
+r"""Compute the hardness of a material that gets harder as asperities get smaller (the indentation size effect).
 
-*Assumes*: a crystal that hardens by dislocations: those present before, and those that an imprint makes necessary. The latter
-fill a hemisphere as wide as the contact. Strength grows with the square root of the total density (Taylor).
+*Assumes*: a crystal that hardens by dislocations: those present before the contact, and those that the shape of an imprint
+requires. The latter fill a hemisphere as wide as the contact. Strength grows with the square root of the total density of
+dislocations (Taylor).
 *Source*: [nix_gao_1998], the form as several texts restate it;
 [swadener_george_pharr_2002], abstract: under spheres hardness does not depend on the depth
-but grows as the radius falls. The densities below are derived here, by the count of loops that both build on. For a cone or
-pyramid, whose faces lie at the angle beta to the surface, and a sphere of radius R, b being the length of a Burgers vector,
+but grows as the radius falls. The densities rho below are derived here by counting dislocation loops, as both sources do. For a
+cone or pyramid whose faces lie at the angle beta to the surface, and for a sphere of radius R, with the Burgers vector b,
 
     rho = 3 tan^2(beta)/(2 b h),   H = H_0 sqrt(1 + h*/h);      rho = 1/(b R),   H = H_0 sqrt(1 + R*/R)
 
 so that R* = (2/3) h*/tan^2(beta), 5.20 h* for Berkovich's and Vickers's pyramids, each as a cone of 70.3 degrees. An asperity
-is a sphere: it has one hardness at every depth. H_0 is the hardness of large imprints, and h* is fitted to hardness against
-the depth under a pyramid. The yield stress is taken to grow as the hardness does.
+is a sphere, so it has one hardness at every depth h. H_0 is the hardness of large imprints. h* is the characteristic depth,
+from a fit of hardness against the depth under a pyramid. The yield stress is assumed to grow as the hardness does.
 
-*Limit*: h* -> 0 or R -> infinity: H_0. *Unknown*: what limits the growth; measured hardness is said to be less than this at
-depths below some 100 nm, where the dislocations spread over more than the hemisphere; results are flagged where R* is above
-10 R.
+*Limit*: h* -> 0 or R -> infinity: H_0. *Unknown*: what limits the growth. Measured hardness is reported to be less than this at
+depths below some 100 nm, where the dislocations spread over more than the hemisphere; a result with R* above 10 R gets a
+validity warning.
 """
 
 from collections.abc import Iterable
@@ -30,22 +31,26 @@ _FACE = radians(90.0 - 70.3)
 
 
 def radius_of(depth):
-    """Return the length R* [m] of the size effect under a sphere, from h* [m] under a pyramid."""
+    """Return the length R* [m] that describes the size effect of hardness under a sphere: H = H_0 sqrt(1 + R*/R).
+
+    depth: h* [m], the characteristic depth of the size effect under a pyramid.
+    """
     return 2.0 / 3.0 * depth / tan(_FACE) ** 2
 
 
 def size_ratio(body: Material, radius):
-    """Return R*/R of a body, the strength of its size effect under asperities of radius R.
+    """Return R*/R, which measures how much harder a body is under asperities of radius R: H = H_0 sqrt(1 + R*/R).
 
-    It is 0 without a characteristic depth.
+    radius: R [m]. The ratio is 0 for a body without a characteristic depth.
     """
     return 0.0 if body.characteristic_depth is None else radius_of(body.characteristic_depth) / radius
 
 
 def at_radius(body: Material, radius) -> Material:
-    """Return the material with the hardness that it has under asperities of this radius [m].
+    """Return a material with the hardness that it has under asperities of this radius [m].
 
-    Hardness and yield stress are higher; elastic moduli are unchanged.
+    Hardness and yield stress are raised by the factor sqrt(1 + R*/R); elastic moduli are unchanged. A material without a
+    characteristic depth is returned unchanged.
     """
     if body.characteristic_depth is None:
         return body
@@ -55,7 +60,10 @@ def at_radius(body: Material, radius) -> Material:
 
 
 def size_notes(bodies: Iterable[Material], radius) -> list[str]:
-    """Return a sentence for each body whose asperities are harder than large imprints."""
+    """Return a sentence for each body with a size effect: how much harder it is under asperities than in large imprints.
+
+    radius: radius of the asperities [m].
+    """
     notes = []
     for body in bodies:
         if body.characteristic_depth is not None:

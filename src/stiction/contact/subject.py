@@ -1,4 +1,4 @@
-"""Common interface of Contact (two bodies) and Indices (their dimensionless groups)."""
+"""Define the common interface of Contact (two bodies) and Indices (their dimensionless groups)."""
 
 from abc import abstractmethod
 from dataclasses import dataclass
@@ -18,11 +18,14 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Scales:
-    """Hold the factors that convert dimensionless results of a contact to SI units.
+    """Store the factors that convert dimensionless results of a contact to SI units; all are 1 for Indices.
 
-    load [N], contact_area [m^2]: per asperity. separation [m]. asperities: number of asperities on the nominal area.
-    nominal_area [m^2]: None if unknown. The load of the whole contact is the dimensionless load times `load` times
-    `asperities`.
+    - load [N], contact_area [m^2]: unit of load and of area, for one asperity
+    - separation [m]: unit of length
+    - asperities: number of asperities on the nominal area
+    - nominal_area [m^2]: None if unknown
+
+    The load of the contact is the dimensionless load per asperity times `load` times `asperities`.
     """
 
     load: Any = 1.0
@@ -32,7 +35,7 @@ class Scales:
     nominal_area: Any = None
 
     def factors(self) -> dict[str, Any]:
-        """Return the factor that converts dimensionless results to each SI unit, or to "count", by unit."""
+        """Return unit -> factor that converts dimensionless results to this SI unit; "count" is for numbers of asperities."""
         pressure = {} if self.nominal_area is None else {"Pa": self.load * self.asperities / self.nominal_area}
         return pressure | {
             "N": self.load * self.asperities,
@@ -45,34 +48,31 @@ class Scales:
 
 
 class Subject(Input):
-    """Represent two rough surfaces in contact, with the inputs of a model.
+    """Represent two rough surfaces in contact, with the inputs of a model: the base class of Contact and Indices.
 
-    Numbers may be arrays with named dimensions.
+    Numbers may be xarray arrays with named dimensions.
     """
 
     @abstractmethod
     def indices(self) -> "Indices":
-        """Return the dimensionless groups."""
+        """Return the dimensionless groups of this contact."""
 
     @abstractmethod
     def scales(self) -> Scales:
-        """Return the scales of dimensionless results."""
+        """Return the factors that convert dimensionless results of this contact to SI units."""
 
     @property
     @abstractmethod
     def has_film(self) -> bool:
-        """Return whether the contact has a film."""
+        """Return whether at least one body has a film."""
 
     @cached_property
     def prepared(self) -> list[object]:
-        """Return the problems that `solving.problem.make_problem` keeps for this contact, each with its request."""
+        """Return the list in which `solving.problem.make_problem` caches the problems made for this contact."""
         return []
 
     def require_single(self, allowed: str) -> None:
-        """Raise InputError if a number of the contact is an array.
-
-        allowed: the text of what is allowed, for the error.
-        """
+        """Raise InputError if a number of the contact is an array; allowed: what is allowed instead, for the error."""
         for name, array in self.arrays():
             raise InputError(name, values_in_words(array, name), allowed)
 
@@ -81,9 +81,9 @@ class Subject(Input):
         return self.listed()
 
     def optional_inputs(self) -> dict[str, str]:
-        """Return the stated optional inputs: for each dotted name, the group that the input determines.
+        """Return name of the input -> dimensionless group that it determines, for every optional input that is stated.
 
-        The group is "" if no law needs the input.
+        The group is "" if no law uses the input.
         """
         names = (
             "shear_strength", "pressure_coefficient", "peeling", "hardening", "hardness_to_yield", "waiting", "ageing_rate",
@@ -93,7 +93,7 @@ class Subject(Input):
         return {name: name for name in names if name in self.model_fields_set and getattr(self, name) is not None}
 
     def remarks(self) -> list[str]:
-        """Return remarks on the dimensionless groups of this contact, which need no solution."""
+        """Return remarks, in words, on inputs of this contact; they need no solution."""
         return []
 
     @property
@@ -103,80 +103,83 @@ class Subject(Input):
 
     @property
     def surface_kind(self) -> str | None:
-        """Return the stated kind of surface, one of finishes.SURFACE_KINDS; else None."""
+        """Return the kind of surface that the user stated, one of finishes.SURFACE_KINDS; None if the user stated none."""
         return None
 
     @property
     def surface_shape(self) -> dict[str, float]:
-        """Return the stated statistics of the surface, by their names in surfaces.roughness.SHAPE."""
+        """Return the stated statistics of the surface by name: skewness, kurtosis, texture_aspect_ratio; others are absent."""
         rough: Any = self.known("roughness")
         return {} if rough is None else rough.shape
 
     @property
     def measured(self) -> "Measured | None":
-        """Return the measured roughness if it comes from scans; else None."""
+        """Return what scans determined of the roughness (surfaces.measured.Measured); None without scans."""
         return None
 
     @property
     def map(self) -> "HeightMap | None":
-        """Return the height map that represents both surfaces, if the scans give one; else None."""
+        """Return the single height map that represents the roughness of both surfaces; None if the scans give none."""
         return None
 
     def as_numbers(self) -> "Subject":
-        """Return the same contact with the roughness numbers of the selected method, without its scans."""
+        """Return the same contact with sigma, R and N of the selected asperity method in place of its scans."""
         return self
 
     def with_surface_moments(self) -> "Subject":
-        """Return the contact with asperity numbers that reproduce the spectral moments of the surface.
+        """Return the contact with the sigma, R and N that reproduce the spectral moments of the surface.
 
-        Theories of the whole surface take these numbers.
+        Theories of the whole surface use these numbers. If they are unknown, the contact is returned unchanged.
         """
         return self
 
     def groups(self) -> dict[str, float]:
-        """Return every known dimensionless group with a single value, by name."""
+        """Return name -> value of every known dimensionless group that is a single number; arrays are left out."""
         return {name: float(value) for name, value in self.all_groups().items() if not hasattr(value, "dims")}
 
     def all_groups(self) -> dict[str, "NumberOrArray"]:
-        """Return every known dimensionless group, a number or labelled array, by name."""
+        """Return name -> value of every known dimensionless group; a value is a number or an xarray array."""
         indices = self.indices().resolved()
         names = [name for name in type(indices).model_fields if indices.has_film or name != "n_g"]
         return {name: value for name in names if (value := getattr(indices, name)) is not None}
 
     def known(self, name: str) -> object:
-        """Return the property or dimensionless group `name` of the contact; None if unknown."""
+        """Return the property or dimensionless group called `name`; None if it is unknown."""
         value = getattr(self, name, None)
         return value() if callable(value) else value
 
     def given_as(self, group: str) -> str:
-        """Return the name of the input by which a user states a group."""
+        """Return the name of the input by which the user states a dimensionless group; for Indices the same name."""
         return group
 
     @abstractmethod
     def read(self, value: "QuantityLike", name: str) -> "Values":
-        """Convert a separation or load stated by a user, a number or an array, to SI units or normalised values.
+        """Return loads or separations stated by the user, checked, in the unit of this contact's inputs.
 
-        Raises InputError.
+        name: "load" or "mean_separation". A Contact has SI units; Indices have dimensionless values. Raises InputError.
         """
 
     @abstractmethod
     def read_point(self, entry: object, name: str, where: str) -> float:
-        """Return one point of a case file, in which every number has its unit.
+        """Return one load or separation from a case file as a number, in the unit of this contact's inputs.
 
-        where: its place in the file, for errors.
+        entry: content of the file. name: "load" or "mean_separation". where: place in the file, for errors.
         """
 
     @abstractmethod
     def show(self, value: float, name: str, digits: int = 6) -> str:
-        """Format a separation or load as text."""
+        """Return a load or separation as text, with its unit if it has one.
+
+        name: "load" or "mean_separation". digits: number of significant digits.
+        """
 
     @abstractmethod
     def attributes(self, name: str) -> dict[str, str]:
-        """Return meaning, symbol and unit of a result of this contact."""
+        """Return meaning, symbol and unit of the result called `name`, as attributes of an xarray variable."""
 
 
 def as_subject(given: Any) -> Subject:
-    """Return a Contact or Indices unchanged; raise InputError for anything else."""
+    """Return `given` unchanged if it is a Contact or Indices; raise InputError otherwise."""
     if not isinstance(given, Subject):
         raise InputError("contact", type(given).__name__, "a stiction.Contact or stiction.Indices")
     return given
