@@ -1,1 +1,1 @@
-"""Measured and generated rough surfaces: reading, preparation, statistics and asperities."""
+"""Represent measured and generated rough surfaces: reading, preparation, statistics and asperities."""

@@ -1,4 +1,4 @@
-"""Compute the ISO 25178-2 areal parameters that `statistics` does not, and give those of profiles their ISO 21920-2 names.
+"""Compute the ISO 25178-2 areal parameters that `statistics` does not compute, and name those of profiles as ISO 21920-2 does.
 
 The height d of a point is measured from the mean of the map. Level and filter the map first. Missing points are excluded.
 
@@ -14,7 +14,7 @@ The height d of a point is measured from the mean of the map. Level and filter t
 
 The curve has 10,001 quantiles. On maps with more than 1024 points along a side the autocorrelation uses every second (third,
 ...) point. Checked against surfalize 0.19.2, scikit-image and shapely to 1e-8 (tests/surfaces/test_areal_parameters.py). The
-autocorrelation is linear between neighbouring points; a cubic spline moves Sal by up to 4e-4. surfalize reads Sal, Str, Spk
+autocorrelation is linear between neighbouring points; a cubic spline changes Sal by up to 4e-4. surfalize reads Sal, Str, Spk
 and Svk off at the nearest of its points and differs by up to 2.2e-3.
 """
 
@@ -26,16 +26,17 @@ import numpy as np
 from stiction.surfaces.heightmap import HeightMap
 from stiction.surfaces.statistics import Statistics
 
-_LEVELS, _WINDOW = 10_001, 4_000  # quantiles of the curve, and steps within 40 % of it
+_LEVELS, _WINDOW = 10_001, 4_000  # quantiles of the material ratio curve, and how many steps make 40 % of it
 _FALLEN = 0.2
 _MOST_POINTS = 1024  # along a side, for the autocorrelation
 
 
 @dataclass(frozen=True)
 class ArealParameters:
-    """Store the areal parameters of a map (ISO 25178-2).
+    """Store the areal parameters of a map, with the names and definitions of ISO 25178-2.
 
-    Lengths are in m and ratios are fractions (0.1 for 10 %). A parameter that the map does not determine is None.
+    Lengths (Sp, Sv, Sal, Sk, Spk, Svk) are in m, the others are fractions (0.1 for 10 %). Sal is None if the autocorrelation
+    falls to 0.2 in no direction within the map, and Str is None if there is any direction in which it does not.
     """
 
     Sp: float
@@ -51,7 +52,7 @@ class ArealParameters:
 
 
 def areal_parameters(surface: HeightMap) -> ArealParameters:
-    """Return the ISO 25178-2 areal parameters of a map; the surface must not be a profile."""
+    """Return the ISO 25178-2 areal parameters of a levelled map; a profile has none, so `surface` must be a map."""
     depth = surface.heights - np.nanmean(surface.heights)
     shortest, longest = _decay(depth, surface.pitch)
     aspect = None if shortest is None or longest is None else shortest / longest
@@ -60,9 +61,10 @@ def areal_parameters(surface: HeightMap) -> ArealParameters:
 
 
 def profile_parameters(surface: HeightMap, found: Statistics) -> dict[str, float]:
-    """Return the parameters of a profile over its whole length by their names of ISO 21920-2, lengths in m.
+    """Return the roughness parameters of a profile over its whole length, by their names in ISO 21920-2; lengths in m.
 
-    The names begin with R if a filter removed long wavelengths, else with P, those of the primary profile.
+    found: statistics of this profile, from `statistics`. Names begin with R (Ra, Rq ...) if a filter has removed long
+    wavelengths, otherwise with P (Pa, Pq ...), for the primary profile.
     """
     steps = [step for step in surface.history if step.startswith("filtered to wavelengths")]
     letter = "R" if any(" to all:" not in step for step in steps) else "P"
@@ -78,10 +80,11 @@ def _developed(heights: np.ndarray, pitch: tuple[float, float]) -> float:
 
 
 def _decay(depth: np.ndarray, pitch: tuple[float, float]) -> tuple[float | None, float | None]:
-    """Return the shortest and longest distance [m] at which the autocorrelation falls to 0.2.
+    """Return the shortest and the longest distance [m] at which the autocorrelation of a map falls to 0.2.
 
-    depth: heights (rows, columns) [m] above their mean. pitch: (dy, dx) [m]. The autocorrelation is 1 at distance 0. A
-    distance is None if the autocorrelation does not fall to 0.2 within the map.
+    depth: heights (rows, columns) [m] above their mean. pitch: distance (dy, dx) of neighbouring points [m]. The
+    autocorrelation is 1 at distance 0. The shortest distance is None if the autocorrelation falls to 0.2 in no direction within
+    the map, the longest one is None if there is any direction in which it does not.
     """
     from scipy.ndimage import label
     from scipy.signal import fftconvolve
@@ -113,7 +116,7 @@ def _decay(depth: np.ndarray, pitch: tuple[float, float]) -> tuple[float | None,
 
 
 def _material_ratio(depth: np.ndarray) -> tuple[float, float, float, float, float]:
-    """Return Sk [m], Spk [m], Svk [m], Smr1 and Smr2 of the material ratio curve.
+    """Return the parameters Sk [m], Spk [m], Svk [m], Smr1 and Smr2 of the material ratio curve (ISO 25178-2, annex B.1).
 
     depth: heights (rows, columns) [m] above their mean. Smr1 and Smr2 are fractions.
     """
@@ -130,7 +133,7 @@ def _material_ratio(depth: np.ndarray) -> tuple[float, float, float, float, floa
 
 
 def _positive_area(values: np.ndarray) -> float:
-    """Return the area between 0 and the positive part of a polyline through values (n,) at unit spacing."""
+    """Return the area under the parts above 0 of a polyline through the values (n,), which are one unit apart."""
     first, last = values[:-1], values[1:]
     high = np.maximum(np.maximum(first, last), 0.0)
     crossed = high**2 / (2.0 * np.maximum(np.abs(last - first), 1e-300))

@@ -1,4 +1,4 @@
-"""The asperities of a surface in the form that every finding method returns."""
+"""Define the class Asperities, which every method that finds asperities returns."""
 
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
@@ -11,23 +11,25 @@ from stiction.surfaces.heightmap import HeightMap
 if TYPE_CHECKING:
     from stiction.surfaces.roughness import Roughness
 
-# Below this many, deviation and skewness say nothing of the surface, and heights are taken as Gaussian.
+# With fewer asperities, deviation and skewness do not describe the surface, and heights are assumed Gaussian.
 FEW = 30
 _ROUNDING = 1e-12
 
 
 @dataclass(frozen=True, eq=False)
 class Asperities:
-    """Store the asperities that one method finds on a surface.
+    """Store the asperities that one method finds on a surface, with their averages.
 
-    method: key of the method. density: N, number per nominal area [1/m^2]. deviation: standard deviation sigma of the
-    asperity heights [m]. radius: R [m], the reciprocal of the mean summit curvature, as in the relations of Nayak and McCool.
-    A mean of the radii would be dominated by the few flattest summits. mean_height: mean asperity height above the mean plane
-    [m]. skewness: skewness of the asperity heights. note: the numbers found and their basis, in words.
-
-    heights: (n,) [m] above the mean plane. radii: (n,) [m], inf for a summit that does not curve down. places: (n, 2), row
-    and column of each asperity in the map, or of its middle point if it has several. The three arrays are empty for a method
-    that only computes averages. places is also empty if the method does not return positions.
+    - method: key of the method
+    - density: number N of asperities per nominal area [1/m^2]
+    - deviation: standard deviation sigma of the asperity heights [m]
+    - radius: tip radius R [m], the reciprocal of the mean curvature, as in the relations of Nayak and McCool; a mean of the
+      radii would be dominated by the few flattest asperities
+    - mean_height: mean asperity height above the mean plane [m]; skewness: skewness of the asperity heights
+    - note: how many asperities were found and how, in words
+    - heights (n,) [m] above the mean plane; radii (n,) [m], inf for an asperity that does not curve down; places (n, 2), row
+      and column of each asperity, or of its middle point. All are empty for a method that only computes averages; places may be
+      empty for other methods too
     """
 
     method: str
@@ -43,7 +45,7 @@ class Asperities:
 
     @property
     def count(self) -> int:
-        """Return the number of asperities found; 0 for a method that only computes averages."""
+        """Return the number of single asperities found; 0 for a method that only computes averages."""
         return len(self.heights)
 
 
@@ -51,11 +53,16 @@ def of_samples(
     method: str, heights: np.ndarray, curvatures: np.ndarray, density: float, note: str,
     remedy: str = "finer points or a larger map", places: np.ndarray | None = None,
 ) -> Asperities:  # fmt: skip
-    """Return the Asperities object for single asperities, with their averages.
+    """Return the Asperities object with the averages over single asperities.
 
-    heights: (n,) [m]. curvatures: (n,) [1/m], positive for summits that curve down. remedy: a change that would find more,
-    for the error text. places: (n, 2), row and column of each, None if unknown. Raises InputError for fewer than two
-    asperities, a density of 0, or a mean curvature that is not positive.
+    - method: key of the asperity method that found them
+    - heights: (n,) [m] above the mean plane; curvatures: (n,) [1/m], positive for a top that curves down
+    - density: asperities per nominal area [1/m^2]
+    - note: how the asperities were found; it follows their number in the `note` of the result
+    - remedy: a change with which more would be found, for the error
+    - places: (n, 2), row and column of each asperity; None if unknown
+
+    Raises InputError for fewer than two asperities, a density of 0, or a mean curvature that is not positive.
     """
     if len(heights) < 2:
         raise InputError(f"asperities by {method}", f"{len(heights)} found", f"2 or more: {remedy}")
@@ -94,16 +101,13 @@ def of_samples(
 
 
 def spread(samples: np.ndarray) -> float:
-    """Return the standard deviation of samples (n,); 0 if all are equal apart from rounding."""
+    """Return the standard deviation of samples (n,); 0 if they are equal apart from round-off."""
     deviation = float(samples.std())
     return deviation if deviation > _ROUNDING * np.abs(samples).max() else 0.0
 
 
 def of_numbers(surface: "Roughness") -> Asperities:
-    """Return the Asperities object for a body with stated sigma, R and N.
-
-    Heights are measured from their own mean.
-    """
+    """Return the Asperities object for a body whose sigma, R and N the user states; the mean height is 0."""
     density: Any = surface.asperity_density
     deviation: Any = surface.asperity_height_deviation
     radius: Any = surface.asperity_radius
@@ -111,9 +115,9 @@ def of_numbers(surface: "Roughness") -> Asperities:
 
 
 def rounding(heights: np.ndarray) -> float:
-    """Return the smallest height difference [m] that counts; smaller ones may be rounding errors of levelling.
+    """Return the smallest height difference [m] that is not round-off, for a map of heights [m].
 
-    Without this limit, rounding would make peaks along the ridge of a groove.
+    Without this limit, the round-off of levelling would create peaks along the ridge of a groove.
     """
     return _ROUNDING * float(np.nanmax(heights) - np.nanmin(heights))
 
@@ -121,7 +125,7 @@ def rounding(heights: np.ndarray) -> float:
 def skewness(samples: np.ndarray) -> float:
     """Return the skewness of samples (n,): third central moment over the cube of the standard deviation.
 
-    The result is 0 if all samples are equal apart from rounding.
+    The result is 0 if all samples are equal apart from round-off.
     """
     deviation = spread(samples)
     if deviation == 0.0:
@@ -131,8 +135,8 @@ def skewness(samples: np.ndarray) -> float:
 
 
 def over_mean_plane(surface: HeightMap) -> np.ndarray:
-    """Return the heights (rows, columns) [m] of a map minus their mean; NaN where missing.
+    """Return the heights (rows, columns) [m] of a map minus their mean; NaN for missing points.
 
-    A tilt stays: level the map first.
+    A tilt is not removed: level the map first.
     """
     return surface.heights - (surface.heights.mean() if surface.complete else np.nanmean(surface.heights))

@@ -1,4 +1,4 @@
-"""Combine the power spectra of several scans of one surface, each in its reliable wavelengths."""
+"""Combine the power spectra of scans of one surface, each in the wavelengths for which it is reliable."""
 
 import math
 from collections.abc import Iterable
@@ -18,25 +18,26 @@ from stiction.surfaces.theory.moments import Moments
 if TYPE_CHECKING:
     from stiction.surfaces.heightmap import HeightMap
 
-_PER_DECADE = 40  # wave numbers of the combined spectrum
-_MOST_WAVES = 100.0  # largest weight of a bin: beyond, scans differ by their instruments and not by chance
-_MANY_WAVES = 30.0  # of a bin, from which on its density is compared with that of another scan
+_PER_DECADE = 40  # wave numbers of the combined spectrum in each decade
+_MOST_WAVES = 100.0  # largest weight of a bin: with more waves scans differ by their instruments and not by chance
+_MANY_WAVES = 30.0  # waves in a bin from which on its density is compared with that of another scan
 
 
 @dataclass(frozen=True)
 class CombinedSpectrum:
-    """The power spectrum of one surface from several scans; call it with wave numbers [rad/m].
+    """Store the power spectrum of one surface from more than one scan; call it with wave numbers [rad/m].
 
     Parameters
     ----------
     wavevector : array (bins,) [rad/m]
         Wave numbers, ascending.
     density : array (bins,) [m^4], or [m^3] of profiles
-        Power spectral density, normalised as that of `SelfAffine`; between bins ln C is linear in ln q.
+        Power spectral density C, normalised as that of `SelfAffine`; between bins ln C is linear in the logarithm of the wave
+        number.
     disagreement : float
         Largest ratio of the densities that two scans give at the same wave number; 1 if no two scans overlap.
     dimensions : int
-        2 of a surface, 1 of a profile.
+        2 for a surface, 1 for a profile.
 
     Examples
     --------
@@ -49,7 +50,7 @@ class CombinedSpectrum:
     dimensions: int = 2
 
     def __call__(self, q: np.ndarray) -> np.ndarray:
-        """Return C at wave numbers q [rad/m], 0 outside the wavelengths that were measured."""
+        """Return the power spectral density C at wave numbers q [rad/m], 0 outside the wavelengths that the scans measured."""
         q = np.asarray(q, dtype=float)
         inside = (q >= self.wavevector[0]) & (q <= self.wavevector[-1])
         log_q = np.log(np.clip(q, self.wavevector[0], self.wavevector[-1]))
@@ -61,7 +62,7 @@ class CombinedSpectrum:
 
     @property
     def moments(self) -> Moments:
-        """Return m0 [m^2], m2 [1], m4 [1/m^2] of a line, of the measured wavelengths only."""
+        """Return the spectral moments m0 [m^2], m2 [1], m4 [1/m^2] of a profile, from the measured wavelengths only."""
         log_q = np.log(self.wavevector)
         powers = [self.density * self.wavevector ** (k + self.dimensions) for k in (0, 2, 4)]  # dq = q d ln q
         return line_moments(self.dimensions, (float(np.trapezoid(power, log_q)) for power in powers))
@@ -73,14 +74,14 @@ def combined_spectrum(scans: "Iterable[HeightMap]", tip_radius: "float | str | N
     Parameters
     ----------
     scans : iterable of HeightMap
-        Levelled heights; all maps or all profiles. A map that is not periodic is windowed.
+        Levelled heights; all maps or all profiles. A map that is not periodic is multiplied by Hann's window.
     tip_radius : float [m] or str with a unit, optional
         Radius of the stylus tip, which limits the short wavelengths of every scan.
 
     Returns
     -------
     CombinedSpectrum
-        Serves `gaussian_surface` as its spectrum; `moments` and `disagreement` are properties.
+        Can be passed to `gaussian_surface` as its spectrum; `moments` and `disagreement` are properties.
 
     Raises
     ------
@@ -90,8 +91,9 @@ def combined_spectrum(scans: "Iterable[HeightMap]", tip_radius: "float | str | N
 
     Notes
     -----
-    Each scan counts from four pitches (or the limit of the tip) to a third of its size. Where scans overlap, the result is
-    the geometric mean of their densities, each weighted by its number of waves in the bin up to a hundred.
+    Each scan contributes wavelengths from four pitches (or the limit of the tip) to a third of its size. Where scans overlap,
+    the result is the geometric mean of their densities. The weight of a scan is its number of waves in the bin, at most a
+    hundred.
 
     Examples
     --------
@@ -116,7 +118,7 @@ def combined_spectrum(scans: "Iterable[HeightMap]", tip_radius: "float | str | N
     ends = [spectrum.wavevector[end] for spectrum in spectra for end in (0, -1)]
     count = math.ceil(_PER_DECADE * math.log10(max(ends) / min(ends))) + 1
     wavevector = np.geomspace(min(ends), max(ends), count)
-    wavevector[[0, -1]] = min(ends), max(ends)  # to the last bit, so that no end lies outside its scan
+    wavevector[[0, -1]] = min(ends), max(ends)  # exactly, so that round-off puts no end outside its scan
     log_density, waves = (np.array(rows) for rows in zip(*(_at(spectrum, wavevector) for spectrum in spectra), strict=True))
     if not (total := waves.sum(axis=0)).all():
         gap = 2.0 * math.pi / wavevector[total == 0.0]
@@ -129,7 +131,11 @@ def combined_spectrum(scans: "Iterable[HeightMap]", tip_radius: "float | str | N
 
 
 def _reliable(surface: "HeightMap", tip_radius: float | None, field: str) -> BinnedSpectrum:
-    """Return the binned spectrum of a scan in its reliable wavelengths. Raises InputError if there is none."""
+    """Return the power spectrum of a scan, averaged over directions in bins, for its reliable wavelengths only.
+
+    tip_radius: radius of the stylus [m], None to ignore it. field: name of the scan, for the error. Raises InputError if no
+    wavelength is reliable.
+    """
     bins = "log" if surface.is_profile else "linear"  # narrow where many waves share one
     with field_as(lambda own: f"{field}.{own}"):
         spectrum = power_spectrum(surface, "none" if surface.periodic else "hann")
@@ -144,9 +150,9 @@ def _reliable(surface: "HeightMap", tip_radius: float | None, field: str) -> Bin
 
 
 def _smoothed(binned: BinnedSpectrum) -> BinnedSpectrum:
-    """Return a spectrum averaged in bins of at most 1/_PER_DECADE of a decade.
+    """Return a binned spectrum averaged in wider bins, each at most 1/_PER_DECADE of a decade of the wave number.
 
-    In wider bins the mean would be too large where the spectrum is steep.
+    In still wider bins the mean would be too large where the spectrum is steep.
     """
     _, group = np.unique(np.floor(_PER_DECADE * np.log10(binned.wavevector)), return_inverse=True)
     waves = np.bincount(group, binned.waves)
@@ -155,7 +161,11 @@ def _smoothed(binned: BinnedSpectrum) -> BinnedSpectrum:
 
 
 def _at(spectrum: BinnedSpectrum, wavevector: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return ln C of a scan and its weight, (bins,) each, at wave numbers; the weight is 0 outside the band of the scan."""
+    """Return ln C of a scan and its weight, (bins,) each, at wave numbers [rad/m]; C is the power spectral density.
+
+    wavevector: wave numbers (bins,) [rad/m]. The weight is the number of waves, at most _MOST_WAVES, and 0 outside the
+    wavelengths of the scan.
+    """
     log_q, own = np.log(wavevector), np.log(spectrum.wavevector)
     inside = (wavevector >= spectrum.wavevector[0]) & (wavevector <= spectrum.wavevector[-1])
     weight = np.minimum(np.interp(log_q, own, spectrum.waves), _MOST_WAVES)

@@ -11,9 +11,9 @@ from stiction.surfaces.heightmap import HeightMap
 
 
 def fill_missing(surface: HeightMap, way: str = "harmonic") -> HeightMap:
-    """Replace the missing points of a map by interpolated heights.
+    """Return the map with its missing points replaced by interpolated heights.
 
-    way: "harmonic" makes each missing height the mean of its four neighbours, as a membrane spans a hole. "nearest" takes the
+    way: "harmonic" makes each missing height the mean of its four neighbours, as a membrane spans a hole. "nearest" copies the
     height of the nearest known point. Filled regions are smoother than the real surface, so slopes and summits are inaccurate
     if many points are missing. Raises InputError if no height is known or `way` is unknown.
     """
@@ -34,10 +34,10 @@ def _nearest(heights: np.ndarray, missing: np.ndarray, pitch: tuple[float, float
 
 
 def _harmonic(heights: np.ndarray, missing: np.ndarray, pitch: tuple[float, float]) -> np.ndarray:
-    """Fill the missing heights with the solution of Laplace's equation (conjugate gradients).
+    """Return the heights with the missing ones replaced by the solution of Laplace's equation (conjugate gradients).
 
-    There is one equation per missing point. Points at the edge of the map have fewer neighbours. A profile is interpolated
-    linearly.
+    heights: (rows, columns) [m], NaN where missing. missing: mask of the missing points. pitch: (dy, dx) [m]. There is one
+    equation per missing point; a point at the edge of the map has fewer neighbours. A profile is interpolated linearly.
     """
     if heights.shape[0] == 1:
         place = np.arange(heights.shape[1])
@@ -54,15 +54,16 @@ def _harmonic(heights: np.ndarray, missing: np.ndarray, pitch: tuple[float, floa
     return filled
 
 
-_RESIDUAL = 1e-9  # of the equations, over the heights at the rims of the holes
+_RESIDUAL = 1e-9  # largest residual of the equations, relative to the heights at the rims of the holes
 _DAMPED = 0.7  # step of the relaxation on each level
-_FEW = 1000  # points, for which the equations are solved at once
+_FEW = 1000  # points for which the equations are solved directly
 
 
 def _multigrid(matrix: sparse.csr_array, row: np.ndarray, column: np.ndarray) -> LinearOperator:
-    """Return an approximate inverse of the matrix by one multigrid cycle.
+    """Return an approximate inverse of the matrix of Laplace's equation, computed by one multigrid cycle.
 
-    As a preconditioner it keeps the number of iterations small, however wide the holes are. Each block of two by two points
+    matrix: equations of the missing points (n, n). row, column: place of each missing point in the map (n,). As a
+    preconditioner the inverse keeps the number of iterations small, however wide the holes are. Each block of two by two points
     forms one point of the next coarser grid. Two links join neighbouring blocks, hence the factor 0.5 for the coarse matrix.
     """
     levels = []
@@ -90,9 +91,10 @@ def _multigrid(matrix: sparse.csr_array, row: np.ndarray, column: np.ndarray) ->
 
 
 def _laplace(heights: np.ndarray, missing: np.ndarray, pitch: tuple[float, float]) -> tuple[sparse.csr_array, np.ndarray]:
-    """Return the matrix and right side of the equations for the missing heights.
+    """Return the matrix (n, n) and the right side (n,) of the equations for the n missing heights.
 
-    Each missing height is the mean of its neighbours, weighted by 1/pitch^2 along the direction to the neighbour.
+    heights: (rows, columns) [m]. missing: mask of the missing points. pitch: (dy, dx) [m]. Each missing height is the mean of
+    its neighbours, weighted by 1/pitch^2 along the direction to the neighbour.
     """
     dy, dx = pitch
     number = np.full(missing.shape, -1, dtype=np.int32)
@@ -108,15 +110,15 @@ def _laplace(heights: np.ndarray, missing: np.ndarray, pitch: tuple[float, float
             known[own[other < 0]] += weight * heights[there][at][other < 0]
             links.append((own[other >= 0], other[other >= 0], np.full(np.count_nonzero(other >= 0), -weight)))
     own, other, value = (np.concatenate(parts) for parts in zip(*links, strict=True))
-    del links  # as long as the matrix
+    del links  # they take as much memory as the matrix
     matrix = sparse.csr_array((value, (own, other)), shape=(len(total), len(total))) + sparse.diags_array(total)
     return matrix.tocsr(), known
 
 
 def _neighbours(axis: int) -> tuple[tuple[slice, slice], tuple[slice, slice]]:
-    """Return two slices of a map along an axis: all points but the last, and all points but the first.
+    """Return two pairs of slices (rows, columns) of a map: all points but the last, and all but the first, along an axis.
 
-    Points at the same position of both slices are neighbours.
+    Points at the same position in both parts of the map are neighbours. axis: 0 along y, 1 along x.
     """
     everything = slice(None)
     low, high = slice(None, -1), slice(1, None)

@@ -1,9 +1,8 @@
-"""Find the asperities of a measured surface: sigma, R and N by a chosen method.
+"""Find the asperities of a measured surface by one of several methods: sigma, R and N.
 
-The results depend on the method as strongly as on the resolution of the map.
-
-Each method is a record of the class AsperityMethod. It stands in a file of `asperity_method`, or another package provides it
-as an entry point.
+sigma is the standard deviation of the asperity heights, R the tip radius and N the number per area. They depend on the method
+as strongly as on the point spacing of the map. Each method is a record of the class AsperityMethod, in a file of
+`asperity_method` or in another package, which provides it by an entry point.
 """
 
 from collections.abc import Callable, Mapping
@@ -24,18 +23,18 @@ if TYPE_CHECKING:
 
 
 def methods() -> dict[str, AsperityMethod]:
-    """Return all methods that find asperities, as records by key, in display order."""
+    """Return key -> AsperityMethod record of every method that finds asperities, in display order."""
     known = of_kind(AsperityMethod)
     return dict(sorted(known.items(), key=lambda one: (one[1].order, one[0])))
 
 
 def methods_for(surface: HeightMap) -> tuple[str, ...]:
-    """Return the keys of the methods that accept this map or profile."""
+    """Return the keys of the asperity methods that accept this surface, a map or a profile."""
     return tuple(key for key, one in methods().items() if one.of_profiles or not surface.is_profile)
 
 
 def method_of_moments() -> str:
-    """Return the key of the asperity method that computes spectral moments and finds no single summits.
+    """Return the key of the asperity method that computes spectral moments instead of searching for single summits.
 
     Theories that describe the surface by its spectral moments use this method.
     """
@@ -43,7 +42,11 @@ def method_of_moments() -> str:
 
 
 def length_unit(surface: HeightMap, roughness_parameter: Any) -> Any:
-    """Return sqrt(R sigma) [m] of contacts with this map, from their N R sigma and the asperity density N by moments."""
+    """Return sqrt(R sigma) [m], the unit of length along the surface in contacts with this map.
+
+    roughness_parameter: the dimensionless N R sigma of the contact, a number or an array. It is divided by the asperity density
+    N from the spectral moments of the map.
+    """
     return np.sqrt(roughness_parameter / asperities(surface, method_of_moments()).density)
 
 
@@ -88,7 +91,7 @@ def asperities(surface: HeightMap, method: str = "mccool", **options: "QuantityL
     return replace(found, note="; ".join([found.note, *_outside(record, found)]))
 
 
-# What a range of validity of a method may speak of: a quantity of the asperities found.
+# Quantities of the asperities found for which a method may claim a validity range: name -> function that returns the value.
 SPOKEN_OF: dict[str, Callable[[Asperities], float]] = {
     "asperity_height_deviation": lambda found: found.deviation,
     "asperity_radius": lambda found: found.radius,
@@ -98,7 +101,10 @@ SPOKEN_OF: dict[str, Callable[[Asperities], float]] = {
 
 
 def _outside(record: AsperityMethod, found: Asperities) -> list[str]:
-    """Return one sentence for each validity range of a method that the asperities `found` violate."""
+    """Return one sentence for each validity range of an asperity method that its asperities do not keep.
+
+    record: the method. found: the asperities that it found.
+    """
     values = {rule: SPOKEN_OF[rule.quantity](found) for rule in record.validity}
     return [
         f"{QUANTITIES[rule.quantity].meaning} is {value:.3g}, valid range {rule.range}: {rule.why}"
@@ -108,7 +114,7 @@ def _outside(record: AsperityMethod, found: Asperities) -> list[str]:
 
 
 def _settled(record: AsperityMethod, given: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the value of every option of a method; options without a value get their default.
+    """Return the value of every option of an asperity method by name: the given one, or the default for None and absent ones.
 
     Raises InputError for an unknown option or a value that is not allowed.
     """
@@ -123,7 +129,10 @@ def _settled(record: AsperityMethod, given: Mapping[str, Any]) -> dict[str, Any]
 
 
 def _checked(name: str, option: Parameter, value: Any) -> Any:
-    """Return the value of an option, lengths in metres. Raises InputError if it is not allowed."""
+    """Return the value of an option of an asperity method, a length in metres; raise InputError if it is not allowed.
+
+    name: of the option, for the error. value: as the user states it.
+    """
     if option.unit and not option.values and not isinstance(value, bool):
         value = in_metres(value, name)
     if isinstance(value, bool) or not option.allows(value):

@@ -1,4 +1,4 @@
-"""Compute sigma, R and N of a rough surface from its rms height Sq and its finish.
+"""Compute sigma, R and N of a rough surface from its rms height Sq and its finish (how it was made, such as "ground").
 
 The rms height Sq, the rms slope h' and the product N R sigma determine the spectral moments of a Gaussian surface: m0 = Sq^2,
 m2 = h'^2/2, m4 = alpha m2^2/m0. The bandwidth parameter alpha (Nayak) follows from N R sigma
@@ -27,8 +27,8 @@ from stiction.surfaces.theory.moments import Moments, bandwidth, combine
 SQ_OVER_RA = 1.25  # sqrt(pi/2) of Gaussian heights, rounded as it is in practice
 _ASPERITIES = ("asperity_height_deviation", "asperity_radius", "asperity_density")
 _HEIGHTS = ("rms_height", "mean_height")
-_SYMBOLS = ("Sq", "Rq", "Ra", "Sa")  # no keys, but Finished then tells the key of this height
-_RULES = 0.8  # share of the mean square slope from which on one of two bodies decides the kind of surface
+_SYMBOLS = ("Sq", "Rq", "Ra", "Sa")  # these are no keys, but the error of Finished then names the right key
+_RULES = 0.8  # fraction of the mean square slope from which on one of two bodies decides the kind of surface
 
 
 def _finish(value):
@@ -37,11 +37,14 @@ def _finish(value):
 
 
 class Finished(Input):
-    """Describe a rough body by its finish.
+    """Describe a rough body by its finish (how it was made) and perhaps its measured height.
 
-    finish: name of a finish class (interfaces.md). rms_height: Sq. mean_height: Ra, converted by Sq = 1.25 Ra. Without
-    either height, the finish provides Sq. kind: kind of surface as in Roughness; the default is the kind of the finish.
-    skewness, kurtosis, texture_aspect_ratio: as in Roughness. Raises InputError.
+    - finish: name of a finish class, such as "ground" (docs/reference/interfaces.md)
+    - rms_height: Sq [m]; mean_height: Ra [m], converted by Sq = 1.25 Ra. Without either, the finish provides Sq
+    - kind: kind of surface as in `Roughness`; the default is the kind of the finish
+    - skewness, kurtosis, texture_aspect_ratio: as in `Roughness`
+
+    Raises InputError for two heights, or if sigma, R or N is stated too.
     """
 
     finish: Annotated[str, BeforeValidator(_finish)] = Field(description="a finish, e.g. ground, lapped or polished")
@@ -76,18 +79,21 @@ class Finished(Input):
 
     @property
     def height(self) -> Any:
-        """Return the stated Sq [m], or 1.25 Ra; None if neither height is stated."""
+        """Return the stated Sq [m], or 1.25 times the stated Ra; None if neither is stated."""
         return self.rms_height if self.mean_height is None else SQ_OVER_RA * self.mean_height
 
     @property
     def unknowns(self) -> tuple[str, ...]:
-        """Return the names of the quantities that the finish states as a range."""
+        """Return the names of the quantities that only the finish determines, each as a range.
+
+        They are rms_slope, roughness_parameter (N R sigma) and, if no height is stated, rms_height.
+        """
         return ("rms_slope", "roughness_parameter", *(["rms_height"] if self.height is None else []))
 
     def moments(self, levels: Mapping[str, Any]) -> Moments:
-        """Return the spectral moments of the surface at quantile levels of the quantities that are uncertain.
+        """Return the spectral moments of the surface, with its uncertain quantities at given quantile levels.
 
-        levels: level between 0 and 1 by name. A quantity without a level takes its median.
+        levels: name in `unknowns` -> level between 0 and 1. A quantity without a level has its median.
         """
         made = finish(self.finish)
         slope, density, *drawn = (made.quantile(name, levels.get(name, 0.5)) for name in self.unknowns)
@@ -95,7 +101,7 @@ class Finished(Input):
         return Moments(m0, m2, bandwidth(density) * m2**2 / m0)
 
     def notes(self) -> list[str]:
-        """Return one line with the quantities taken from the finish, and one on the conversion of Ra if Ra is stated."""
+        """Return one line on the quantities that the finish provides, and one on the conversion of Ra if Ra is stated."""
         made = finish(self.finish)
         words = "; ".join(_median(made, name) for name in self.unknowns)
         of_ra = [] if self.mean_height is None else [f"Sq = {SQ_OVER_RA} Ra, as of Gaussian heights"]
@@ -109,9 +115,9 @@ def _median(made: Finish, name: str) -> str:
 
 
 def _body(value):
-    """Return a Finished or Roughness object made from the table of a body.
+    """Return a table that describes a rough body as a Finished or a Roughness object; return other values unchanged.
 
-    A table with sigma, R or N and without a finish gives a Roughness. Other values are returned unchanged.
+    A table with sigma, R or N and without a finish gives a Roughness, any other table a Finished.
     """
     if not isinstance(value, Mapping):
         return value
@@ -122,9 +128,9 @@ _Body = Annotated[Finished | Roughness, BeforeValidator(_body, json_schema_input
 
 
 class FinishedBodies(Input):
-    """Describe the rough bodies of a contact, at least one of them by a finish.
+    """Describe the rough bodies of a contact, at least one of them by a finish (how it was made, such as "ground").
 
-    A contact has two rough bodies, or one rough body on a smooth one. Raises InputError.
+    first, second: the rough bodies, each a Finished or a Roughness; None for a smooth body. Raises InputError.
     """
 
     first: _Body | None = Field(default=None, description="a table with the finish, or the numbers, of the first body")
@@ -132,12 +138,12 @@ class FinishedBodies(Input):
 
     @property
     def bodies(self) -> dict[str, Finished | Roughness]:
-        """Return the rough bodies as a dict with the keys "first" and "second"."""
+        """Return the rough bodies of the contact by the names "first" and "second"."""
         return {name: body for name in ("first", "second") if (body := getattr(self, name)) is not None}
 
     @property
     def unknowns(self) -> tuple[str, ...]:
-        """Return the names of the quantities that are stated as a range, e.g. "first.rms_slope"."""
+        """Return the names of the quantities that only a finish determines, each as a range, e.g. "first.rms_slope"."""
         finished = {name: body for name, body in self.bodies.items() if isinstance(body, Finished)}
         return tuple(f"{name}.{number}" for name, body in finished.items() for number in body.unknowns)
 
@@ -151,16 +157,16 @@ class FinishedBodies(Input):
         return self
 
     def asperities(self, levels: Mapping[str, Any]) -> tuple[Any, Any, Any]:
-        """Return sigma [m], R [m] and N [1/m^2] of the contact at quantile levels of the quantities that are uncertain.
+        """Return sigma [m], R [m] and N [1/m^2] of the contact, with its uncertain quantities at given quantile levels.
 
-        levels: level between 0 and 1 by name, as in `unknowns`. A quantity without a level takes its median.
+        levels: name in `unknowns` -> level between 0 and 1, numbers or arrays. A quantity without a level has its median.
         """
         each = [_moments(body, name, levels) for name, body in self.bodies.items()]
         both = each[0] if len(each) == 1 else combine(*each)
         return both.asperities()
 
     def roughness(self) -> Roughness:
-        """Return the roughness of the contact at the medians; it keeps a reference to this object."""
+        """Return the roughness of the contact, with uncertain quantities at their medians; it stores this object too."""
         numbers = dict(zip(_ASPERITIES, self.asperities({}), strict=True))
         shape = {} if len(self.bodies) > 1 else {number: getattr(self._only, number) for number in SHAPE}
         return Roughness(**numbers, **shape, kind=self._kind()).attached(finished=self)
@@ -170,9 +176,9 @@ class FinishedBodies(Input):
         return next(iter(self.bodies.values()))
 
     def with_first(self, **changes: Any) -> "FinishedBodies":
-        """Return a copy with changed fields of the only rough body, e.g. another height or finish.
+        """Return a copy with changed fields of the only rough body, such as another height or finish.
 
-        Raises InputError if there are two rough bodies or the first has no finish.
+        Raises InputError if there are two rough bodies, or if the only one is not the first or has no finish.
         """
         if len(self.bodies) > 1 or not isinstance(self.first, Finished):
             raise InputError(
@@ -181,15 +187,15 @@ class FinishedBodies(Input):
         return self.replace(first=self.first.replace(**changes))
 
     def notes(self) -> list[str]:
-        """Return one line for each group of quantities taken from the finish of a body."""
+        """Return one line of text for each group of quantities that the finish of a body provides."""
         return [
             f"{name} body {line}" for name, body in self.bodies.items() if isinstance(body, Finished) for line in body.notes()
         ]
 
     def _kind(self) -> str | None:
-        """Return the kind of surface of the contact; None if the bodies that decide it differ in kind.
+        """Return the kind of surface of the contact, such as "worn"; None if it is unknown or the bodies differ in kind.
 
-        A body with at least 80 % of the mean square slope decides alone. Otherwise both bodies decide.
+        A body with at least 80 % of the summed mean square slope decides alone. Otherwise both bodies must have the same kind.
         """
         kinds = {name: body.kind or getattr(body, "finish", None) for name, body in self.bodies.items()}
         slopes = {name: float(np.mean(_moments(body, name, {}).m2)) for name, body in self.bodies.items()}
@@ -204,7 +210,7 @@ def _moments(body: Finished | Roughness, name: str, levels: Mapping[str, Any]) -
 
 
 def is_finished(table: Any) -> bool:
-    """Return whether a roughness table states a finish or a body's height, and no scan."""
+    """Return whether a table in place of a roughness states a finish or the height of a body (Sq, Ra), and no scan."""
     if not isinstance(table, Mapping):
         return False
     if table.keys() & {"finish", *_HEIGHTS, *_SYMBOLS}:
@@ -215,8 +221,8 @@ def is_finished(table: Any) -> bool:
 
 
 def roughness_of_finish(table: Mapping[str, Any]) -> Roughness:
-    """Return the roughness for a table that states a finish (`is_finished`).
+    """Return the roughness of a contact from a table that states a finish, for the only rough body or for "first" and "second".
 
-    Raises InputError.
+    Raises InputError for bad entries. `is_finished` tells which tables are accepted.
     """
     return FinishedBodies(**(table if table.keys() & {"first", "second"} else {"first": Finished(**table)})).roughness()

@@ -1,4 +1,4 @@
-"""Finish classes: typical roughness of surfaces by manufacturing process, from finish_data/."""
+"""Define finish classes, the typical roughness by manufacturing process, and read them from the files in finish_data/."""
 
 from collections.abc import Iterable
 from functools import cache
@@ -14,20 +14,23 @@ from stiction.quantities.lognormal import lognormal_quantile
 from stiction.quantities.ranges import Ranges
 from stiction.quantities.table import QUANTITIES
 
-# What the heights of a surface look like. "lay": rougher across than along; "two-scale": fine roughness on coarse.
+# Kinds of surfaces by their heights. "lay": rougher across than along; "two-scale": fine roughness on coarse.
 SurfaceKind = Literal["gaussian", "skewed", "worn", "lay", "two-scale"]
 SURFACE_KINDS: tuple[str, ...] = get_args(SurfaceKind)
 
-# Numbers that a finish states of a surface: Sq, asperity radius, rms slope and N R sigma.
+# Quantities for which a finish states a range: Sq, asperity radius, rms slope and N R sigma.
 NUMBERS = ("rms_height", "asperity_radius", "rms_slope", "roughness_parameter")
 
 
 class Finish(Input):
-    """Store a finish class: 5 and 95 % quantiles of roughness quantities for one process.
+    """Store a finish class, such as "ground": 5 and 95 % quantiles of the roughness that one process makes.
 
-    range: (5 % quantile, 95 % quantile) of each quantity in NUMBERS. Each quantity is lognormal; its median is the geometric
-    mean of the two. surface_kind: one of SURFACE_KINDS. source, grade: origin and quality grade of each range
-    (data_files.GRADES). Raises InputError.
+    - range: name of a quantity in NUMBERS -> (5 % quantile, 95 % quantile) in SI units; the quantity is lognormally distributed
+      and its median is the geometric mean of the two
+    - surface_kind: kind of surface, one of SURFACE_KINDS
+    - source, grade: origin and quality grade of each range, by name (data_files.GRADES)
+
+    Raises InputError if a range is missing or not above 0.
     """
 
     name: str = "unnamed"
@@ -44,9 +47,9 @@ class Finish(Input):
         return self
 
     def quantile(self, name: str, level: Any) -> np.ndarray:
-        """Return a quantity in NUMBERS at quantile levels between 0 and 1, in SI units.
+        """Return a roughness quantity of this finish, in SI units, at quantile levels between 0 and 1.
 
-        Raises InputError for another quantity.
+        name: "rms_height", "asperity_radius", "rms_slope" or "roughness_parameter". Raises InputError for another name.
         """
         if name not in NUMBERS:
             raise InputError("quantity", name, ", ".join(NUMBERS))
@@ -55,12 +58,12 @@ class Finish(Input):
 
 
 def finish_names() -> list[str]:
-    """Return the names of the finish classes, in alphabetical order."""
+    """Return the names of the finish classes, such as "ground", in alphabetical order."""
     return sorted(_finishes())
 
 
 def finish(name: str, /) -> Finish:
-    """Return the finish class with this name.
+    """Return the finish class with this name, such as "ground".
 
     Raises InputError for an unknown name, with similar names as suggestions.
     """
@@ -70,7 +73,7 @@ def finish(name: str, /) -> Finish:
 
 
 def surface_kind_of(word: Any) -> str:
-    """Return the kind of surface, one of SURFACE_KINDS, for the name of a kind or a finish.
+    """Return the kind of surface, one of SURFACE_KINDS, from the name of a kind ("worn") or of a finish ("ground").
 
     Raises InputError for any other name.
     """
@@ -83,10 +86,10 @@ def surface_kind_of(word: Any) -> str:
 
 
 def finishes(names: Iterable[str] | None = None) -> list[dict[str, Any]]:
-    """Return one dict for each finish, for the given names or for all finishes.
+    """Return one dict for each of the named finish classes, or for all classes if `names` is None.
 
-    Each dict has the keys name, surface_kind and numbers. numbers holds the unit, the 5 and 95 % quantiles, the source and
-    the grade of each quantity. Raises InputError for an unknown name.
+    Each dict has the keys name, surface_kind and numbers. numbers maps each quantity to its unit, its 5 and 95 % quantiles
+    (range), its source and its grade. Raises InputError for an unknown name.
     """
     return [_row(finish(name)) for name in (finish_names() if names is None else names)]
 

@@ -1,4 +1,4 @@
-"""Compute the asperities of a Gaussian surface from its spectral moments, and of the sum of two surfaces.
+"""Compute the asperities of a Gaussian surface from its spectral moments, and those of the sum of two surfaces.
 
 McCool (1986) puts the spectral moments m0, m2, m4 (mean squares of height, slope and second derivative along a profile) into
 Nayak's statistics of summits (1971). stiction.surfaces.theory.moments has the relations.
@@ -13,10 +13,10 @@ LEAST = f"no isotropic Gaussian surface has a bandwidth parameter alpha < {LEAST
 
 
 def of_moments(method: str, moments: Moments, note: str) -> Asperities:
-    """Return the summits of the isotropic Gaussian surface with these spectral moments.
+    """Return the asperities of the isotropic Gaussian surface with these spectral moments: its summits.
 
-    method: key of the asperity method. moments: m0 [m^2], m2 [1] and m4 [1/m^2]. note: their origin, in words. Raises
-    InputError if no Gaussian surface has these moments.
+    method: key of the asperity method, for the result. moments: m0 [m^2], m2 [1] and m4 [1/m^2]. note: origin of the moments,
+    in words. Raises InputError if no Gaussian surface has these moments.
     """
     if not (moments.m2 > 0.0 and moments.m4 > 0.0):
         given = f"m2 = {moments.m2:g}, m4 = {moments.m4:g} 1/m^2"

@@ -1,9 +1,9 @@
 """Generate random surfaces with a given power spectrum, Gaussian or with skewness and kurtosis.
 
 Gaussian surfaces are filtered white noise (linear filter, Hu & Tonder 1992). The Fourier transform of the noise is multiplied
-by sqrt(C / (dx dy)). Every wave on the grid then has the mean square C / (area of the map), and the sum over all waves
-approximates the integral of C. Waves of the spectrum that are shorter than two pitches or longer than the map are missing
-from the heights.
+by sqrt(C / (dx dy)), with the power spectral density C and the point spacings dx and dy. Every wave on the grid then has the
+mean square C / (area of the map), and the sum over all waves approximates the integral of C. Waves of the spectrum that are
+shorter than two pitches or longer than the map are missing from the heights.
 
 Non-Gaussian surfaces start from a Gaussian one. Its heights are replaced, rank by rank, by heights of Johnson's distribution.
 This changes the spectrum, so an iteration alternately restores the amplitudes of the waves and the distribution of heights
@@ -41,11 +41,11 @@ from stiction.surfaces.targets import SelfAffine
 
 Spectrum = Callable[[np.ndarray], np.ndarray]
 
-_BLOCK = 2**19  # waves filtered at once: they need little memory compared to the map
+_BLOCK = 2**19  # waves filtered at once, few enough to need little memory compared to the map
 _WORKERS = 2
 _LEAST_POINTS = 8
-_ARRAYS = 3  # as large as the map, alive while one is made
-_SETTLED = 0.01  # the iteration ends when a step improves the spectrum by less than this part
+_ARRAYS = 3  # arrays as large as the map that exist at once while a surface is generated
+_SETTLED = 0.01  # the iteration ends when a step reduces the error of the spectrum by less than this fraction
 
 
 class Lay(TypedDict, total=False):
@@ -58,10 +58,7 @@ class Lay(TypedDict, total=False):
 
 @dataclass(frozen=True)
 class _Periodic:
-    """Store the checked arguments of `gaussian_surface`, with the size in metres.
-
-    Raises InputError.
-    """
+    """Store the checked arguments of `gaussian_surface`, with the size in metres; raise InputError if one is not allowed."""
 
     shape: tuple[int, int]
     size: tuple[float, float]
@@ -79,13 +76,13 @@ class _Periodic:
         self._check_spectrum()
 
     def heights(self) -> np.ndarray:
-        """Return the Gaussian heights (rows, columns) [m]."""
+        """Return the Gaussian heights (rows, columns) [m] that these arguments define."""
         waves = rfft2(np.random.default_rng(self.seed).standard_normal(self.shape), workers=_WORKERS)
         self._colour(waves)
         return irfft2(waves, s=self.shape, workers=_WORKERS, overwrite_x=True)
 
     def said(self, kind: str) -> str:
-        """Return one line that describes the surface, for its history."""
+        """Return one line that describes how the surface was made, for its history; kind: "Gaussian" or "non-Gaussian"."""
         text = f"made: {kind} {'profile' if self.shape[0] == 1 else 'surface'}, seed {self.seed}, spectrum {self.spectrum}"
         if self.stretch != 1.0:
             text += f", stretched {self.stretch:g} times along {math.degrees(self.angle):g} degrees from x"
@@ -106,9 +103,10 @@ class _Periodic:
                 raise InputError("shortest", spectrum.shortest, allowed)
 
     def _colour(self, waves: np.ndarray) -> None:
-        """Multiply the Fourier transform of white noise by the root of the spectrum, in place.
+        """Multiply the Fourier transform of white noise by the square root of the power spectrum, in place.
 
-        The factor is sqrt(C / (dx dy)) for a map and sqrt(C / dx) for a profile.
+        waves: output of `rfft2`. The factor is sqrt(C / (dx dy)) for a map and sqrt(C / dx) for a profile, with the power
+        spectral density C and the point spacings dx, dy.
         """
         (rows, columns), size, spectrum = self.shape, self.size, self.spectrum
         cosine, sine = math.cos(self.angle), math.sin(self.angle)
@@ -119,7 +117,7 @@ class _Periodic:
             across = cosine * along_y - sine * along_x
             q = np.hypot(along, across)
             if part.start == 0:
-                q[0, 0] = smallest  # the mean: a power law has no value there
+                q[0, 0] = smallest  # a power law has no value at q = 0, the mean, which is set to 0 below
             density = np.asarray(spectrum(q), dtype=float)
             if density.shape != q.shape or not (density >= 0.0).all() or np.isinf(density).any():
                 raise InputError(
@@ -139,7 +137,7 @@ def gaussian_surface(
     shape: tuple[int, int], size: tuple[float | str, float | str], spectrum: Spectrum, seed: int, *,
     stretch: float = 1.0, angle: float = 0.0, random_amplitudes: bool = True,
 ) -> HeightMap:  # fmt: skip
-    """Generate a periodic Gaussian surface or profile of mean 0 from a seed.
+    """Generate a random periodic Gaussian surface or profile with a given power spectrum and mean height 0.
 
     Parameters
     ----------
@@ -148,7 +146,8 @@ def gaussian_surface(
     size : (y, x) [m], each a number or text with a unit
         Size of the period.
     spectrum : callable
-        C(q) at wave numbers q [rad/m]: m^4 of a surface, m^3 of a profile, normalised as in `targets`; e.g. `SelfAffine`.
+        Power spectral density C(q) at wave numbers q [rad/m]: m^4 for a surface, m^3 for a profile, normalised as that of
+        `SelfAffine`, which is such a callable.
     seed : int
         At least 0; the same seed and shape give the same heights.
     stretch : float, optional
@@ -188,19 +187,19 @@ def non_gaussian_surface(
     shape: tuple[int, int], size: tuple[float | str, float | str], spectrum: Spectrum, seed: int, *,
     skewness: float, kurtosis: float, steps: int = 50, exact_spectrum: bool = False, **lay: Unpack[Lay],
 ) -> HeightMap:  # fmt: skip
-    """Generate a periodic surface with a skewness, a kurtosis and nearly a spectrum.
+    """Generate a random periodic surface with a given skewness and kurtosis of its heights and, nearly, a given spectrum.
 
     Parameters
     ----------
     shape, size, spectrum, seed
-        As in `gaussian_surface`, whose amplitudes are the target.
+        As in `gaussian_surface`.
     skewness, kurtosis : float
-        Of the heights, 0 and 3 of a Gaussian surface; skewness^2 + 1 < kurtosis <= 50.
+        Of the heights; a Gaussian surface has 0 and 3. Allowed: skewness^2 + 1 < kurtosis <= 50.
     steps : int, optional
-        Largest number of iterations; 0 only transforms the ranks.
+        Largest number of iterations; 0 only replaces Gaussian heights by those of the distribution, rank by rank.
     exact_spectrum : bool, optional
-        Meet the spectrum exactly and the distribution of heights nearly, instead of the reverse. Choose it where slopes and
-        curvatures matter: heights beyond the shortest wave are small in height alone.
+        True: meet the spectrum exactly and the distribution of heights nearly. False (default): the reverse. Choose True where
+        slopes and curvatures matter: False adds waves shorter than those of the spectrum, low in height but steep.
     **lay : float or bool
         stretch, angle [rad] and random_amplitudes, as in `gaussian_surface`.
 
@@ -239,7 +238,10 @@ def non_gaussian_surface(
 
 
 def with_slope(surface: HeightMap, slope: float) -> HeightMap:
-    """Return the map with its heights scaled to the rms slope `slope` [1]."""
+    """Return a periodic map with all heights multiplied by one factor, so that its rms gradient is `slope` [1].
+
+    Raises InputError if all heights are equal, points are missing, or `slope` is not above 0.
+    """
     require_positive(slope=slope)
     found = rms_slope(surface)
     if not found > 0.0:
@@ -248,7 +250,7 @@ def with_slope(surface: HeightMap, slope: float) -> HeightMap:
 
 
 def rms_slope(surface: HeightMap) -> float:
-    """Return the rms gradient [1] of a periodic map, from the sum of q^2 |h|^2 (Parseval).
+    """Return the rms gradient [1] of a periodic map, from the sum of q^2 |h|^2 over its Fourier waves (Parseval).
 
     All waves on the grid count fully; finite differences would underestimate the slope of short waves. Raises InputError if
     points are missing.
@@ -273,9 +275,10 @@ def _check_grid(shape, seed) -> None:
 
 
 def _blocks(shape, size):
-    """Yield blocks of rows of the output of `rfft2`, as (slice of rows, q_y, q_x).
+    """Yield blocks of rows of the output of `rfft2` for a map, as (slice of rows, q_y, q_x).
 
-    q_y (n, 1) and q_x (1, columns // 2 + 1) are the wave numbers of the block [rad/m].
+    shape: (rows, columns) of the map. size: (y, x) [m]. q_y (n, 1) and q_x (1, columns // 2 + 1) are the wave numbers [rad/m]
+    of the waves in the block.
     """
     rows, columns = shape
     along_y = 2.0 * math.pi * np.fft.fftfreq(rows, size[0] / rows)[:, np.newaxis]
@@ -289,10 +292,15 @@ def _blocks(shape, size):
 
 
 def _alternate(start, amplitudes, wanted, steps):
-    """Impose the distribution of heights and the spectrum in turn, until the error of the spectrum settles.
+    """Impose a distribution of heights and a spectrum in turn, until the error of the spectrum settles.
 
-    There are at most `steps` + 1 turns. Returns the heights with the exact distribution, the heights with the exact spectrum,
-    the relative rms error of the amplitudes of the former, and the number of steps.
+    - start: Gaussian heights (rows, columns) [m] from which the iteration starts
+    - amplitudes: wanted absolute values of their `rfft2`
+    - wanted: all heights [m] of the wanted distribution, ascending
+    - steps: largest number of iterations after the first one
+
+    Returns the heights with the exact distribution, the heights with the exact spectrum, the relative rms error of the
+    amplitudes of the former, and the number of steps.
     """
     spectral, last = start, math.inf
     size = math.sqrt(float(np.sum(amplitudes**2)))

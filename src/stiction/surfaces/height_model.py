@@ -1,4 +1,4 @@
-"""Choose the distribution of asperity heights: Gaussian, Weibull or empirical."""
+"""Choose a distribution for the heights of asperities: Gaussian, Weibull or empirical."""
 
 import math
 from dataclasses import dataclass, field
@@ -12,23 +12,27 @@ from stiction.surfaces.roughness import Roughness
 
 MODELS = ("gaussian", "weibull", "empirical")
 
-# A distribution is good enough if the distance of Kolmogorov and Smirnov is below what one of 20 true samples exceeds, with
-# mean and deviation taken from the sample: 0.886 / sqrt(n) for a Gaussian (Lilliefors 1967), taken for Weibull's too.
-# Asperities ride together on the long waves of a surface: however many there are, not more than _INDEPENDENT are counted. To
-# refuse a formula has a price: heights as found end at the highest of the scan, which a larger contact surpasses.
+# A distribution fits if its Kolmogorov-Smirnov distance is below the one that 1 in 20 samples from the distribution itself
+# exceeds, with mean and deviation of the sample: 0.886 / sqrt(n) for a Gaussian (Lilliefors 1967), used for Weibull's too. The
+# long waves of a surface correlate the heights of its asperities, so n is _INDEPENDENT at most. A stricter test would choose
+# the empirical distribution too often: it ends at the highest asperity of the scan, and a larger contact has higher ones.
 _ONE_IN_TWENTY = 0.886
 _INDEPENDENT = 100
-_QUANTILES = 2000  # that stand for the samples, if there are more
+_QUANTILES = 2000  # number of quantiles that stand for the samples if there are more samples
 _LEAST_EXPONENT, _LARGEST_EXPONENT = 1.0, 100.0  # as of stiction.engine.heights.weibull
 
 
 @dataclass(frozen=True)
 class HeightModel:
-    """Store a chosen height distribution, and how well each candidate distribution fits the heights.
+    """Store the distribution chosen for the heights of asperities, and how well each candidate fits the heights.
 
-    name, parameters: as in Roughness. distances: Kolmogorov-Smirnov distance by name of the distribution. allowed: largest
-    acceptable distance. likelihoods: mean log-likelihood of the standardised heights, by name; -inf if a height is
-    impossible. skewness: skewness of the heights. reason: why this distribution was chosen.
+    - name, parameters: name and parameters of the chosen distribution, as in `Roughness`
+    - reason: why this distribution was chosen, in words
+    - skewness: skewness of the heights
+    - allowed: largest acceptable Kolmogorov-Smirnov distance between a distribution and the heights
+    - distances: name of the candidate -> its Kolmogorov-Smirnov distance
+    - likelihoods: name of the candidate -> mean log-likelihood of the standardised heights; -inf if it excludes one of the
+      heights
     """
 
     name: str
@@ -41,13 +45,17 @@ class HeightModel:
 
 
 def height_model(found: Asperities, wanted: str | None = None) -> HeightModel:
-    """Choose the simplest height distribution that fits: Gaussian, else Weibull, else empirical.
+    """Choose the simplest distribution that fits the heights of asperities: Gaussian, else Weibull, else empirical.
 
     A distribution fits if its Kolmogorov-Smirnov distance from the heights is at most a limit, explained at _ONE_IN_TWENTY.
     Every distribution has the mean and standard deviation of the heights; the Weibull exponent also reproduces their
-    skewness. wanted: name of a distribution to use instead. The result is always Gaussian if the method found no single
-    heights or fewer than FEW, or if all heights are equal. Raises InputError if `wanted` is not gaussian, weibull or
-    empirical.
+    skewness.
+
+    - found: the asperities
+    - wanted: name of a distribution to use instead, whether it fits or not
+
+    The result is always Gaussian if there are no single heights or fewer than FEW, or if all heights are equal. Raises
+    InputError if `wanted` is not gaussian, weibull or empirical.
     """
     if wanted is not None and wanted not in MODELS:
         raise InputError("heights", wanted, ", ".join(MODELS))
@@ -78,9 +86,10 @@ def height_model(found: Asperities, wanted: str | None = None) -> HeightModel:
 
 
 def roughness(found: Asperities, model: HeightModel | None = None) -> Roughness:
-    """Return the roughness of a contact from its asperities and their height distribution.
+    """Return the roughness of a contact with these asperities.
 
-    model: height distribution; the default is `height_model(found)`. Raises InputError if sigma is 0.
+    found: the asperities, for sigma, R and N. model: distribution of their heights, by default `height_model(found)`. Raises
+    InputError if sigma is 0.
     """
     model = height_model(found) if model is None else model
     return Roughness(
@@ -93,9 +102,9 @@ def roughness(found: Asperities, model: HeightModel | None = None) -> Roughness:
 
 
 def exponent_of_skewness(skewness: float) -> float:
-    """Return the exponent of the Weibull distribution with this skewness.
+    """Return the exponent of the Weibull distribution with this skewness, limited to 1 to 100.
 
-    The exponent is 1 for skewness 2 and 3.60 for skewness 0. It is limited to 1 to 100.
+    The exponent is 1 for skewness 2 and 3.60 for skewness 0.
     """
     from scipy.optimize import brentq
     from scipy.special import gamma
@@ -113,9 +122,9 @@ def exponent_of_skewness(skewness: float) -> float:
 
 
 def _representatives(ascending: np.ndarray) -> list[float]:
-    """Return the sorted samples, or _QUANTILES quantiles of them if there are more samples.
+    """Return sorted samples unchanged, or _QUANTILES quantiles that stand for them if there are more samples.
 
-    The lowest and the highest sample are included, because the highest asperities touch first.
+    ascending: the samples (n,). The lowest and the highest are included, because the highest asperities touch first.
     """
     if len(ascending) <= _QUANTILES:
         return ascending.tolist()

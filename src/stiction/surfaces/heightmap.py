@@ -1,4 +1,4 @@
-"""Height map: the class that represents every measured or generated surface or profile."""
+"""Define the class HeightMap, which represents every measured or generated surface or profile."""
 
 import warnings
 from dataclasses import dataclass, replace
@@ -15,12 +15,12 @@ if TYPE_CHECKING:
     import xarray
     from SurfaceTopography import Topography, UniformLineScan
 
-_LEAST, _MOST = 1e-60, 1e60  # of a side [m]: squares and fourth powers of pitches are still numbers
+_LEAST, _MOST = 1e-60, 1e60  # limits of a side [m], within which fourth powers of the pitch neither overflow nor underflow
 
 
 @dataclass(frozen=True)
 class HeightMap:
-    """Heights on a regular grid, with the size of the map and its history.
+    """Store heights on a regular grid, with the size of the map and its history.
 
     Parameters
     ----------
@@ -70,13 +70,13 @@ class HeightMap:
 
     @property
     def pitch(self) -> tuple[float, float]:
-        """Return (dy, dx) [m], the distance between neighbouring points: size / count."""
+        """Return (dy, dx) [m], the distance between neighbouring points along y and x: size / count."""
         rows, columns = self.heights.shape
         return self.size[0] / rows, self.size[1] / columns
 
     @property
     def coarsest_pitch(self) -> float:
-        """Return the larger of the two pitches [m]; for a profile, the pitch along it."""
+        """Return the larger of the point distances [m] along y and x; for a profile, the one along it."""
         return self.pitch[1] if self.is_profile else max(self.pitch)
 
     @property
@@ -132,26 +132,28 @@ class HeightMap:
     def with_heights(self, heights: np.ndarray, step: str, size: tuple[float, float] | None = None) -> "HeightMap":
         """Return a copy with new heights and one more line in its history.
 
-        heights: new heights [m]. step: description of the processing step. size: new size (y, x) [m] if it changed.
+        heights: new heights (rows, columns) [m]. step: description of the processing step, for the history. size: new size (y,
+        x) [m], None if unchanged.
         """
         return replace(self, heights=heights, size=self.size if size is None else size, history=(*self.history, step))
 
     def alone(self) -> "HeightMap":
-        """Return the map marked as not periodic, after a step that does not keep the period."""
+        """Return the map marked as not periodic, for use after a processing step that breaks the period."""
         return replace(self, periodic=False) if self.periodic else self
 
 
 def _unmasked(heights) -> np.ndarray:
-    """Return an array with NaN in place of its masked values, if it is a masked array."""
+    """Return heights as an array, with NaN in place of masked values if they are a masked array of real numbers."""
     if not isinstance(heights, np.ma.MaskedArray) or heights.dtype.kind not in "iuf":
         return np.asarray(heights)
     return np.ma.filled(heights.astype(np.float64), np.nan)
 
 
 def every_point(heights: np.ndarray, size: tuple[float, float], every: int) -> tuple[np.ndarray, tuple[float, float]]:
-    """Return every r-th point of a map along both axes, and the size (y, x) [m] that these points cover.
+    """Return every r-th point of a map along both axes, and the size (y, x) [m] of the coarser map.
 
-    every: r; 1 for all points.
+    heights: (rows, columns). size: (y, x) [m] of the map. every: r; 1 for all points. The coarser map has r times the point
+    spacing.
     """
     points = np.ascontiguousarray(heights[::every, ::every])
     high, wide = (length / full * every * few for length, full, few in zip(size, heights.shape, points.shape, strict=True))
@@ -159,7 +161,7 @@ def every_point(heights: np.ndarray, size: tuple[float, float], every: int) -> t
 
 
 def size_in_metres(size) -> tuple[float, float]:
-    """Return the size (y, x) of a map in metres, from numbers or text with units.
+    """Return the size (y, x) of a map in metres, from a pair of numbers [m] or texts with units.
 
     Raises InputError unless both are finite and > 0.
     """
@@ -173,9 +175,9 @@ def size_in_metres(size) -> tuple[float, float]:
 
 
 def in_metres(value, field: str) -> float:
-    """Convert a length to metres, from a number [m] or text such as "10 um".
+    """Return a length in metres, from a number [m] or text such as "10 um"; it may be negative or zero.
 
-    The length may be negative or zero. Raises InputError, which names the field.
+    field: name of the input, for the error. Raises InputError if the value is not a length.
     """
     try:
         return float(value) if isinstance(value, Real) else to_si(str(value), "mean_separation")
@@ -186,7 +188,10 @@ def in_metres(value, field: str) -> float:
 
 
 def metres_per(unit: str, field: str) -> float:
-    """Return the length of one `unit` in metres. Raises InputError, which names the field, for an unknown unit."""
+    """Return the length in metres of one unit, such as 1e-9 for "nm"; raise InputError for an unknown unit.
+
+    field: name of the input, for the error.
+    """
     try:
         return metres(f"1 {unit}", field)
     except InputError:
@@ -194,9 +199,9 @@ def metres_per(unit: str, field: str) -> float:
 
 
 def metres(value, field: str) -> float:
-    """Convert a positive length to metres, from a number [m] or text such as "10 um".
+    """Return a length > 0 in metres, from a number [m] or text such as "10 um".
 
-    Raises InputError, which names the field.
+    field: name of the input, for the error. Raises InputError if the value is not a single length > 0.
     """
     try:
         length = to_si(value, "scan_size")

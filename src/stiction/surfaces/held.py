@@ -1,6 +1,6 @@
-"""Convert maps of other packages to HeightMap: topographies, xarray arrays, NumPy arrays.
+"""Convert maps of other packages to HeightMap: topographies of SurfaceTopography, xarray arrays, NumPy arrays.
 
-The methods of HeightMap convert back.
+The methods to_topography and to_xarray of HeightMap convert back.
 """
 
 from typing import Any
@@ -16,11 +16,11 @@ _TAKEN = (
     "a HeightMap, a topography of SurfaceTopography, an xarray.DataArray with lengths as coordinates, or (array, size), "
     'e.g. (heights, "40 um"), heights in m'
 )
-_ROUNDING = 1e-6  # of the pitch, by which coordinates may be off
+_ROUNDING = 1e-6  # fraction of the pitch by which coordinates may deviate from equal spacing
 
 
 def as_height_map(value: Any, field: str = "scan") -> HeightMap:
-    """Convert a map of another package to a HeightMap, heights in metres.
+    """Return a map of another package as a HeightMap, with heights in metres.
 
     value is one of:
 
@@ -31,7 +31,7 @@ def as_height_map(value: Any, field: str = "scan") -> HeightMap:
     - a pair (array, size). The array holds heights (rows, columns) or (columns,) in m. The size is the length along x,
       for square pixels, or (y, x), in metres or as text with a unit.
 
-    Raises InputError, which names the field.
+    field: name of the input, for the error. Raises InputError for any other value.
     """
     if isinstance(value, HeightMap):
         return value
@@ -58,7 +58,11 @@ def _is_pair(value: Any) -> bool:
 
 
 def _made(heights: np.ndarray, size: tuple[float, float], what: str, history: tuple[str, ...], name: str = "") -> HeightMap:
-    """Return a HeightMap after the checks that files also undergo; `what`: its origin, for the history."""
+    """Return a HeightMap after the checks that scan files also undergo.
+
+    heights: (rows, columns) [m]. size: (y, x) [m]. what: origin of the heights, for the history. history: further lines for it.
+    name: name of the map, by default `what`.
+    """
     surface = HeightMap(heights, size, history=(f"taken from {what}", *history), name=name or what)
     check_numbers(surface.heights, surface.name)
     check_scale(surface.heights, surface.size, surface.name)
@@ -107,7 +111,7 @@ def _of_labelled(array: Any) -> HeightMap:
 
 
 def _pitch(array: Any, dim: str) -> float:
-    """Return the point spacing [m] along a dimension of an xarray array."""
+    """Return the point spacing [m] along a dimension of an xarray array; raise InputError unless it is uniform."""
     if dim not in array.coords:
         raise InputError(
             dim, None, "a coordinate with the positions of the points, in m or in the unit of its attribute `units`"
@@ -124,9 +128,9 @@ def _pitch(array: Any, dim: str) -> float:
 
 
 def _unit_of(array: Any, field: str) -> str:
-    """Return the unit in the attribute `units` of an xarray array.
+    """Return the unit in the attribute `units` of an xarray array, such as "um"; field: name of the input, for the error.
 
-    Raises InputError if it is missing: metres are not assumed, because most maps are in um or nm.
+    Raises InputError if the attribute is missing: metres are not assumed, because most maps are in um or nm.
     """
     if "units" not in array.attrs:
         raise InputError(f"units of {field}", None, 'the attribute `units` of the array, e.g. assign_attrs(units="um")')

@@ -1,4 +1,4 @@
-"""Transform Gaussian variables to a stated skewness and kurtosis: Johnson's system (1949).
+"""Transform Gaussian variables to variables with a given skewness and kurtosis: Johnson's system (1949).
 
 A height is an increasing function of a standard Gaussian variable z. With u = (z - gamma) / delta, the height, apart from its
 mean and scale, is one of three functions:
@@ -26,21 +26,21 @@ from scipy.special import expit
 
 from stiction.quantities.errors import InputError
 
-# The trapezoidal rule is exact to rounding for what falls off like a Gaussian.
+# The trapezoidal rule is exact to round-off for integrands that fall off like a Gaussian.
 _Z = np.linspace(-16.0, 16.0, 3201)
 _WEIGHT = np.exp(-0.5 * _Z * _Z) * (_Z[1] - _Z[0]) / math.sqrt(2.0 * math.pi)
 
-_NEAR = 2e-3  # a pair this near to the lognormal line, in kurtosis, is taken as on it: the neighbouring curves end there
+_NEAR = 2e-3  # a kurtosis this close to the lognormal line counts as on it, because the other two functions end there
 _AGREED = 1e-6  # largest remaining difference in skewness and kurtosis
-_LARGEST = 50.0  # kurtosis; the mean of fourth powers of any map is far from its limit before that
+_LARGEST = 50.0  # of the kurtosis; with larger ones the mean fourth power of the heights of any map has not converged
 
 
 def johnson(skewness: float, kurtosis: float) -> Callable[[np.ndarray], np.ndarray]:
     """Return an increasing function that gives Gaussian variables this skewness and kurtosis.
 
-    The function maps a standard Gaussian variable to a variable with mean 0 and variance 1. kurtosis: above skewness^2 + 1
-    and at most 50; 3 for a Gaussian. Raises InputError otherwise, or if no curve is found close to the lower limit, where the
-    heights take only two values.
+    The function maps an array of standard Gaussian variables to variables with mean 0 and variance 1. kurtosis: above
+    skewness^2 + 1 and at most 50; a Gaussian has 3. Raises InputError otherwise, or if no function is found for a kurtosis
+    close to its lower limit, where the heights would have only two values.
     """
     for name, value in (("skewness", skewness), ("kurtosis", kurtosis)):
         if isinstance(value, bool) or not isinstance(value, Real) or abs(value) > 1e100:
@@ -74,7 +74,7 @@ def _lognormal(z, delta, gamma):
 
 
 def _lognormal_base(skewness: float) -> float:
-    """Return w = exp(1 / delta^2) of the lognormal distribution with this skewness."""
+    """Return w = exp(1 / delta^2) of the lognormal distribution with this skewness (delta as in the module docstring)."""
     return brentq(lambda w: (w - 1.0) * (w + 2.0) ** 2 - skewness**2, 1.0, 2.0 + abs(skewness))
 
 
@@ -96,10 +96,11 @@ def _skewness_and_kurtosis(curve, delta, gamma) -> tuple[float, float]:
 
 
 def _fitted(curve, skewness: float, kurtosis: float):
-    """Return (curve, delta, gamma): parameters with which the curve has this skewness >= 0 and kurtosis.
+    """Return (curve, delta, gamma) with which a function of Johnson's system has this skewness >= 0 and kurtosis.
 
-    The search starts from the best points of a coarse grid of both parameters. It varies gamma / delta instead of gamma,
-    because that ratio stays of order one.
+    curve: `_bounded` or `_unbounded`, a function of (z, delta, gamma). The search starts from the best points of a coarse grid
+    of both parameters. It varies gamma / delta instead of gamma, because that ratio stays of order one. Raises InputError if it
+    fails.
     """
     sign = -1.0 if curve is _unbounded else 1.0
 

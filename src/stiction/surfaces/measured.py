@@ -1,4 +1,4 @@
-"""Compute the roughness of a contact from scans of its bodies, for every asperity method."""
+"""Compute the roughness of a contact from scans of its bodies, by every asperity method."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 _Contact = TypeVar("_Contact", bound=Input)
 
-_ALIKE = 1.5  # largest ratio of the cutoffs of two scans whose sum has a resolution
+_ALIKE = 1.5  # largest ratio of the shortest wavelengths of two scans that count as equally fine
 
 
 def _length(value):
@@ -33,11 +33,11 @@ _Length = Annotated[str, BeforeValidator(_length)]
 
 
 class Scan(Input):
-    """Define a scan file of one body, and how to read it.
+    """Describe a scan file of one body and how to read it.
 
-    file: path, relative to the folder of the case file. size: length of the scan along x; it replaces the size in the file.
-    unit, height_unit: units of the numbers in the file. height_scale: factor on the heights. channel: channel to read from a
-    file with several. periodic: whether the scan is one period of an endless surface. Raises InputError.
+    file: path, relative to the folder of the case file. size: length of the scan along x, text with a unit, in place of the
+    size in the file. unit, height_unit: units of the numbers in the file. height_scale: factor on the heights. channel: name of
+    the channel to read, if the file has more than one. periodic: whether the scan is one period of an endless surface.
     """
 
     file: str
@@ -50,9 +50,10 @@ class Scan(Input):
 
 
 def _body(value):
-    """Return the input of a body as a Scan, a HeightMap or a Roughness; None stays None.
+    """Return the input for one body as a Scan, a HeightMap or a Roughness; None (a smooth body) stays None.
 
-    value: one of these, any input of `as_height_map`, or the table of a scan, a finish or a Roughness. Raises InputError.
+    value: one of these, any input of `as_height_map`, or a table that describes a scan, a finish or a Roughness. Raises
+    InputError.
     """
     if value is not None and not isinstance(value, Mapping | Scan | Roughness | str | int | float | list):
         from stiction.surfaces.held import as_height_map
@@ -80,21 +81,20 @@ def _is_scan(body: Any) -> bool:
 
 
 def _with_methods(schema: dict[str, Any]) -> None:
-    """List the keys of all current asperity methods in the JSON schema of `method`."""
+    """Add the keys of all asperity methods to the description of the field `method` in the JSON schema, in place."""
     from stiction.surfaces.finding import methods
 
     schema["description"] = f"way of finding asperities: {', '.join(methods())}"
 
 
 class MeasuredRoughness(Input):
-    """Define the scans of one or both bodies, and how asperities are found in them.
+    """Describe the scans of one or both bodies of a contact, and how asperities are found in them.
 
-    first, second: a scan, or a Roughness with Gaussian heights; at least one must be a scan. In Python a scan may also be a
-    HeightMap or any input of `as_height_map`. A body that is not stated is smooth. method: key of an asperity method; the
-    default is the first that finds enough asperities, and methods whose record has `of_summits` come first. form: order of
-    the polynomial to remove, 1 for a plane. spikes: number of robust standard deviations from the median beyond which points
-    are masked. fill: how missing points are filled. shortest, longest: ends of the band of wavelengths. heights: distribution
-    of the asperity heights, gaussian, weibull or empirical; the default is the simplest that fits. Raises InputError.
+    first, second: a scan (also a HeightMap or any input of `as_height_map`) or a Roughness with Gaussian heights; at least one
+    is a scan; None: a smooth body. method: key of an asperity method, by default the first that finds enough asperities. form:
+    order of the polynomial to remove, 1 for a plane. spikes: number of robust standard deviations from the median beyond which
+    points are masked. fill: how missing points are filled. shortest, longest: limits of the wavelengths that are kept. heights:
+    distribution of the asperity heights, gaussian, weibull or empirical, by default the simplest that fits. Raises InputError.
     """
 
     first: _Body | None = Field(None, description="a table with the scan, or the numbers, of the first body")
@@ -118,12 +118,12 @@ class MeasuredRoughness(Input):
 class Measured:
     """Store the roughness of a contact, as every asperity method finds it in the scans.
 
-    by_method: Roughness by method. method: the chosen method. failures: reason why a method found no asperities, by method.
-    history: processing steps of the scan of each body. notes: results and their basis in words, by method. counts: number of
-    separate asperities by method; 0 for a method that only computes averages, and for two combined bodies. mean_heights: mean
-    height of the asperities above the mean plane [m] by method; separations are measured from it. validity_warnings: warnings
-    about the scans and their combination. of_moments: the method that computes the spectral moments of the surface. stated:
-    which of "method" and "heights" the user stated. solvable: the maps for a point-by-point solution.
+    Dicts have the keys of the methods, unless stated otherwise. by_method: Roughness. method: the chosen method. failures: why
+    a method found no asperities. history: processing steps of the scan of a body, by "first" or "second". notes: what was found
+    and how, in words. counts: number of separate asperities; 0 for a method that only computes averages, and for two combined
+    bodies. mean_heights: mean height of the asperities above the mean plane [m]. validity_warnings: on the scans and their
+    combination. of_moments: the method that computes the spectral moments. stated: which of "method" and "heights" the user
+    stated. solvable: the maps for a point-by-point solution.
     """
 
     by_method: Mapping[str, Roughness]
@@ -139,40 +139,37 @@ class Measured:
     solvable: SolvableMaps = field(default_factory=SolvableMaps, repr=False, compare=False)
 
     def roughness(self) -> Roughness:
-        """Return the roughness found by the chosen method; it keeps a reference to this object."""
+        """Return the roughness that the chosen method found; it stores this object as its origin."""
         found, reduced = self.by_method[self.method], self.with_surface_moments()
         if reduced is not self:
             found = found.replace(surface=self.by_method[self.of_moments].attached(measured=reduced))
         return found.attached(measured=self)
 
     def contacts(self, contact: _Contact) -> dict[str, _Contact]:
-        """Return copies of a contact with the roughness of each method, by method, the chosen method first."""
+        """Return method -> copy of a contact with the roughness that this method found; the chosen method comes first."""
         order = sorted(self.by_method, key=lambda name: name != self.method)
         return {name: contact.model_copy(update={"roughness": self.by_method[name]}) for name in order}
 
     def with_surface_moments(self) -> "Measured":
-        """Return a copy whose only method is the one that computes the surface's spectral moments.
-
-        The same object is returned if these moments were not found.
-        """
+        """Return a copy with only the method that computes the spectral moments; unchanged if that method failed."""
         if self.of_moments not in self.by_method:
             return self
         return replace(self, method=self.of_moments, by_method={self.of_moments: self.by_method[self.of_moments]})
 
     def attributes(self) -> dict[str, str]:
-        """Return attributes of a result: the method, and the history of each scan."""
+        """Return the attributes of a dataset of results: the chosen method, and the processing steps of all scans."""
         scans = "\n".join(f"{body} body: {step}" for body, steps in self.history.items() for step in steps)
         return {"roughness_method": self.method, "scans": scans}
 
     def sources(self) -> list[str]:
-        """Return the bibliography keys of all methods that found asperities, without duplicates."""
+        """Return the bibliography keys of the sources of all methods that found asperities, without duplicates."""
         from stiction.surfaces.finding import methods
 
         known = methods()
         return list(dict.fromkeys(source.key for name in self.by_method for source in known[name].sources))
 
     def record(self) -> dict[str, Any]:
-        """Return all fields as plain numbers in SI units, for JSON."""
+        """Return the results of all methods and the history of the scans as a dict for JSON, with numbers in SI units."""
         by_method = {
             name: {
                 "sigma": one.asperity_height_deviation,
@@ -196,7 +193,7 @@ class Measured:
 
 
 def of_one_map(found: Roughness, asperities: "Asperities", surface: "HeightMap") -> Measured:
-    """Return the Measured object for one map whose asperities are already known."""
+    """Return the Measured object for a contact with one map, whose asperities and roughness are already known."""
     key = asperities.method
     return Measured(
         by_method={key: found},
@@ -211,10 +208,10 @@ def of_one_map(found: Roughness, asperities: "Asperities", surface: "HeightMap")
 
 
 def roughness_of(scan: Any) -> Roughness:
-    """Return the roughness of a scan of the first body, or of a table of scans.
+    """Return the roughness of a contact from a scan of the first body, or from a table of scans.
 
-    scan: any input of `as_height_map`, or a mapping with the fields of MeasuredRoughness. The result keeps a reference to the
-    measurement. Raises InputError.
+    scan: any input of `as_height_map`, or a mapping with the fields of MeasuredRoughness. The result also stores what all
+    methods found. Raises InputError.
     """
     from stiction.surfaces.held import as_height_map
 
@@ -223,10 +220,10 @@ def roughness_of(scan: Any) -> Roughness:
 
 
 def measure(wanted: MeasuredRoughness, folder: Path = Path()) -> Measured:
-    """Read and prepare the scans, and find the asperities by every method.
+    """Read and prepare the scans of a contact, and find the asperities by every method.
 
-    folder: folder to which the file paths are relative. Raises InputError if a scan cannot be read, or if no method or not
-    the requested one finds asperities.
+    wanted: the scans and options. folder: folder to which the file paths are relative. Raises InputError if a scan cannot be
+    read, or if no method or not the requested one finds asperities.
     """
     from stiction.surfaces.asperity_set import of_numbers
     from stiction.surfaces.finding import asperities, method_of_moments, methods
@@ -290,7 +287,7 @@ def measure(wanted: MeasuredRoughness, folder: Path = Path()) -> Measured:
 
 
 def _with_the_surface(by_method: dict[str, Roughness], surface: Roughness | None) -> dict[str, Roughness]:
-    """Return the roughness of each method with its field `surface` set to the asperities from the spectral moments."""
+    """Return method -> roughness with the field `surface` set to the roughness from the moments, unless that is None."""
     return {
         name: one if one is surface or surface is None else one.model_copy(update={"surface": surface})
         for name, one in by_method.items()
@@ -298,7 +295,7 @@ def _with_the_surface(by_method: dict[str, Roughness], surface: Roughness | None
 
 
 def _one_map(solvable: SolvableMaps) -> "HeightMap | None":
-    """Return the map that represents both faces, or None if no single map does."""
+    """Return the single map that represents the roughness of both faces; None if the maps cannot be combined into one."""
     try:
         return solvable.one()
     except InputError:
@@ -306,9 +303,9 @@ def _one_map(solvable: SolvableMaps) -> "HeightMap | None":
 
 
 def independent(found: "Asperities", surface: "HeightMap") -> int:
-    """Return the number of separate asperities: the number found, but at most density times area of the map.
+    """Return the number of separate asperities: the number found, but on a map at most density times area.
 
-    A method may find the same hill on several neighbouring profiles and count it each time.
+    found: the asperities. A method may find the same hill on several neighbouring profiles and count it each time.
     """
     if surface.is_profile:
         return found.count
@@ -316,11 +313,11 @@ def independent(found: "Asperities", surface: "HeightMap") -> int:
 
 
 def standing_method(found: Mapping[str, "Asperities"], counts: Mapping[str, int]) -> str:
-    """Return the key of the default asperity method for these results.
+    """Return the key of the asperity method that is used if the user states none.
 
-    Methods that agree with Nayak's summits on resolved surfaces (`of_summits`) come first, because their moments can be added
-    for two bodies (docs/how-to/surfaces.md). The result is the first method that finds at least FEW asperities or only computes
-    averages. If there is none, it is the first method that found anything. On profiles only averages are available.
+    found: method -> asperities. counts: method -> number of separate asperities. It is the first method that finds at least FEW
+    asperities or only computes averages, else the first that found anything. Methods with `of_summits` come first, because
+    their moments can be added for two bodies (docs/how-to/surfaces.md).
     """
     from stiction.surfaces.asperity_set import FEW
     from stiction.surfaces.finding import methods
@@ -348,7 +345,10 @@ def _without_moments(why: str | None) -> tuple[str, ...]:
 
 
 def _validity_warnings(maps: "list[HeightMap]", numbers: bool, wanted: MeasuredRoughness) -> tuple[str, ...]:
-    """Return warnings about different or unknown resolutions of two rough bodies."""
+    """Return warnings on different or unknown resolutions (shortest wavelengths) of two rough bodies.
+
+    maps: of the scanned bodies. numbers: whether one body is stated by sigma, R and N.
+    """
     if numbers:
         return ("the resolution is not known for the body given by numbers: it must equal that of the scan",)
     if len(maps) < 2:
@@ -379,16 +379,16 @@ def _prepared(surface: "HeightMap", wanted: MeasuredRoughness, scan: Any, body: 
 
 
 def _to_solve(scan: "HeightMap", made_ready: "HeightMap", wanted: MeasuredRoughness) -> "HeightMap":
-    """Return the map to be solved: one period of a periodic scan, else the prepared map."""
+    """Return the map to be solved point by point: one period of a periodic scan, else the prepared map `made_ready`."""
     from stiction.surfaces.prepare import prepared_period
 
     return prepared_period(scan, wanted.spikes, wanted.fill, wanted.shortest, wanted.longest) if scan.periodic else made_ready
 
 
 def surface_of(scan: Scan, folder: Path, body: str) -> "HeightMap":
-    """Read the scan of the body "first" or "second" as a HeightMap.
+    """Read the scan of a body as a HeightMap.
 
-    folder: folder to which the file path is relative. Raises InputError.
+    folder: folder to which the file path is relative. body: "first" or "second", for errors. Raises InputError.
     """
     from stiction.surfaces.read import read_scan
 

@@ -1,4 +1,4 @@
-"""Memory needed to solve a map, checked before any array is allocated."""
+"""Compute the memory that the solution of a map needs, and check it before any array is allocated."""
 
 import os
 from pathlib import Path
@@ -6,17 +6,19 @@ from pathlib import Path
 from stiction.quantities.errors import InputError
 
 _NUMBER = 8  # bytes
-# Arrays as large as the map that are alive at once. Measured as the largest resident size of a fresh process, elastic, hard and
-# with a film, 512^2 to 2048^2: up to 14.4; without a period, elastic and hard, 512^2 and 1024^2: up to 15.6.
+# Arrays as large as the map that exist at once, with some margin. Measured as the largest resident size of a fresh process:
+# up to 14.4 for periodic maps (elastic, with a hardness, with a film; 512^2 to 2048^2 points), and up to 15.6 for others
+# (elastic, with a hardness; 512^2 and 1024^2 points).
 _PERIODIC, _FREE = 16, 18
 _GIGA = 1e9
 
 
 def needed_memory(shape: tuple[int, int], *, free: bool = False, kept: int = 1) -> int:
-    """Return the bytes of memory that `solve_map` needs in addition to the heights.
+    """Return the memory [bytes] that `solve_map` needs to solve the contact of a map, in addition to its heights.
 
-    shape: (rows, columns) of the map. free: True if there is no pressure outside the map (not periodic). kept: number of
-    pressure maps to store.
+    - shape: (rows, columns) of the map
+    - free: True if the map is not periodic and nothing presses outside of it; False if it is one period of an endless surface
+    - kept: number of pressure maps that are stored
     """
     rows, columns = shape
     return rows * columns * _NUMBER * ((_FREE if free else _PERIODIC) + kept)
@@ -37,15 +39,15 @@ def available_memory() -> int | None:
 
 
 def require_memory(shape: tuple[int, int], *, free: bool = False, kept: int = 1) -> None:
-    """Raise InputError if solving a map of this shape needs more memory than there is.
+    """Raise InputError if the contact of a map of this shape needs more memory to be solved than is available.
 
-    It is called before the map is generated or read.
+    shape, free, kept: as in `needed_memory`. Call it before the map is generated or read.
     """
     _require(shape, needed_memory(shape, free=free, kept=kept))
 
 
 def require_arrays(shape: tuple[int, int], arrays: int) -> None:
-    """Raise InputError unless this number of arrays of this shape fits into memory."""
+    """Raise InputError unless memory is available for a number `arrays` of float64 arrays of this shape (rows, columns)."""
     _require(shape, shape[0] * shape[1] * _NUMBER * arrays)
 
 

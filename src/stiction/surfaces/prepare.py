@@ -1,4 +1,4 @@
-"""Preparation of a measured surface: level, remove form, fill, crop, and filter to a wavelength band.
+"""Prepare a measured surface for analysis: level, remove form, fill, crop, and filter to a band of wavelengths.
 
 Each step takes a HeightMap and returns a new one, with the step added to its history. Missing points stay missing unless
 filled. Fits and filters use only the points that have heights.
@@ -21,7 +21,7 @@ from stiction.surfaces.spikes import mask_spikes
 if TYPE_CHECKING:
     from stiction.quantities.arguments import QuantityLike
 
-_APART = 5.0  # steps from end to end of one period over those of neighbours: no period has such
+_APART = 5.0  # ratio of the steps across the edges to those of neighbours from which on a map is not one period
 
 
 def prepared(
@@ -41,11 +41,12 @@ def prepared(
     form : int, optional
         Order of the polynomial to remove: 1 (default) for the mean plane, 0 for none, at most 4.
     spikes : float, optional
-        Mask points further than so many robust deviations from the median of the levelled heights, before the form is removed.
+        Mask points whose distance from the median height is more than this number of robust standard deviations (1.4826 times
+        the median distance). The map is levelled first; the form is removed afterwards. By default no point is masked.
     fill : {"harmonic", "nearest"}, optional
-        Way of filling missing points; by default they stay missing.
+        How missing points are filled, see `fill_missing`; by default they stay missing.
     shortest, longest : float [m] or str with a unit, optional
-        Ends of the band of wavelengths; by default no end.
+        Ends of the band of wavelengths that is kept; by default open.
 
     Returns
     -------
@@ -83,10 +84,10 @@ def prepared(
 def prepared_period(
     surface: HeightMap, spikes: float | None = None, fill: str | None = None, shortest: Any = None, longest: Any = None
 ) -> HeightMap:
-    """Return one period of a surface with zero mean, filtered to a wavelength band.
+    """Return a map that is one period of a surface with its mean height removed, filtered to a band of wavelengths.
 
-    A period has no form to remove. Other arguments as in `prepared`. Missing points stay missing unless filled; a map with
-    missing points is not filtered.
+    surface: the period; no form is removed from it. spikes, fill, shortest, longest: as in `prepared`. Missing points stay
+    missing unless filled; a map with missing points is not filtered.
     """
     if spikes is not None:
         surface = mask_spikes(surface, spikes)
@@ -98,9 +99,9 @@ def prepared_period(
 
 
 def _seam(surface: HeightMap) -> str:
-    """Return a warning text if opposite edges of a map that is stated to be periodic do not match; otherwise "".
+    """Return a warning text if opposite edges of a map that is stated to be periodic do not match; "" if they do.
 
-    They do not match if the mean square step across the seam is much larger than between neighbours.
+    They do not match if the rms height step across the edges is at least 5 times that between neighbouring points.
     """
     heights = surface.heights
     far = 0.0
@@ -118,7 +119,10 @@ def _seam(surface: HeightMap) -> str:
 
 
 def _check_left(raw: HeightMap, surface: HeightMap) -> None:
-    """Raise InputError if only round-off remains after form and spikes are removed."""
+    """Raise InputError if only round-off remains of the heights after spikes and form are removed.
+
+    raw: map before this, surface: map after it.
+    """
     if surface is raw or not np.isfinite(surface.heights).any():
         return
     before, after = (float(np.nanmax(one.heights) - np.nanmin(one.heights)) for one in (raw, surface))
@@ -131,15 +135,15 @@ def _check_left(raw: HeightMap, surface: HeightMap) -> None:
 
 
 def level(surface: HeightMap) -> HeightMap:
-    """Subtract the least-squares mean plane of a map, or the mean line of a profile."""
+    """Return the map minus its least-squares mean plane, or a profile minus its mean line."""
     fitted = "line" if surface.is_profile else "plane"
     return surface.with_heights(_without_polynomial(surface, 1), f"levelled: least-squares {fitted} removed").alone()
 
 
 def remove_form(surface: HeightMap, order: int) -> HeightMap:
-    """Subtract the least-squares polynomial of total order 1 to 4 in x and y.
+    """Return the map minus its least-squares polynomial in x and y.
 
-    It is fitted to the points with heights. Raises InputError for another order.
+    order: total order of the polynomial, 1 to 4. It is fitted to the points with heights. Raises InputError for another order.
     """
     if isinstance(order, bool) or order not in (1, 2, 3, 4):
         raise InputError("order", order, "1, 2, 3 or 4, the order of the polynomial to remove")
@@ -148,10 +152,10 @@ def remove_form(surface: HeightMap, order: int) -> HeightMap:
 
 
 def _without_polynomial(surface: HeightMap, order: int) -> np.ndarray:
-    """Return the heights minus their least-squares polynomial of this order.
+    """Return the heights (rows, columns) [m] of a map minus their least-squares polynomial of total order `order` in x and y.
 
     Legendre polynomials over -1..1 keep the normal equations well conditioned; they are summed row by row, so that the matrix
-    of all points and terms never exists. A second fit to the residual removes the rounding of the first. Raises InputError if
+    of all points and terms never exists. A second fit to the residual removes the round-off of the first. Raises InputError if
     there are fewer points than coefficients.
     """
     heights = surface.heights
@@ -182,7 +186,12 @@ def _unit(count: int) -> np.ndarray:
 
 
 def _gram(there: np.ndarray | None, along_x: np.ndarray, along_y: np.ndarray, terms) -> np.ndarray:
-    """Return the matrix of sums of products of all pairs of terms P_i(x) P_j(y), over the points of the mask `there`."""
+    """Return the matrix (terms, terms) of the sums over points of the products of two terms P_i(x) P_j(y).
+
+    - there: mask of the points with heights (rows, columns); None for all
+    - along_x, along_y: Legendre polynomials P at all columns (columns, order + 1) and rows (rows, order + 1)
+    - terms: list of (i, j)
+    """
     n = along_x.shape[1]
     pairs_x = (along_x[:, :, None] * along_x[:, None, :]).reshape(-1, n * n)
     pairs_y = (along_y[:, :, None] * along_y[:, None, :]).reshape(-1, n * n)
@@ -200,9 +209,9 @@ def _gram(there: np.ndarray | None, along_x: np.ndarray, along_y: np.ndarray, te
 def crop(surface: HeightMap, *, y: tuple | None = None, x: tuple | None = None) -> HeightMap:
     """Return the part of the map between two positions along y and along x.
 
-    Positions (start, stop) count from the first row and column, in metres or as text with a unit ("2 um"). Point i lies at i
-    times the pitch and is kept if start <= i pitch < stop. None keeps all points. The new size is count times pitch. Raises
-    InputError if a position is outside the map or no point is left.
+    y, x: (start, stop), in metres or text with a unit ("2 um"), from the first row or column; None keeps all points. Point i
+    lies at i times the pitch and is kept if start <= i pitch < stop. The new size is count times pitch. Raises InputError if a
+    position is outside the map or no point is left.
     """
     kept, sizes, words = [], [], []
     for name, given, count, pitch in zip("yx", (y, x), surface.heights.shape, surface.pitch, strict=True):
@@ -216,7 +225,11 @@ def crop(surface: HeightMap, *, y: tuple | None = None, x: tuple | None = None) 
 
 
 def _range(name: str, given, count: int, pitch: float) -> tuple[int, int]:
-    """Return the index of the first point to keep and the index after the last; raise InputError if invalid."""
+    """Return the index of the first point to keep along an axis, and the index after the last.
+
+    name: "y" or "x", for the error. given: (start, stop), in metres or text with a unit. count: number of points. pitch: their
+    distance [m]. Raises InputError if a position is outside the map or no point is left.
+    """
     allowed = f"(start, stop) with 0 m <= start < stop <= {count * pitch:.6g} m and a point between them"
     if not isinstance(given, tuple | list) or len(given) != 2:
         raise InputError(f"crop {name}", given, allowed)
@@ -231,14 +244,14 @@ def _range(name: str, given, count: int, pitch: float) -> tuple[int, int]:
 
 
 def filter_band(surface: HeightMap, shortest=None, longest=None) -> HeightMap:
-    """Keep the wavelengths between two cutoffs (Gaussian filters, ISO 16610).
+    """Return the map with only the wavelengths between two cutoffs (Gaussian filters, ISO 16610).
 
-    shortest, longest: numbers in metres or text with unit ("800 nm"), None for no such cutoff. The transmission is 50 % at a
-    cutoff (ISO 16610-21 and -61). The weights are exp(-pi (x / (alpha lambda))^2) / (alpha lambda) with alpha = sqrt(ln 2 /
-    pi), along x times along y, and pass exp(-ln 2 (lambda / wavelength)^2). At edges and missing points the remaining weights
-    are renormalised: they do not follow a slope there, so level first, and exclude half a cutoff from each edge from
-    statistics. Missing points stay missing. Raises InputError unless 2 pitch <= shortest < longest <= size (of the longest
-    side).
+    shortest, longest: cutoffs, numbers in metres or text with a unit ("800 nm"); None for no such cutoff. The transmission is
+    50 % at a cutoff (ISO 16610-21 and -61). The weights are exp(-pi (x / (alpha lambda))^2) / (alpha lambda) with the cutoff
+    lambda and alpha = sqrt(ln 2 / pi), along x times along y, and pass exp(-ln 2 (lambda / wavelength)^2). At edges and missing
+    points the remaining weights are renormalised. They do not follow a slope there, so level first, and exclude half a cutoff
+    from each edge from statistics. Missing points stay missing. Raises InputError unless 2 pitch <= shortest < longest <= size
+    (of the longest side).
     """
     low, high, band = _band(surface, shortest, longest)
     heights = surface.heights
@@ -250,10 +263,10 @@ def filter_band(surface: HeightMap, shortest=None, longest=None) -> HeightMap:
 
 
 def filter_period(surface: HeightMap, shortest=None, longest=None) -> HeightMap:
-    """Keep the wavelengths between two cutoffs of one period of a surface.
+    """Return one period of a surface with only the wavelengths between two cutoffs; the result is a period too.
 
-    The filters of `filter_band` wrap around, so that the map stays a period. Arguments and errors as there; also raises
-    InputError for missing points.
+    The Gaussian filters of `filter_band` wrap around the edges. shortest, longest and errors: as there. Raises InputError also
+    for missing points.
     """
     low, high, band = _band(surface, shortest, longest)
     if not surface.complete:
@@ -271,9 +284,9 @@ def filter_period(surface: HeightMap, shortest=None, longest=None) -> HeightMap:
 
 
 def _band(surface: HeightMap, shortest: Any, longest: Any) -> tuple[float | None, float | None, str]:
-    """Return both cutoffs [m], None for an open end, and a description of the filter.
+    """Return both cutoffs of a filter [m], None for an open end, and a description of the filter.
 
-    Raises InputError for cutoffs out of range.
+    shortest, longest: as in `filter_band`. Raises InputError if both are None or one is out of range.
     """
     low = None if shortest is None else metres(shortest, "shortest")
     high = None if longest is None else metres(longest, "longest")
@@ -293,7 +306,8 @@ def _band(surface: HeightMap, shortest: Any, longest: Any) -> tuple[float | None
 def _smooth(heights: np.ndarray, pitch: tuple[float, float], cutoff: float) -> np.ndarray:
     """Return the Gaussian mean of the heights around each point (rows, columns) [m]; NaN at missing points.
 
-    cutoff: wavelength [m]. If no point is missing, the weight is a product of one function of y and one of x.
+    pitch: distance (dy, dx) of neighbouring points [m]. cutoff: wavelength [m] that the mean passes to 50 %. Weights beyond
+    edges and at missing points are 0, and the others are renormalised.
     """
     missing = np.isnan(heights)
     axes = [axis for axis in (0, 1) if heights.shape[axis] > 1]
@@ -318,14 +332,15 @@ def _smooth(heights: np.ndarray, pitch: tuple[float, float], cutoff: float) -> n
     return mean
 
 
-_REACH = 1.5  # cutoffs; there the weight is 1e-14 of the largest, and 1e-3 for cutoffs of 2 or 3 pitches, whose weights ring
-_AT_ONCE = 1 << 21  # numbers transformed together, which bounds the memory of a filter
+_REACH = 1.5  # padding in cutoffs; there the weight is 1e-14 of the largest, or 1e-3 for cutoffs of 2 or 3 pitches, which ring
+_AT_ONCE = 1 << 21  # how many numbers are transformed together, which bounds the memory of a filter
 
 
 def _convolve(values: np.ndarray, axis: int, cutoff: float) -> None:
-    """Convolve the lines with a Gaussian along an axis, in place, with zeros beyond the ends.
+    """Convolve every line of an array along one axis with a Gaussian, in place, with zeros beyond the ends.
 
-    cutoff: wavelength in points. Lines are padded, transformed in groups, and multiplied by the filter's transmission.
+    cutoff: wavelength, in points, that the Gaussian passes to 50 %. Lines are padded, transformed in groups, and multiplied by
+    the transmission of the Gaussian.
     """
     lines = np.moveaxis(values, axis, 1)
     count = lines.shape[1]

@@ -1,4 +1,4 @@
-"""Content of a scan file before its units and size are settled, and the interface of a file reader."""
+"""Define the content of a scan file before its units and size are settled, and the interface of a file reader."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -8,17 +8,19 @@ import numpy as np
 
 from stiction.quantities.errors import InputError
 
-FEWEST_POINTS = 8  # along a direction: fewer have no spectrum and no summits to speak of
+FEWEST_POINTS = 8  # along a direction; with fewer a scan has no meaningful spectrum or summits
 
 
 @dataclass(frozen=True)
 class RawScan:
-    """Store the content of a scan file, before units and size are settled.
+    """Store the content of a scan file before its units and size are settled.
 
-    heights: (rows, columns) in the unit of the file, NaN where missing, of any real type. said: format and channel, in words.
-    size: (y, x) in the unit of the file, pitch times number of points; None if the file does not state it. unit: unit of size
-    and heights; None if the file does not state it. notes: steps that brought the heights to a regular grid. periodic: whether
-    the file states that the map is one period of an infinite surface.
+    - heights: (rows, columns) in the unit of the file, NaN where missing, of any real type
+    - said: format of the file and channel, in words
+    - size: (y, x) in the unit of the file, pitch times number of points; None if the file does not state it
+    - unit: unit of size and heights; None if the file does not state it
+    - notes: steps that brought the heights to a regular grid, in words
+    - periodic: whether the file states that the map is one period of an infinite surface
     """
 
     heights: np.ndarray
@@ -33,9 +35,10 @@ class RawScan:
 class Reader:
     """Describe a reader of one file format, or of several similar formats.
 
-    endings: file name endings in lower case, with the dot; empty for a reader that is tried on every file, after all others.
-    read(path, channel): function that returns a RawScan, or None if the file has another format. channel: name or position of
-    a channel; None for the default. holds: content of such a file, in words. given: inputs that the user must state, in words.
+    - endings: file name endings in lower case, with the dot; empty for a reader that is tried on every file, after all others
+    - read(path, channel): function that returns a RawScan, or None if the file has another format. channel: name or position of
+      a channel; None for the default
+    - holds: content of such a file, in words; given: inputs that the user must state for it, in words
     """
 
     endings: tuple[str, ...]
@@ -45,15 +48,15 @@ class Reader:
 
 
 def no_channel(channel) -> None:
-    """Raise InputError if a channel is requested from a file without channels."""
+    """Raise InputError unless `channel` is None; for files that have no channels."""
     if channel is not None:
         raise InputError("channel", channel, "no value, because the file holds only one map")
 
 
 def ends_in_a_line(path: Path) -> tuple[str, ...]:
-    """Return a warning text if the last line of a text file has no line end.
+    """Return a tuple with a warning text if the last line of a text file has no line end; otherwise an empty tuple.
 
-    Digits of its last number may then be missing, which nothing else reveals.
+    Digits of the last number may then be missing, and nothing else in the file reveals this.
     """
     with path.open("rb") as file:
         file.seek(max(0, path.stat().st_size - 2))

@@ -1,7 +1,7 @@
 """Read scan files of instruments into height maps, with heights in metres.
 
 Arrays and text files are read without another library. All other formats need SurfaceTopography, an optional dependency. Each
-format is a module in `readers` with a record READER; no other code depends on the format.
+format is a module in `readers` with a constant READER; no other code depends on the format.
 
 Libraries and instruments may disagree on the size, unit and height factor of a file. The user can override all three, and the
 history of the map states the values used.
@@ -26,7 +26,7 @@ from stiction.surfaces.readers.shared.packed import check_packed
 if TYPE_CHECKING:
     from stiction.quantities.arguments import FilePath, QuantityLike
 
-_FLATTEST, _STEEPEST = 1e-10, 10.0  # peak to valley over size, beyond which a unit or a factor must be wrong
+_FLATTEST, _STEEPEST = 1e-10, 10.0  # limits of peak to valley over size; outside them a unit or a factor must be wrong
 
 
 def read_scan(
@@ -38,7 +38,7 @@ def read_scan(
     height_scale: float | None = None,
     channel: str | int | None = None,
 ) -> HeightMap:
-    """Read the heights of a scan, in metres.
+    """Read a scan file as a height map, with heights in metres.
 
     Parameters
     ----------
@@ -98,9 +98,9 @@ def read_scan(
 
 @cache
 def readers() -> tuple[Reader, ...]:
-    """Return the readers of all formats in the order in which they are tried.
+    """Return the readers of all scan file formats in the order in which they are tried.
 
-    They are sorted by module name; readers without a file ending come last.
+    They are sorted by module name; readers without a file name ending come last.
     """
     names = sorted(one.name for one in pkgutil.iter_modules(formats.__path__))
     modules = [import_module(f"{formats.__name__}.{name}") for name in names]
@@ -111,7 +111,8 @@ def readers() -> tuple[Reader, ...]:
 def _read(path: Path, channel) -> RawScan:
     """Return the content of a scan file, read by the first reader that recognises its format.
 
-    Only readers for the ending of the file, and readers without an ending, are tried. Raises InputError if none recognises it.
+    channel: name or position of the channel, None for the default. Only readers for the ending of the file name, and readers
+    without an ending, are tried. Raises InputError if none recognises the format.
     """
     check_packed(path)
     ending = path.suffix.lower()
@@ -156,9 +157,9 @@ def _file(path) -> Path:
 
 
 def check_numbers(heights: np.ndarray, name: str) -> None:
-    """Raise InputError unless there are enough heights that differ.
+    """Raise InputError unless the heights (rows, columns) are enough points, not all missing and not all equal.
 
-    Their unit does not matter; missing points do not count.
+    The unit of the heights does not matter. name: name of the file, for the error.
     """
     rows, columns = heights.shape
     if columns < FEWEST_POINTS or (rows != 1 and rows < FEWEST_POINTS):
@@ -172,7 +173,10 @@ def check_numbers(heights: np.ndarray, name: str) -> None:
 
 
 def check_scale(heights: np.ndarray, size: tuple[float, float], name: str) -> None:
-    """Raise InputError unless the heights [m] are finite and plausible for the size."""
+    """Raise InputError unless the heights [m] are finite and their range is plausible for the size (y, x) [m].
+
+    The range must be 1e-10 to 10 times the longer side. name: name of the file, for the error.
+    """
     if np.isinf(heights).any():
         raise InputError("scan", f"{name} with infinite heights", "finite heights, nan where missing")
     with np.errstate(over="ignore"):
@@ -192,9 +196,10 @@ def _scale_warning(heights: np.ndarray, size: tuple[float, float]) -> tuple[str,
 
 
 def _factors(raw: RawScan, size, unit, height_unit, height_scale) -> tuple[float, float, tuple[str, ...]]:
-    """Return metres per lateral unit, metres per height unit, and remarks on their origin.
+    """Return metres per lateral unit, metres per height unit, and remarks on the origin of both for the history.
 
-    unit, height_unit, height_scale: as the user states them, None otherwise. Raises InputError for an unknown or missing unit.
+    raw: content of the file. unit, height_unit, height_scale: as the user states them, None otherwise. size: the stated size or
+    None. Raises InputError for an unknown or missing unit.
     """
     taken = unit or raw.unit
     heights_in = height_unit or taken
@@ -217,7 +222,10 @@ def _factors(raw: RawScan, size, unit, height_unit, height_scale) -> tuple[float
 
 
 def _size(raw: RawScan, size, unit, factor: float) -> tuple[tuple[float, float], tuple[str, ...]]:
-    """Return the size (y, x) [m], as stated or from the file, and a remark."""
+    """Return the size (y, x) [m] of a scan, as stated or from the file, and remarks for the history.
+
+    size: as the user states it, None to use the file. unit: unit of a size without one. factor: metres per unit of the file.
+    """
     rows, columns = raw.heights.shape
     if size is None:
         if raw.size is None:

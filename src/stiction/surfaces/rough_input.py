@@ -1,4 +1,4 @@
-"""Type of the field `roughness` of a contact, with the conversion of what users may state.
+"""Define the type of the field `roughness` of a contact, and convert what users may state there.
 
 Users may state numbers, a scan, a finish, or a table of scans.
 """
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 def _rough(value):
-    """Convert a scan or a finish to a Roughness; leave stated numbers unchanged."""
+    """Return the input for the roughness of a contact as a Roughness if it is a scan or a finish; else unchanged."""
     if isinstance(value, Roughness | str | int | float | None):
         return value
     if is_finished(value):

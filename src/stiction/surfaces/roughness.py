@@ -1,4 +1,4 @@
-"""The rough surface of a contact, described by asperities that are stated or found in scans."""
+"""Define the class Roughness, the rough surface of a contact, by asperities that are stated or found in scans."""
 
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Self
@@ -47,17 +47,20 @@ else:
     ShapeNumber = Annotated[OptionalNumber, AfterValidator(_single)]
 
 
-# Statistics of a surface that tell it from a Gaussian isotropic one, where they are stated.
+# Statistics that distinguish a surface from a Gaussian isotropic one, if the user states them.
 SHAPE = ("skewness", "kurtosis", "texture_aspect_ratio")
 
 
 def refuse_impossible_kurtosis(skewness: float | None, kurtosis: float | None) -> None:
-    """Raise InputError for a kurtosis that no heights of this skewness have: it is at least 1 + skewness^2."""
+    """Raise InputError if no heights can have this kurtosis and skewness: the kurtosis is at least 1 + skewness^2.
+
+    None stands for an unknown number and is accepted.
+    """
     if skewness is not None and kurtosis is not None and kurtosis < 1.0 + skewness**2:
         raise InputError("kurtosis", kurtosis, f"at least {1.0 + skewness**2:.3g}, 1 + skewness^2")
 
 
-# Metres in the units in which heights may be listed, and how far their deviation may differ from the stated one.
+# Units [m] in which heights may be listed, and the relative difference allowed between their deviation and the stated one.
 _UNITS, _SAME = np.array([1.0, 1e-3, 1e-6, 1e-9, 1e-10]), 0.01
 
 
@@ -65,7 +68,9 @@ _NO_PARAMETERS: Any = Field(default_factory=dict)
 
 
 class Roughness(Input):
-    """The equivalent rough surface: asperities of one radius, with distributed heights.
+    """Describe the roughness of a contact by asperities of one radius with distributed heights.
+
+    If both bodies are rough, the asperities are those of the sum of both surfaces, in contact with a smooth plane.
 
     Parameters
     ----------
@@ -78,7 +83,7 @@ class Roughness(Input):
     height_distribution : str, optional
         Name of a height distribution, by default "gaussian".
     height_parameters : dict, optional
-        Parameters of the distribution, e.g. {"shape": 3.4}.
+        Parameters of the distribution, e.g. {"exponent": 3.4} for "weibull"; see `stiction.height_distribution`.
     kind : str, optional
         Kind of surface: gaussian, skewed, worn, lay (rougher across than along), two-scale (fine roughness on coarse), or the
         name of a finish ("ground"). It changes no result of a model, only the benchmark surfaces that the result is compared
@@ -87,7 +92,7 @@ class Roughness(Input):
         Ssk and Sku of the surface heights (ISO 25178-2), 0 and 3 of a Gaussian surface. Like `kind`, they choose the benchmark
         surfaces that the result is compared to, and so narrow the interval of a prediction.
     texture_aspect_ratio : float, optional
-        Str of the surface (ISO 25178-2), 1 of an isotropic one, small with a lay. It acts as skewness does.
+        Str of the surface (ISO 25178-2), 1 of an isotropic one, small with a lay. It is used as the skewness is.
     surface : Roughness, optional
         Asperities with the spectral moments of the surface and Gaussian heights (McCool 1986), for theories of the whole
         surface; by default these use the numbers above.
@@ -128,9 +133,10 @@ class Roughness(Input):
     _finished: Any = PrivateAttr(None)
 
     def replace(self, **changes: object) -> Self:
-        """Return a copy with these fields replaced.
+        """Return a copy of the roughness with the fields in `changes` replaced.
 
-        A roughness made from a finish also accepts another finish, height or body. Raises InputError.
+        A roughness made from a finish (how the surface was made) also accepts finish, rms_height, mean_height, first and
+        second. Raises InputError.
         """
         if self._finished is None or not changes.keys() & {"finish", "rms_height", "mean_height", "first", "second"}:
             return super().replace(**changes)
@@ -138,22 +144,22 @@ class Roughness(Input):
         return changed(**changes).roughness()
 
     def part(self, name: str) -> object:
-        """Return the field of this name; for "first" or "second", what the finish of that body states.
+        """Return the value of the field `name`; for "first" or "second" the finish and height that this body states.
 
-        The result is None if there is no such field, or no finish.
+        The result is None if there is no such field, or if no finish was stated.
         """
         return getattr(self._finished, name, None) if name in ("first", "second") else super().part(name)
 
     @property
     def unknowns(self) -> tuple[str, ...]:
-        """Return the names of the quantities that a finish states as a range, e.g. "first.rms_slope".
+        """Return the names of the quantities that a finish determines only as a range, e.g. "first.rms_slope".
 
-        The result is empty if sigma, R and N are stated.
+        There are none if the user stated sigma, R and N.
         """
         return () if self._finished is None else self._finished.unknowns
 
     def drawn(self, levels: "ArrayLike") -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Return sigma [m], R [m] and N [1/m^2], (n,) each, at quantile levels of the quantities that a finish leaves open.
+        """Return sigma [m], R [m] and N [1/m^2], (n,) each, with the quantities in `unknowns` at given quantile levels.
 
         Parameters
         ----------
@@ -174,7 +180,7 @@ class Roughness(Input):
         return self._finished.asperities(dict(zip(self.unknowns, rows, strict=True)))
 
     def attached(self, **what: object) -> "Roughness":
-        """Return a copy with the same numbers that also stores their origin.
+        """Return a copy with the same numbers that also stores where they come from.
 
         Keywords: measured (surfaces.measured.Measured), map (a HeightMap) and finished (surfaces.finished.FinishedBodies).
         """
@@ -187,7 +193,11 @@ class Roughness(Input):
         return [*([] if self._finished is None else self._finished.notes()), *self._scaled_heights()]
 
     def _scaled_heights(self) -> list[str]:
-        """Return a warning if listed heights, in a unit of length, do not have the stated deviation."""
+        """Return a warning, in a list, if the heights of a discrete distribution do not have the stated standard deviation.
+
+        They may be in m, mm, um, nm or Angstrom. If their deviation differs in all of these units, the heights are scaled to
+        the stated one, and the warning states this; otherwise the list is empty.
+        """
         samples = self.height_parameters.get("samples") if self.height_distribution == "discrete" else None
         deviation = 0.0 if samples is None else float(np.std(np.asarray(samples, dtype=float)))
         if not deviation > 0.0:
@@ -198,40 +208,40 @@ class Roughness(Input):
         return [f"input warning: listed heights are scaled from a deviation of {deviation:.4g} to asperity_height_deviation"]
 
     def of_surface(self) -> "Roughness | None":
-        """Return the asperities that have the spectral moments of the surface; None if they are not stated.
+        """Return the asperities that have the spectral moments of the surface; None if they are unknown.
 
-        They are the field `surface`, with the kind and shape of this roughness.
+        They are the field `surface`, with the kind of surface, skewness, kurtosis and texture aspect ratio of this roughness.
         """
         more = self.shape | ({} if self.kind is None else {"kind": self.kind})
         return self.surface if self.surface is None or not more else self.surface.replace(**more)
 
     @property
     def shape(self) -> dict[str, float]:
-        """Return the stated statistics of the surface, by their names in SHAPE."""
+        """Return the stated ones of skewness, kurtosis and texture_aspect_ratio by name."""
         return {name: value for name in SHAPE if (value := getattr(self, name)) is not None}
 
     @property
     def surface_kind(self) -> str | None:
-        """Return the kind of surface, one of finishes.SURFACE_KINDS; None if not stated."""
+        """Return the kind of surface, one of finishes.SURFACE_KINDS; None if the user stated none."""
         return None if self.kind is None else surface_kind_of(self.kind)
 
     @property
     def measured(self) -> "Measured | None":
-        """Return the results of all methods for the scans (surfaces.measured.Measured).
+        """Return what all asperity methods found in the scans (surfaces.measured.Measured).
 
         The result is None if the numbers do not come from scans.
         """
         return self._measured
 
     def as_numbers(self) -> "Roughness":
-        """Return a copy with the same numbers and without references to scans, map or finish."""
+        """Return a copy with the same numbers that stores no scans, map or finish."""
         return self.replace() if self.surface is None else self.replace(surface=self.surface.as_numbers())
 
     @property
     def map(self) -> "HeightMap | None":
-        """Return the HeightMap that represents both surfaces of the contact.
+        """Return the single height map that represents the roughness of both bodies.
 
-        The result is None if the numbers do not come from scans, or the scans cannot be combined into one map.
+        The result is None if the numbers do not come from scans, or if the scans cannot be combined into one map.
         """
         return self._map
 

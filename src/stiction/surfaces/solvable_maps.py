@@ -12,14 +12,15 @@ from stiction.quantities.errors import InputError
 if TYPE_CHECKING:
     from stiction.surfaces.heightmap import HeightMap
 
-_ALIKE = 1e-6  # sizes of two maps that differ by less, relatively, are one
+_ALIKE = 1e-6  # relative difference up to which the sizes of two maps count as equal
 
 
 @dataclass(frozen=True)
 class SolvableMaps:
-    """Store the prepared maps of the rough bodies of a contact.
+    """Store the height maps of the rough bodies of a contact, prepared for a point-by-point solution.
 
-    maps: HeightMap by body, "first" or "second". some_numbers: whether a rough body has no map but only stated numbers.
+    maps: "first" or "second" -> HeightMap of this body. some_numbers: whether a rough body has no map, but only stated sigma, R
+    and N.
     """
 
     maps: "Mapping[str, HeightMap]" = field(default_factory=dict)
@@ -31,17 +32,17 @@ class SolvableMaps:
         return max((one.heights.size for one in self.maps.values()), default=0)
 
     def filled(self) -> "list[HeightMap]":
-        """Return the maps with missing points set to the mean height; profiles are left out."""
+        """Return the maps with missing points at their mean height; profiles are left out."""
         maps = [one for one in self.maps.values() if not one.is_profile]
         return [replace(one, heights=np.where(np.isnan(one.heights), np.nanmean(one.heights), one.heights)) for one in maps]
 
     def attributes(self) -> dict[str, str]:
-        """Return the attributes of a result that uses the map itself: the history of each map."""
+        """Return the attributes of a dataset of results that were solved on the maps: the processing steps of all maps."""
         scans = "\n".join(f"{body} body: {step}" for body, one in self.maps.items() for step in one.history)
         return {"roughness_method": "none: the map itself", "scans": scans}
 
     def one(self) -> "HeightMap":
-        """Return the single map that represents both bodies: the sum of their heights.
+        """Return the single map that represents the roughness of both bodies: the sum of their heights.
 
         Raises InputError if a rough body has no map, a map is a profile or has missing points, or two maps differ in size.
         """
@@ -68,10 +69,10 @@ class SolvableMaps:
 
 
 def _sum(first: "HeightMap", second: "HeightMap") -> "HeightMap":
-    """Return the sum of two height maps, each with heights measured outwards from its body.
+    """Return the sum of the height maps of two bodies that face each other.
 
-    The second map is mirrored along x, because the bodies face each other. Raises InputError unless both maps have the same
-    shape, size and periodicity.
+    The heights of each map are measured outwards from its body; the second map is mirrored along x. Raises InputError unless
+    both maps have the same shape, size and periodicity.
     """
     same = all(math.isclose(one, other, rel_tol=_ALIKE) for one, other in zip(first.size, second.size, strict=True))
     if first.heights.shape != second.heights.shape or not same or first.periodic != second.periodic:

@@ -1,12 +1,13 @@
-"""Compute the power spectrum of a height map, its radial average, and its reliable wavelengths.
+"""Compute the power spectrum of a height map, its average over directions, and its reliable wavelengths.
 
-Wavevectors are q = 2 pi / wavelength [rad/m]. A is the area of a map and L the length of a profile. The normalisation is
+Wavevectors are q = 2 pi / wavelength [rad/m]. A is the area of a map, L the length of a profile, h the height. The
+normalisation is
 
     C(q) = |pitch_x pitch_y sum_points h exp(-i q r)|^2 / A   [m^4]      so that  <h^2> = Int C d^2q / (2 pi)^2 = sum_q C / A
     C(q) = |pitch sum_points h exp(-i q x)|^2 / L             [m^3]      so that  <h^2> = Int C dq / (2 pi)     = sum_q C / L
 
 where q takes both signs. These are the definitions of Jacobs, Junge & Pastewka (2017). The mean height is subtracted and q =
-0 is left out. Without a window, sum_q C / A equals Sq^2 to rounding (Parseval).
+0 is left out. Without a window, sum_q C / A equals Sq^2 to round-off (Parseval).
 
 A map that is not periodic needs a window. Otherwise the step from one end to the other spreads over all wavelengths. Windows
 are scaled to a mean square of 1, so they do not change mean squares of statistically homogeneous heights. Two errors remain.
@@ -38,17 +39,19 @@ from stiction.surfaces.heightmap import HeightMap
 
 LEAST_PERIODS = 3
 POINTS_PER_WAVE = 4
-LEAST_POINTS = 8  # along a line: with fewer, the two ends of the band meet
+LEAST_POINTS = 8  # along a line, for any spectrum; with fewer than 12 no wavelength is reliable
 _WORKERS = 2  # threads of a transform
-_ROUNDING = 1.0 + 1e-9  # a wave on the edge of a bin, or at the cutoff, is counted in
+_ROUNDING = 1.0 + 1e-9  # includes a wave on the edge of a bin or at the cutoff in spite of round-off
 
 
 @dataclass(frozen=True)
 class PowerSpectrum:
-    """Store the power of every wave on the grid of a map or profile (definitions in the module docstring).
+    """Store the power spectral density C of every wave on the grid of a map or profile (defined in the module docstring).
 
-    density: C on the half plane q_x >= 0, (rows, columns // 2 + 1) [m^4], or (1, columns // 2 + 1) [m^3] for a profile; q_y
-    in the order of numpy.fft. columns: number of columns of the map. size: (y, x) [m]. window: a key of WINDOWS.
+    - density: C on the half plane q_x >= 0: (rows, columns // 2 + 1) [m^4], or (1, columns // 2 + 1) [m^3] for a profile; q_y
+      in the order of numpy.fft
+    - columns: number of columns of the map; size: (y, x) [m] of the map
+    - window: window by which the heights were multiplied, a key of WINDOWS
     """
 
     density: np.ndarray
@@ -68,48 +71,49 @@ class PowerSpectrum:
 
     @property
     def pitch(self) -> float:
-        """Return the larger of the two pitches [m]; for a profile, the pitch along it."""
+        """Return the larger of the point distances [m] along y and x; for a profile, the one along it."""
         along_x = self.size[1] / self.columns
         return along_x if self.is_profile else max(along_x, self.size[0] / self.density.shape[0])
 
     @property
     def wavevectors(self) -> tuple[np.ndarray, np.ndarray]:
-        """Return q_y (rows,) and q_x (columns // 2 + 1,) [rad/m]."""
+        """Return the wavevectors q_y (rows,) and q_x (columns // 2 + 1,) [rad/m] of the rows and columns of `density`."""
         return _wavevectors(self.density.shape[0], self.size[0], np.fft.fftfreq), _wavevectors(
             self.columns, self.size[1], np.fft.rfftfreq
         )
 
     @property
     def waves(self) -> np.ndarray:
-        """Return how many waves each entry of `density` represents, by column (columns // 2 + 1,).
+        """Return how many waves each column of `density` represents, (columns // 2 + 1,).
 
-        An entry represents two waves if the wave at -q is not stored, and otherwise one.
+        It is two where the wave at -q is not stored, and otherwise one.
         """
         return waves_of(self.columns)
 
     @property
     def lowest(self) -> float:
-        """Return the smallest nonzero wavevector on the grid [rad/m]."""
+        """Return the smallest wavevector on the grid that is not zero [rad/m]."""
         return 2.0 * math.pi / (self.size[1] if self.is_profile else max(self.size))
 
     @property
     def longest(self) -> float:
-        """Return the longest reliable wavelength [m]."""
+        """Return the longest reliable wavelength [m]: a third of the shorter side of the map."""
         return (self.size[1] if self.is_profile else min(self.size)) / LEAST_PERIODS
 
     @property
     def shortest(self) -> float:
-        """Return the shortest reliable wavelength [m], without the limit of a stylus tip."""
+        """Return the shortest reliable wavelength [m]: four times the larger pitch; a stylus tip may raise it."""
         return POINTS_PER_WAVE * self.pitch
 
 
 @dataclass(frozen=True)
 class BinnedSpectrum:
-    """Store a power spectrum averaged in bins of |q|; arrays (bins,) run from long to short waves.
+    """Store a power spectrum averaged over bins of the wavevector |q|; arrays (bins,) run from long to short waves.
 
-    wavevector: mean |q| of the waves in a bin [rad/m]. density: mean C, [m^4] for a map and [m^3] for profiles. waves: number
-    of waves in a bin; q and -q count as two. longest, shortest: ends of the reliable band [m]. is_profile: whether C is that
-    of a profile. window: a key of WINDOWS.
+    - wavevector: mean |q| of the waves in a bin [rad/m]; waves: their number, q and -q counted as two
+    - density: mean power spectral density C in a bin, [m^4] for a map and [m^3] for a profile
+    - longest, shortest: ends of the reliable wavelengths [m]
+    - is_profile: whether the spectrum is that of a profile; window: a key of WINDOWS
     """
 
     wavevector: np.ndarray
@@ -127,7 +131,7 @@ class BinnedSpectrum:
 
     @property
     def reliable(self) -> np.ndarray:
-        """Return a mask (bins,) of the bins inside the reliable band."""
+        """Return a mask (bins,) of the bins whose wavelength is reliable, from `shortest` to `longest`."""
         return (self.wavelength <= self.longest * _ROUNDING) & (self.wavelength * _ROUNDING >= self.shortest)
 
 
@@ -139,16 +143,16 @@ def _rectangle(shape, size) -> np.ndarray:
 
 
 def _hann(shape, size) -> np.ndarray:
-    """Return Hann's window (rows, columns): the product of its one-dimensional windows along x and y."""
+    """Return Hann's window of this shape (rows, columns): the product of one-dimensional Hann windows along y and x."""
     rows, columns = (hann(count, sym=False) for count in shape)
     return rows[:, None] * columns
 
 
 def _radial_hann(shape, size) -> np.ndarray:
-    """Return Hann's window as a function of the distance from the middle of the map.
+    """Return Hann's window (rows, columns) as a function of the distance from the middle of the map.
 
-    The window is zero outside the largest circle that fits, so it uses pi/4 of a square map and less of a long one. Source:
-    Jacobs, Junge & Pastewka 2017.
+    shape: (rows, columns). size: (y, x) [m]. The window is zero outside the largest circle that fits, so it uses pi/4 of a
+    square map and less of a long one. Source: Jacobs, Junge & Pastewka 2017.
     """
     y, x = (length * (np.arange(count) - count // 2) / count for count, length in zip(shape, size, strict=True))
     edge = min(length for count, length in zip(shape, size, strict=True) if count > 1) / 2.0
@@ -160,7 +164,10 @@ WINDOWS: dict[str, Callable[..., np.ndarray]] = {"hann": _hann, "radial hann": _
 
 
 def _window(name: str, shape, size) -> np.ndarray:
-    """Return the window of this name (rows, columns), with a mean square of 1."""
+    """Return the window of this name (rows, columns) for a map of this shape and size (y, x) [m], scaled to a mean square of 1.
+
+    Raises InputError for an unknown name.
+    """
     if name not in WINDOWS:
         raise InputError("window", name, ", ".join(WINDOWS))
     window = WINDOWS[name](shape, size)
@@ -174,8 +181,8 @@ def _window(name: str, shape, size) -> np.ndarray:
 def power_spectrum(surface: HeightMap, window: str = "hann") -> PowerSpectrum:
     """Compute the power spectrum of a map or a profile, after its mean height is subtracted.
 
-    window: a key of WINDOWS; use "none" for periodic surfaces. Raises InputError if points are missing or a side has fewer
-    than LEAST_POINTS points. Needs four times the memory of the heights.
+    window: a key of WINDOWS, by which the heights are multiplied; use "none" for periodic surfaces. Raises InputError if points
+    are missing or a side has fewer than LEAST_POINTS points. Needs four times the memory of the heights.
     """
     heights = _complete(surface)
     heights = heights - heights.mean()
@@ -187,11 +194,10 @@ def power_spectrum(surface: HeightMap, window: str = "hann") -> PowerSpectrum:
 
 
 def radial_average(spectrum: PowerSpectrum, bins: str = "log", tip_radius: float | None = None) -> BinnedSpectrum:
-    """Average a spectrum over all directions, in bins of |q| up to the Nyquist wavevector.
+    """Average a power spectrum over all directions, in bins of |q| up to the Nyquist wavevector of the larger pitch.
 
-    The Nyquist wavevector is that for the larger pitch. bins: a key of BINS; bins without a wave are left out. tip_radius:
-    radius of the stylus [m], > 0; a blunt tip raises the shortest reliable wavelength. The spectrum of a profile is only
-    averaged in bins.
+    bins: "log" or "linear", the spacing of the bins; bins without a wave are left out. tip_radius: radius of the stylus [m], >
+    0, or None; a blunt tip raises the shortest reliable wavelength. The spectrum of a profile is only averaged in bins.
     """
     edges = _edges(bins)(spectrum.lowest, math.pi / spectrum.pitch)
     sums = _average_over_directions(spectrum, edges)
@@ -200,16 +206,17 @@ def radial_average(spectrum: PowerSpectrum, bins: str = "log", tip_radius: float
 
 
 def tip_cutoff(spectrum: PowerSpectrum, tip_radius: float) -> float:
-    """Return the wavelength [m] below which a scan shows the shape of the stylus tip.
+    """Return the wavelength [m] below which a scan shows the shape of the stylus tip instead of the surface.
 
-    The module docstring defines this wavelength. It is 0 if the surface is so smooth that the tip follows every wave.
-    tip_radius is in m. Raises InputError unless it is > 0.
+    spectrum: power spectrum of the scan. tip_radius: radius of the tip [m]. At this wavelength all longer waves together have
+    the rms curvature 1/(2 tip_radius). The result is 0 if the surface is so smooth that the tip follows every wave. Raises
+    InputError unless tip_radius is > 0.
     """
     if not (tip_radius > 0.0 and math.isfinite(tip_radius)):
         raise InputError("tip_radius", tip_radius, "> 0 m, finite")
     waves, power, magnitudes = _average_over_directions(spectrum, _linear_edges(spectrum.lowest, math.pi / spectrum.pitch))
     q = magnitudes / np.maximum(waves, 1)
-    # a profile shows m4 of the 8/3 m4 in the mean square Laplacian of an isotropic surface
+    # The mean square Laplacian of an isotropic surface is 8/3 m4, and a profile shows only m4.
     share = 8.0 / 3.0 if spectrum.is_profile else 1.0
     curvature = np.sqrt(np.cumsum(share * q**4 * power) / (4.0 * spectrum.extent))
     beyond = np.flatnonzero(curvature > 0.5 / tip_radius)
@@ -220,18 +227,18 @@ def tip_cutoff(spectrum: PowerSpectrum, tip_radius: float) -> float:
 
 
 def _log_edges(low: float, high: float, per_decade: int = 10) -> np.ndarray:
-    """Return the edges of logarithmic bins, `per_decade` in each decade.
+    """Return the edges [rad/m] of logarithmic bins of the wavevector, `per_decade` in each decade.
 
-    The edges start below the lowest wavevector and end at the highest.
+    low, high: lowest and highest wavevector [rad/m]. The edges start below the lowest and end at the highest.
     """
     count = math.ceil(per_decade * math.log10(high / low)) + 1
     return high * _ROUNDING * 10.0 ** (np.arange(-count, 1) / per_decade)
 
 
 def _linear_edges(low: float, high: float) -> np.ndarray:
-    """Return the edges of bins centred on multiples of the lowest wavevector.
+    """Return the edges [rad/m] of bins of the wavevector that are centred on multiples of the lowest one.
 
-    On a square map no wave along an axis lies on an edge.
+    low, high: lowest and highest wavevector [rad/m]. On a square map no wave along an axis lies on an edge.
     """
     return low * np.append(np.arange(0.5, high / low * (1.0 - 1e-9)), high / low * _ROUNDING)
 
@@ -246,9 +253,10 @@ def _edges(bins: str) -> Callable[[float, float], np.ndarray]:
 
 
 def _sums_in_bins(q, density, waves, edges) -> np.ndarray:
-    """Return (3, bins): number of waves, sum of C and sum of |q| in each bin.
+    """Return the number of waves, the sum of C and the sum of |q| in each bin, as (3, bins).
 
-    q, density and waves have the same shape.
+    q, density, waves: |q| [rad/m], power spectral density C and number of waves of each entry of a spectrum, of one shape.
+    edges: edges of the bins [rad/m].
     """
     place = np.searchsorted(edges, q.ravel(), side="right")
     count = len(edges) + 1
@@ -258,9 +266,9 @@ def _sums_in_bins(q, density, waves, edges) -> np.ndarray:
 
 
 def _average_over_directions(spectrum: PowerSpectrum, edges: np.ndarray, block: int = 128) -> np.ndarray:
-    """Return (3, bins): number of waves, sum of C and sum of |q| in rings of the wave plane.
+    """Return the number of waves, the sum of C and the sum of |q| of a spectrum in rings of |q|, as (3, rings).
 
-    edges: of the rings [rad/m]. The sum runs over `block` rows at a time to save memory.
+    edges: edges of the rings [rad/m]. C: power spectral density. The sum runs over `block` rows at a time to save memory.
     """
     qy, qx = spectrum.wavevectors
     sums = np.zeros((3, len(edges) - 1))
@@ -274,7 +282,8 @@ def _average_over_directions(spectrum: PowerSpectrum, edges: np.ndarray, block: 
 def _binned(waves, power, magnitudes, **settings) -> BinnedSpectrum:
     """Return the averaged spectrum from the sums over each bin; empty bins are omitted.
 
-    waves, power, magnitudes: number of waves, sum of C and sum of |q|, (bins,) each.
+    waves, power, magnitudes: number of waves, sum of the power spectral density C and sum of |q|, (bins,) each. settings: the
+    other fields of BinnedSpectrum.
     """
     full = waves > 0
     count = waves[full]
@@ -285,7 +294,7 @@ def _binned(waves, power, magnitudes, **settings) -> BinnedSpectrum:
 
 
 def _complete(surface: HeightMap) -> np.ndarray:
-    """Return the heights of a map. Raises InputError if points are missing or a side is too short."""
+    """Return the heights (rows, columns) [m] of a map; raise InputError if points are missing or a side is too short."""
     heights = surface.heights
     if surface.missing:
         raise InputError(
@@ -298,7 +307,7 @@ def _complete(surface: HeightMap) -> np.ndarray:
 
 
 def _squares(waves: np.ndarray) -> np.ndarray:
-    """Return |waves|^2 with only one temporary array."""
+    """Return the squared absolute values of a complex array, with only one temporary array."""
     squares = waves.real**2
     squares += waves.imag**2
     return squares
@@ -309,17 +318,19 @@ def _wavevectors(count: int, length: float, frequencies: Callable) -> np.ndarray
 
 
 def wave_power(heights: np.ndarray) -> np.ndarray:
-    """Return the squares |h|^2 of all waves of a map, of shape (rows, columns // 2 + 1).
+    """Return |h|^2 of the Fourier waves of a map, of shape (rows, columns // 2 + 1), in the order of `rfft2`.
 
-    Each entry is the sum over the waves that it represents. All entries together give <h^2> times the squared number of points.
+    heights: (rows, columns) [m]. Each entry is the sum over the waves that it represents. All entries together give the mean
+    square height times the squared number of points.
     """
     return np.square(np.abs(scipy.fft.rfft2(heights, workers=_WORKERS))) * waves_of(heights.shape[1])
 
 
 def waves_of(columns: int) -> np.ndarray:
-    """Return the number of waves that each entry of a real transform represents: 2 or 1.
+    """Return the number of waves, 2 or 1, that each column of a real Fourier transform represents, (columns // 2 + 1,).
 
-    It is 1 for the mean and for the Nyquist wavevector, which exists for an even number of columns.
+    columns: number of points along x. The number is 1 for the mean and for the Nyquist wavevector, which exists if `columns` is
+    even.
     """
     waves = np.full(columns // 2 + 1, 2.0)
     waves[0] = 1.0

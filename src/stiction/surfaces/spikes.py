@@ -1,9 +1,9 @@
 """Find and mask spikes: single points that the instrument measured far from the surface.
 
-Dust, an edge or a lost signal causes spikes. A point is a spike if it is further from the median height than a given number
-of robust standard deviations. The robust standard deviation is 1.4826 times the median distance from the median. It equals
-the standard deviation for Gaussian heights, and a few spikes do not change it. A few spikes strongly change Sq and Sz, and
-with Sz the threshold for persistent summits.
+Dust, an edge or a lost signal causes spikes. A point is a spike if it is further from the median height than a given number of
+robust standard deviations. The robust standard deviation is 1.4826 times the median distance from the median. It equals the
+standard deviation for Gaussian heights, and a few spikes do not change it. A few spikes strongly change the rms height Sq and
+the range of heights Sz, and with Sz the default threshold of the asperity method `persistence`.
 """
 
 import math
@@ -13,15 +13,15 @@ import numpy as np
 from stiction.quantities.errors import InputError
 from stiction.surfaces.heightmap import HeightMap
 
-SUSPICIOUS = 10.0  # robust deviations: of a Gaussian surface no point is as far
+SUSPICIOUS = 10.0  # robust standard deviations; no point of a Gaussian surface is as far from the median
 _GAUSSIAN = 1.4826  # standard deviation over median distance from the median
 
 
 def spikes(surface: HeightMap, times: float = SUSPICIOUS) -> np.ndarray:
-    """Return a mask (rows, columns) of points more than `times` robust standard deviations from the median.
+    """Return a mask (rows, columns) of points more than `times` robust standard deviations from the median height.
 
-    The mask is all False if more than half of the points have the same height. Raises InputError unless times is finite and
-    > 0.
+    The robust standard deviation is 1.4826 times the median distance from the median. The mask is all False if more than half
+    of the points have the same height. Raises InputError unless times is finite and > 0.
     """
     if not (isinstance(times, int | float) and 0.0 < times < math.inf):
         raise InputError("spikes", times, "> 0 robust deviations, e.g. 10")
@@ -34,9 +34,9 @@ def spikes(surface: HeightMap, times: float = SUSPICIOUS) -> np.ndarray:
 
 
 def mask_spikes(surface: HeightMap, times: float) -> HeightMap:
-    """Return the map with its spikes marked as missing. Level the map first.
+    """Return the map with its spikes, as `spikes` finds them, marked as missing. Level the map first.
 
-    Raises InputError as `spikes` does.
+    times: number of robust standard deviations. Raises InputError as `spikes` does.
     """
     found = spikes(surface, times)
     step = f"{np.count_nonzero(found)} points further than {times:g} robust deviations from the median masked"

@@ -1,7 +1,7 @@
 """Compute heights, slopes, curvatures and spectral moments of a height map.
 
-All values refer to the mean height; a tilt is not removed, so level the map first. The height parameters are those of ISO
-25178-2. Means run over all points with a height:
+All heights d refer to the mean height; a tilt is not removed, so level the map first. The height parameters are those of ISO
+25178-2. Means < > run over all points with a height:
 
     Sq = <d^2>^(1/2)    Sa = <|d|>    Ssk = <d^3> / Sq^3    Sku = <d^4> / Sq^4 (Gaussian: 3)    Sz = highest - lowest
 
@@ -45,20 +45,22 @@ from stiction.surfaces.theory.moments import Moments
 if TYPE_CHECKING:
     from stiction.surfaces.spectrum import PowerSpectrum  # whose module is slow to import
 
-_BLOCK = 2**18  # points handled at once, so that a large map needs little more memory than itself
-_ROUNDED = 1e-20  # share of the mean square slope that may be rounding
-_ROUNDING = 1.0 + 1e-9  # a wave at the cutoff is counted in
+_BLOCK = 2**18  # points processed at once, so that a large map needs little more memory than itself
+_ROUNDED = 1e-20  # fraction of the mean square slope that may be round-off
+_ROUNDING = 1.0 + 1e-9  # includes a wave at the cutoff in spite of round-off
 
 
 @dataclass(frozen=True)
 class Statistics:
     """Store the height, slope and curvature parameters of a map or profile (definitions in the module docstring).
 
-    Parameters that a profile does not have are None.
-    Sq, Sa, Sz [m]; Ssk, Sku [1]. mean: mean height [m], from which heights are measured. slope_x, slope_y: rms slopes along x
-    and y [1]. slope: rms gradient Sdq = (slope_x^2 + slope_y^2)^(1/2). curvature_x, curvature_y: rms second derivatives
-    [1/m]. curvature: rms of half the Laplacian [1/m], which is the mean of the two principal curvatures where slopes are
-    small.
+    - Sq, Sa, Sz [m]: rms height, mean absolute height, highest minus lowest; Ssk, Sku [1]: skewness and kurtosis
+    - mean: mean height [m], from which heights are measured
+    - slope_x, slope_y: rms slopes along x and y [1]; slope: rms gradient Sdq = (slope_x^2 + slope_y^2)^(1/2)
+    - curvature_x, curvature_y: rms second derivatives [1/m]; curvature: rms of half the Laplacian [1/m], which is the mean of
+      the two principal curvatures for small slopes
+
+    For a profile slope_y, slope, curvature_y and curvature are None.
     """
 
     Sq: float
@@ -77,12 +79,14 @@ class Statistics:
 
 @dataclass(frozen=True)
 class ProfileMoments:
-    """Store the spectral moments of the profiles of a map, from differences or from the spectrum.
+    """Store the spectral moments m0, m2, m4 of the profiles of a map.
 
-    x, y: moments of profiles along x and along y; y is None for a profile. isotropic: moments of an isotropic surface, from
-    averages over the directions. equivalent: moments from equation (1) of the module docstring, which allows for a lay; None
-    if all slopes lie along one line, so that the surface has no summits. cutoff: shortest wavelength included [m]. method:
-    "finite differences" or "power spectrum".
+    - x, y: moments of profiles along x and along y; y is None for a profile
+    - isotropic: moments of an isotropic surface, from averages over the directions
+    - equivalent: moments from equation (1) of the module docstring, which allows for a lay; None if all slopes lie along one
+      line, so that the surface has no summits
+    - cutoff: shortest wavelength included [m]
+    - method: how they were computed, "finite differences" or "power spectrum"
     """
 
     x: Moments
@@ -94,7 +98,7 @@ class ProfileMoments:
 
 
 def statistics(surface: HeightMap) -> Statistics:
-    """Compute height parameters, slopes and curvatures of a map; missing points are left out.
+    """Compute height parameters, rms slopes and rms curvatures of a map or profile; missing points are left out.
 
     Raises InputError if no point has a height, if all heights are equal, or if no three neighbouring points along x (for a
     map also along y) have heights.
@@ -121,12 +125,12 @@ def statistics(surface: HeightMap) -> Statistics:
 
 
 def moments_by_differences(surface: HeightMap, cutoff: float | None = None) -> ProfileMoments:
-    """Compute spectral moments by finite differences.
+    """Compute the spectral moments m0, m2, m4 of a map or profile by finite differences.
 
     cutoff: wavelength [m], > 0. The points of a difference are half a cutoff apart, rounded to whole pitches. By default the
-    cutoff is two of the larger pitches, so that neighbours are used. Shorter waves are not smoothed away; the map is sampled
-    as by an instrument with the larger pitch, and m0 still includes all points. Raises InputError as `statistics` does, or if
-    the cutoff is too long.
+    cutoff is twice the larger pitch, so that neighbours are used. Shorter waves are not removed: the map is sampled as by an
+    instrument with half a cutoff as its pitch, and m0 includes all points. Raises InputError as `statistics` does, or if the
+    cutoff is too long for the map.
     """
     cutoff = None if cutoff is None else in_metres(cutoff, "cutoff")
     if cutoff is not None and not (cutoff > 0.0 and math.isfinite(cutoff)):
@@ -154,9 +158,9 @@ def moments_by_differences(surface: HeightMap, cutoff: float | None = None) -> P
 
 
 def moments_by_spectrum(spectrum: "PowerSpectrum", cutoff: float | None = None) -> ProfileMoments:
-    """Compute spectral moments by integrating the power spectrum down to a cutoff wavelength.
+    """Compute the spectral moments m0, m2, m4 by integrating a power spectrum down to a cutoff wavelength.
 
-    cutoff: wavelength [m], >= 0. The default is two of the larger pitches (Nyquist). 0 includes every wave on the grid; the
+    cutoff: wavelength [m], >= 0. The default is twice the larger pitch (Nyquist). 0 includes every wave on the grid; the
     shortest of these run along its diagonals. The moments are reliable only if the cutoff is at least `spectrum.shortest`.
     Raises InputError if no wave is at least as long as the cutoff.
     """
@@ -181,7 +185,10 @@ def moments_by_spectrum(spectrum: "PowerSpectrum", cutoff: float | None = None) 
 
 
 def _height_parameters(heights: np.ndarray) -> tuple[float, tuple[float, float, float, float, float]]:
-    """Return the mean [m] and (Sq, Sa, Sz, Ssk, Sku)."""
+    """Return the mean height [m] of a map, and (Sq, Sa, Sz, Ssk, Sku) as defined in the module docstring.
+
+    heights: (rows, columns) [m], NaN where missing. Raises InputError if no height is known or all are equal.
+    """
     count = int(np.count_nonzero(~np.isnan(heights)))
     if not count:
         raise InputError("heights", "all missing", "a map with heights at some points")
@@ -190,7 +197,7 @@ def _height_parameters(heights: np.ndarray) -> tuple[float, tuple[float, float, 
         raise InputError("heights", highest, "heights that differ")
     start = (highest + lowest) / 2.0  # near the mean, so that a large offset costs no digits
     mean = start + sum(float(np.nansum(block - start)) for block in _blocks(heights)) / count
-    span = highest - lowest  # heights over it: their fourth powers do not underflow
+    span = highest - lowest  # heights are divided by it, so that their fourth powers do not underflow
     sums = np.zeros(4)
     for block in _blocks(heights):
         d = (block[~np.isnan(block)] - mean) / span
@@ -205,23 +212,27 @@ def _height_parameters(heights: np.ndarray) -> tuple[float, tuple[float, float, 
 
 
 def _blocks(heights: np.ndarray, overlap: int = 0) -> Iterator[np.ndarray]:
-    """Yield consecutive blocks of whole rows of a map, about _BLOCK points each, plus `overlap` rows of the next block."""
+    """Yield consecutive blocks of whole rows of a map, of about _BLOCK points each.
+
+    overlap: number of rows of the next block that are added to each block.
+    """
     rows = max(1, _BLOCK // heights.shape[1])
     for start in range(0, max(1, heights.shape[0] - overlap), rows):
         yield heights[start : start + rows + overlap]
 
 
 def _difference(heights: np.ndarray, order: int, step: int) -> np.ndarray:
-    """Return first or second differences along each row, between points `step` columns apart."""
+    """Return the first (order 1) or second (order 2) differences along each row, between points `step` columns apart."""
     for _ in range(order):
         heights = heights[:, step:] - heights[:, :-step]
     return heights
 
 
 def _rms_difference(heights: np.ndarray, axis: int, order: int, step: int = 1) -> float:
-    """Return the rms of first or second differences along an axis.
+    """Return the rms of the first or second differences of heights along an axis, in the unit of the heights.
 
-    Differences that involve a missing point are left out.
+    axis: 0 along y, 1 along x. order: 1 or 2. step: distance of the points, in pitches. Differences with a missing point are
+    left out; raises InputError if none is left.
     """
     total, count = 0.0, 0
     if heights.shape[axis] > order * step:
@@ -232,7 +243,10 @@ def _rms_difference(heights: np.ndarray, axis: int, order: int, step: int = 1) -
 
 
 def _rms_laplacian(heights: np.ndarray, dy: float, dx: float) -> float:
-    """Return the rms Laplacian [1/m]; positions that involve a missing point are left out."""
+    """Return the rms Laplacian [1/m] of a map; positions with a missing point among the five points needed are left out.
+
+    heights: (rows, columns) [m]. dy, dx: pitches [m].
+    """
     total, count = 0.0, 0
     if min(heights.shape) > 2:
         for block in _blocks(heights, overlap=2):
@@ -244,7 +258,7 @@ def _rms_laplacian(heights: np.ndarray, dy: float, dx: float) -> float:
 
 
 def _sum_of_squares(values: np.ndarray) -> tuple[float, int]:
-    """Return the sum of squares of all values that are not NaN, and their number."""
+    """Return the sum of squares of all values of a two-dimensional array that are not NaN, and their number."""
     total, count = float(np.einsum("ij,ij->", values, values)), values.size
     if math.isnan(total):
         there = values[~np.isnan(values)]
@@ -268,9 +282,10 @@ def _mean(x: Moments, y: Moments) -> Moments:
 
 
 def _equivalent(x: Moments, y: Moments, correlation: float) -> Moments | None:
-    """Return the moments of equation (1) from the moments along x and y; None without summits.
+    """Return the moments of equation (1) in the module docstring, those of an isotropic surface that is then stretched.
 
-    correlation: correlation coefficient of the slopes along x and y.
+    x, y: moments of profiles along x and along y. correlation: correlation coefficient of the slopes along x and y. The result
+    is None if all slopes lie along one line, because the surface then has no summits.
     """
     if not (min(x.m2, y.m2) > _ROUNDED * max(x.m2, y.m2) and abs(correlation) < 1.0 - 1e-9):
         return None
@@ -279,7 +294,7 @@ def _equivalent(x: Moments, y: Moments, correlation: float) -> Moments | None:
 
 
 def _slope_correlation(heights: np.ndarray, along_y: int, along_x: int) -> float:
-    """Return the correlation coefficient of the slopes along x and y at the centres of cells.
+    """Return the correlation coefficient of the slopes along x and along y, taken at the centres of cells of the map.
 
     A cell has four corner points, `along_y` rows and `along_x` columns apart. Cells with a missing corner are left out. The
     result is 1 if all slopes along x or along y are zero.
@@ -299,13 +314,14 @@ def _slope_correlation(heights: np.ndarray, along_y: int, along_x: int) -> float
 
 
 _POWERS = np.array([0, 1, 2, 4])
-_EVEN = [0, 2, 3]  # their places of 0, 2 and 4
+_EVEN = [0, 2, 3]  # indices of the powers 0, 2 and 4
 
 
 def _powers(spectrum: "PowerSpectrum", highest: float) -> np.ndarray:
-    """Return the sums (4, 4) of C q_y^i q_x^j over the waves with 0 < |q| <= highest, divided by the area.
+    """Return the sums (4, 4) of C q_y^i q_x^j over the waves with 0 < |q| <= highest, divided by the area of the map.
 
-    i and j run over _POWERS.
+    C: power spectral density. q_y, q_x: components of the wavevector [rad/m]. i, j: row and column of the result, each 0, 1, 2,
+    4.
     """
     qy, qx = spectrum.wavevectors
     columns = spectrum.waves[:, None] * qx[:, None] ** _POWERS

@@ -1,6 +1,7 @@
-"""Power spectra for generated surfaces, with spectral moments in closed form.
+"""Define power spectra for generated surfaces, with spectral moments in closed form.
 
-The spectrum C depends on the magnitude q of the wave vector [rad/m]. It is normalised so that the mean square height is
+The power spectral density C depends on the magnitude q of the wave vector [rad/m]. It is normalised so that the mean square
+height is
 
     m0 = Int C(q) d^2q / (2 pi)^2   of a surface, C in m^4,        m0 = Int C(q) dq / (2 pi)   of a profile, C in m^3,
 
@@ -22,26 +23,29 @@ from stiction.quantities.units import show
 from stiction.surfaces.heightmap import in_metres
 from stiction.surfaces.theory.moments import Moments
 
-_SHARES = {1: (1.0, 1.0, 1.0), 2: (1.0, 1.0 / 2.0, 3.0 / 8.0)}  # of M_k that a line sees, by dimensions
-_SOLID = {1: math.pi, 2: 2.0 * math.pi}  # of (2 pi)^d over the directions of q, by dimensions
-_EDGE = 1e-9  # a wave that lies on an edge of the spectrum belongs to it, whatever the rounding
+_SHARES = {1: (1.0, 1.0, 1.0), 2: (1.0, 1.0 / 2.0, 3.0 / 8.0)}  # m_k / M_k of a profile for k = 0, 2, 4, by dimensions
+_SOLID = {1: math.pi, 2: 2.0 * math.pi}  # (2 pi)^d over the solid angle of all directions of q, by dimensions d
+_EDGE = 1e-9  # relative; includes a wave on an edge of the spectrum in spite of round-off
 
 
 def line_moments(dimensions: int, integrals: Iterable[float]) -> Moments:
-    """Return the moments of a line from Int C q^(k + d) d ln q for k = 0, 2, 4, where d is `dimensions`."""
+    """Return the spectral moments m0, m2, m4 of a profile from integrals over the power spectral density C.
+
+    dimensions: d, 2 if C is that of a surface, 1 for a profile. integrals: Int C q^(k + d) d ln q for k = 0, 2, 4.
+    """
     return Moments(
         *(share * integral / _SOLID[dimensions] for share, integral in zip(_SHARES[dimensions], integrals, strict=True))
     )
 
 
 def _to_metres(spectrum, *names: str) -> None:
-    """Convert the named attributes of a spectrum from text with a unit to metres, in place."""
+    """Convert the attributes of a spectrum with these names from text with a unit to metres, in place; numbers stay."""
     for name in names:
         object.__setattr__(spectrum, name, in_metres(getattr(spectrum, name), name))
 
 
 def _powers(low: float, high: float, exponent: float) -> float:
-    """Return Int q^(exponent - 1) dq from low to high."""
+    """Return the integral of q^(exponent - 1) over q from low to high."""
     if abs(exponent) < 1e-12:
         return math.log(high / low)
     return (high**exponent - low**exponent) / exponent
@@ -49,7 +53,7 @@ def _powers(low: float, high: float, exponent: float) -> float:
 
 @dataclass(frozen=True)
 class SelfAffine:
-    """A self-affine power spectrum between two wavelengths, flat above its roll-off.
+    """Define a self-affine power spectrum between two wavelengths, constant above its roll-off wavelength.
 
     Parameters
     ----------
@@ -62,12 +66,16 @@ class SelfAffine:
     longest : float [m] or str with a unit, optional
         Wavelength above which C is zero, by default infinite.
     dimensions : int, optional
-        2 of a surface (default), 1 of a profile.
+        2 for a surface (default), 1 for a profile.
 
     Raises
     ------
     InputError
         A number is out of these bounds.
+
+    Notes
+    -----
+    C is the power spectral density at the wave number q = 2 pi / wavelength [rad/m].
 
     Examples
     --------
@@ -99,7 +107,7 @@ class SelfAffine:
             raise InputError("longest", self.longest, f"above the shortest wavelength, {self.shortest:g} m")
 
     def with_slope(self, slope: float) -> "SelfAffine":
-        """Return the same spectrum scaled to the rms gradient `slope` [1]."""
+        """Return this spectrum multiplied by a factor, so that the rms gradient of its surfaces is `slope` [1]."""
         require_positive(slope=slope)
         return replace(self, deviation=self.deviation * slope / self.rms_slope)
 
@@ -110,12 +118,12 @@ class SelfAffine:
 
     @property
     def rms_slope(self) -> float:
-        """Return the rms gradient [1]: sqrt(2 m2) for a surface and sqrt(m2) for a profile."""
+        """Return the rms gradient [1]: sqrt(2 m2) of a surface, or sqrt(m2) of a profile, with the spectral moment m2."""
         return math.sqrt(self.dimensions * self.moments.m2)
 
     @property
     def moments(self) -> Moments:
-        """Return m0 [m^2], m2 [1], m4 [1/m^2] of a profile, in closed form.
+        """Return the spectral moments m0 [m^2], m2 [1], m4 [1/m^2] of a profile, in closed form.
 
         The integrals assume a continuous spectrum, as on an infinite surface.
         """
@@ -123,7 +131,7 @@ class SelfAffine:
         return line_moments(self.dimensions, (plateau * self._shape(k) for k in (0, 2, 4)))
 
     def __call__(self, q: np.ndarray) -> np.ndarray:
-        """Return C at wave numbers q >= 0 [rad/m]: m^4 for a surface, m^3 for a profile."""
+        """Return the power spectral density C at wave numbers q >= 0 [rad/m]: m^4 for a surface, m^3 for a profile."""
         lowest, corner, highest = self._edges()
         inside = (q >= lowest * (1.0 - _EDGE)) & (q <= highest * (1.0 + _EDGE))
         falling = np.maximum(q, corner) / corner
@@ -131,7 +139,7 @@ class SelfAffine:
 
     @property
     def _plateau(self) -> float:
-        """Return C [m^4 or m^3] of waves longer than the roll-off."""
+        """Return the constant power spectral density C [m^4 or m^3] of waves longer than the roll-off wavelength."""
         return self.deviation**2 * _SOLID[self.dimensions] / self._shape(0)
 
     def _edges(self) -> tuple[float, float, float]:
@@ -139,7 +147,7 @@ class SelfAffine:
         return 2.0 * math.pi / self.longest, 2.0 * math.pi / self.rolloff, 2.0 * math.pi / self.shortest
 
     def _shape(self, k: int) -> float:
-        """Return Int C q^(k + dimensions - 1) dq divided by the plateau value of C."""
+        """Return Int C q^(k + dimensions - 1) dq divided by the plateau value of C, the power spectral density at small q."""
         lowest, corner, highest = self._edges()
         d, h = self.dimensions, self.hurst
         flat = _powers(lowest, corner, k + d)
@@ -148,10 +156,10 @@ class SelfAffine:
 
 @dataclass(frozen=True)
 class GaussianCorrelation:
-    """Define the spectrum of a surface with the autocorrelation deviation^2 exp(-r^2 / length^2).
+    """Define the power spectrum of a surface with the autocorrelation deviation^2 exp(-r^2 / length^2) at the distance r.
 
-    Such a surface is smooth and has one length scale. Nayak's alpha is exactly 3.
-    deviation: rms height [m]. length: correlation length [m]. dimensions: 2 for a surface, 1 for a profile.
+    Such a surface is smooth and has one length scale. Nayak's alpha is exactly 3. deviation: rms height [m]. length:
+    correlation length [m]. Both may be text with a unit. dimensions: 2 for a surface, 1 for a profile.
     """
 
     deviation: float
@@ -170,11 +178,11 @@ class GaussianCorrelation:
 
     @property
     def moments(self) -> Moments:
-        """Return m0 [m^2], m2 [1], m4 [1/m^2] from the derivatives of the autocorrelation at r = 0."""
+        """Return the spectral moments m0 [m^2], m2 [1], m4 [1/m^2] of a profile, from the autocorrelation at r = 0."""
         m0 = self.deviation**2
         return Moments(m0, 2.0 * m0 / self.length**2, 12.0 * m0 / self.length**4)
 
     def __call__(self, q: np.ndarray) -> np.ndarray:
-        """Return C at wave numbers q >= 0 [rad/m]: m^4 for a surface, m^3 for a profile."""
+        """Return the power spectral density C at wave numbers q >= 0 [rad/m]: m^4 for a surface, m^3 for a profile."""
         plateau = self.deviation**2 * (math.sqrt(math.pi) * self.length) ** self.dimensions
         return plateau * np.exp(-np.minimum((0.5 * q * self.length) ** 2, 700.0))

@@ -10,9 +10,10 @@ from stiction.surfaces.heightmap import HeightMap
 
 
 def write_map(surface: HeightMap, path: "Path | str") -> None:
-    """Write a map in the format of the ending: .gwy, .x3p or .sdf; lengths in metres, in double precision.
+    """Write a height map to a file in the format of the file name's ending: .gwy, .x3p or .sdf.
 
-    Raises InputError for another ending, a profile, or if the library that a format needs is not installed.
+    Lengths are in metres, in double precision. Raises InputError for another ending, a profile, a file that cannot be written,
+    or if the library that a format needs is not installed.
     """
     path = Path(path)
     write = _FORMATS.get(path.suffix.lower())
@@ -35,7 +36,7 @@ def _write_x3p(surface: HeightMap, path: Path) -> None:
 
 
 def _write_sdf(surface: HeightMap, path: Path) -> None:
-    """Write the text form of ISO 25178-71: a header, one row of heights a line, and BAD for missing points."""
+    """Write a map in the text form of ISO 25178-71: a header, one line per row of heights [m], BAD for missing points."""
     rows, columns = surface.heights.shape
     dy, dx = surface.pitch
     header = {

@@ -1,11 +1,13 @@
-r"""Summits of a map: points higher than their eight neighbours, with fitted curvatures.
+r"""Find the summits of a map: points higher than their eight neighbours, with fitted curvatures.
 
-What a grid sees depends on its pitch (Greenwood 1984): where waves are short of points, summits are missed and those found are
-too low and too blunt. Where a long summit lies aslant of the grid, several of its points are higher than their neighbours.
+The result depends on the pitch, the point spacing (Greenwood 1984): where waves have too few points, some summits are missed,
+and those found are too low and too blunt. Where a long summit runs obliquely to the grid, more than one of its points is higher
+than all neighbours.
 
-*Assumes*: an asperity is a sampled point that is higher than its eight neighbours; its curvature is taken from the
-least-squares paraboloid through five or nine points around it. *Source*: [nayak_1971] for the summits that these points stand
-for. With $n$ such points of heights $z$ on the area $A$ where they could be, and the second derivatives of the paraboloid,
+*Assumes*: an asperity is a sampled point that is higher than its eight neighbours; its curvature is that of the least-squares
+paraboloid through 5, 9 (the default), 25 or 49 points around it. *Source*: [nayak_1971] for the summits that these points
+represent. With $n$ such points of heights $z$ on the area $A$ where they could be, and the second derivatives of the
+paraboloid,
 
 $$
 \kappa=-\tfrac12(z_{xx}+z_{yy}),\qquad N=\frac nA,\qquad\sigma^2=\overline{(z-\bar z)^2},\qquad\frac1R=\bar\kappa
@@ -24,11 +26,11 @@ from stiction.surfaces.heightmap import HeightMap
 
 
 def eight_neighbour(surface: HeightMap, fit_points: int) -> Asperities:
-    """Find the points of a map that are higher than all eight neighbours.
+    """Find the points of a map that are higher than all eight neighbours, as asperities.
 
-    fit_points: number of points of the fitted paraboloid, a key of FITS. Neighbours must be lower, not equal: plateaus are not
-    counted. Summits whose fitted points are not all on the map and known are excluded, and so is such area. Raises InputError
-    for a profile or if fewer than two summits are found.
+    fit_points: number of points of the paraboloid fitted around each, a key of FITS. A neighbour of equal height disqualifies a
+    point, so plateaus are not counted. A summit with a fitted point off the map or missing is excluded; the area of the density
+    excludes such positions too. Raises InputError for a profile or if fewer than two summits are found.
     """
     heights = areal(surface)
     middle = heights[1:-1, 1:-1]

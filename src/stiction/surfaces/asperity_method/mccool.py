@@ -1,9 +1,10 @@
-r"""Summits that a surface would have if it were Gaussian, isotropic but for a stretch: McCool's, from spectral moments.
+r"""Compute the summits that a surface would have if it were Gaussian, from its spectral moments (McCool).
 
-No asperity is looked for. The mean squares of height, slope and second derivative along profiles (m0, m2, m4), put into Nayak's
-statistics (1971) as McCool (1986) does, give sigma, R and N; stiction.surfaces.theory.moments has the relations.
+No single asperity is searched for. The mean squares of height, slope and second derivative along profiles (m0, m2, m4), put
+into Nayak's statistics (1971) as McCool (1986) does, give sigma, R and N; stiction.surfaces.theory.moments has the relations.
 
-*Assumes*: the surface is Gaussian, isotropic but for a stretch. *Source*: [mccool_1986], [nayak_1971]. From the mean squares
+*Assumes*: the surface is Gaussian, and isotropic or an isotropic one that was stretched along one direction. *Source*:
+[mccool_1986], [nayak_1971]. From the mean squares
 $m_0,m_2,m_4$ of height, slope and second derivative along profiles,
 
 $$
@@ -25,11 +26,12 @@ from stiction.surfaces.theory.moments import LEAST_DENSITY
 
 
 def mccool(surface: HeightMap, cutoff: float | None) -> Asperities:
-    """Return the summits of the Gaussian surface that has the spectral moments of this surface.
+    """Return the summits of the Gaussian surface that has the spectral moments of this surface, as asperities.
 
     The moments are computed by finite differences. The surface is isotropic, or stretched along one direction (a lay). cutoff:
-    [m], as in `moments_by_differences`, None for two pitches. Differences underestimate waves near the cutoff; for moments from
-    the spectrum see `of_moments`. Raises InputError as both functions do, and for grooves all along one line.
+    shortest wavelength [m], as in `moments_by_differences`; None for twice the larger pitch. Differences underestimate waves
+    near the cutoff; for moments from the spectrum see `of_moments`. Raises InputError as both functions do, and for grooves all
+    along one line.
     """
     moments = moments_by_differences(surface, cutoff).equivalent
     if moments is None:

@@ -1,13 +1,13 @@
-r"""n-point asperities: neighbouring points of a row or a column of a map that are above a level, each such row one asperity.
+r"""Find n-point asperities: runs of neighbouring points of a row or column of a map above a level, each run one asperity.
 
-Hariri, Zu & Ben Mrad (2006) let the level move with the separation of the surfaces; a fixed one, as here, is a departure that a
-sum over fixed heights makes necessary. Height and radius of an asperity are a reconstruction: see
+Hariri, Zu & Ben Mrad (2006) let the level move with the separation of the surfaces. Here the level is fixed, because the sum
+over asperities needs heights that do not depend on the separation. Height and radius of an asperity are a reconstruction: see
 stiction.surfaces.theory.n_point.
 
 *Assumes*: an asperity is $n$ neighbouring sampled points of a profile whose $n-2$ middle ones are above a level. *Source*:
 [hariri_zu_ben_mrad_2006], its abstract. *Unknown*: every formula. *Reconstruction*: with the highest point at $t$ above the
-level and the chord $L=(n-1)\ell$, the radius belongs to the parabola, and $D$ places per length where the profile comes up
-through the level give as many per area as peaks would:
+level and the chord $L=(n-1)\ell$ at the point spacing $\ell$, the radius belongs to the parabola. $D$, the number of places per
+length where the profile rises through the level, gives the number per area as it would for peaks:
 
 $$
 R_n=\frac{L^2}{8t},\qquad N=\frac{2\pi}{3\sqrt3}D_xD_y
@@ -29,11 +29,14 @@ from stiction.surfaces.theory.n_point import n_point_asperities
 def n_point(surface: HeightMap, level: float, directions: str) -> Asperities:
     """Find runs of neighbouring profile points above a level; each run is one asperity.
 
-    level: height [m] above the mean plane. directions: "x", "y" or "xy", the directions of the profiles. The module
-    stiction.surfaces.theory.n_point defines height and radius of an asperity. The density per length counts the points where
-    a profile rises through the level. The density per area follows by the relation for peaks of a Gaussian surface, because
-    none is published for n-point asperities. Heights and radii exclude asperities cut by the end of a profile or by a missing
-    point, which biases them towards shorter asperities. Raises InputError if fewer than two asperities are found.
+    - level: height [m] above the mean plane
+    - directions: "x", "y" or "xy", the directions of the profiles
+
+    The module stiction.surfaces.theory.n_point defines height and radius of an asperity. The density per length counts the
+    places where a profile rises through the level. The density per area follows from it by the relation for peaks of a Gaussian
+    surface, because none is published for n-point asperities. Heights and radii exclude asperities cut by the end of a profile
+    or by a missing point, which biases them towards shorter asperities. Raises InputError if fewer than two asperities are
+    found.
     """
     heights, curvatures = [np.zeros(0)], [np.zeros(0)]
     per_length: list[float] = []
@@ -59,7 +62,7 @@ def n_point(surface: HeightMap, level: float, directions: str) -> Asperities:
 def _rises(lines: np.ndarray, level: float) -> float:
     """Return the fraction of neighbouring point pairs between which the height rises through the level.
 
-    lines: heights (lines, points).
+    lines: heights (lines, points) [m]. level: [m]. Pairs with a missing point are left out.
     """
     rises = np.count_nonzero((lines[:, :-1] <= level) & (lines[:, 1:] > level + rounding(lines)))  # never next to NaN
     known = np.isfinite(lines)
@@ -67,10 +70,10 @@ def _rises(lines: np.ndarray, level: float) -> float:
 
 
 def _unbroken(lines: np.ndarray) -> Iterator[tuple[int, int, np.ndarray]]:
-    """Yield each run of at least three neighbouring points with known heights.
+    """Yield each run of at least three neighbouring points with known heights, as (line, first point, heights).
 
-    lines: heights (lines, points) [m]. Each item holds the index of the line, the index of the first point, and the heights of
-    the run [m].
+    lines: heights (lines, points) [m], NaN where missing. Each item holds the index of the line, the index of the first point
+    of the run, and the heights of the run [m].
     """
     known = np.isfinite(lines)
     whole = known.all(axis=1)

@@ -1,17 +1,20 @@
-r"""Summits of a map that stand out by more than a threshold: persistence, by joining hills from the highest saddle down.
+r"""Find the summits of a map that stand out by more than a threshold, by joining hills from the highest saddle down.
 
-Only few points matter. Around most of them the higher neighbours hang together: whatever they belong to, the point belongs to
-as well. A maximum has no higher neighbour; a saddle has several groups of them, and may be where two hills meet. Of two points
-of the same height that with the larger flat index counts as higher, so that there is one order of all.
+Only few points matter: maxima and saddles. A maximum has no higher neighbour. A saddle has two or more separate groups of
+higher neighbours, and may be where two hills meet. At any other point all higher neighbours are connected and belong to one
+hill, and so does the point. Of two points of the same height the one with the larger flat index counts as higher, so that all
+points have one order.
 
-*Assumes*: an asperity is the top of a hill from which one has to go down by more than a threshold before a higher one can be
-reached; its curvature is taken from the least-squares paraboloid around it. *Source*: [iso_25178_2_2012], hills and Wolf
-pruning. *Reconstruction*: the standards were not at hand; the pruning, and its default of 5 % of $S_z$, are as remembered, and
-dales are left out. With the saddle $s$ at which a hill of the top $z$ joins a higher one, it counts where
+*Assumes*: an asperity is the top of a hill from which every path to a higher top descends by more than a threshold; its
+curvature is that of the least-squares paraboloid around it. *Source*: [iso_25178_2_2012], hills and Wolf pruning.
+*Reconstruction*: the standards were not available; the pruning, and its default of 5 % of $S_z$, are from memory, and dales are
+left out. With the saddle $s$ at which a hill of the top $z$ joins a higher one, the hill counts if
 
 $$
 z-s>c,\qquad\kappa=-\tfrac12(z_{xx}+z_{yy}),\qquad N=\frac nA,\qquad\frac1R=\bar\kappa
 $$
+
+with the threshold $c$, the curvature $\kappa$ of its top, and $n$ hills on the area $A$.
 """
 
 from functools import cache
@@ -26,18 +29,21 @@ from stiction.surfaces.asperity_method.shared.summits import FITS, areal, fitted
 from stiction.surfaces.asperity_set import Asperities
 from stiction.surfaces.heightmap import HeightMap
 
-# ISO 25178-3's default for pruning the tree of hills and dales, which it gives as a share of the maximum height Sz.
+# ISO 25178-3's default threshold for pruning the tree of hills and dales, as a fraction of the maximum height Sz.
 PRUNING = 0.05
 
 
 def persistence(surface: HeightMap, threshold: float | None, fit_points: int) -> Asperities:
-    """Find summits that stand out from their surroundings by more than a threshold.
+    """Find the summits of a map that stand out from their surroundings by more than a threshold, as asperities.
 
     From such a summit, every path to a higher summit descends by more than the threshold. A hill that stands out by less
-    belongs to the higher hill behind its saddle, as in ISO 25178-2's segmentation with Wolf pruning. threshold: height
-    difference [m] >= 0; None for 5 % of the range of heights. A plateau is one summit. fit_points: number of points of the
-    fitted paraboloid, a key of FITS. Summits with a fitted point off the map or missing are excluded, and the area of the
-    density excludes such positions too. Raises InputError for a profile or if fewer than two summits are found.
+    belongs to the higher hill behind its saddle, as in ISO 25178-2's segmentation with Wolf pruning. A plateau is one summit.
+
+    - threshold: height difference [m] >= 0; None for 5 % of the range of heights
+    - fit_points: number of points of the paraboloid fitted around each summit, a key of FITS
+
+    A summit with a fitted point off the map or missing is excluded; the area of the density excludes such positions too. Raises
+    InputError for a profile or if fewer than two summits are found.
     """
     heights = areal(surface)
     if threshold is None:
@@ -54,16 +60,17 @@ def persistence(surface: HeightMap, threshold: float | None, fit_points: int) ->
     )
 
 
-# The eight neighbours around a point, from that before it in its row; the last four have a larger flat index.
+# Steps (row, column) to the eight neighbours of a point, around it; the last four have a larger flat index than the point.
 _AROUND = ((0, -1), (-1, -1), (-1, 0), (-1, 1), (0, 1), (1, 1), (1, 0), (1, -1))
 _MISSING = -1
 
 
 @cache
 def _groups() -> np.ndarray:
-    """Return the number of connected groups of higher neighbours for each of the 256 possible patterns, (256,).
+    """Return the number of connected groups of higher neighbours for each of the 256 patterns of higher neighbours, (256,).
 
-    A bit of the pattern is set if that neighbour is higher. Neighbours are connected at sides or corners.
+    Bit k of the pattern is set if neighbour k, in the order of _AROUND, is higher. Neighbours that touch at sides or corners
+    are connected.
     """
     from scipy.ndimage import label  # slow to import
 
@@ -77,7 +84,7 @@ def _groups() -> np.ndarray:
 
 
 def persistent_maxima(heights: np.ndarray, threshold: float) -> np.ndarray:
-    """Return the flat indices (n,), ascending, of maxima that stand out by more than a threshold.
+    """Return the flat indices (n,), ascending, of the maxima of a map that stand out by more than a threshold.
 
     heights: (rows, columns) [m], NaN where missing. threshold: height difference [m] >= 0. Neighbours of a point are the eight
     points around it. Where two hills meet, the lower one ends: its top stands out by its height above this saddle. The highest
@@ -93,10 +100,11 @@ def persistent_maxima(heights: np.ndarray, threshold: float) -> np.ndarray:
 
 @kernel
 def _uphill(heights, groups):
-    """Return the index of a higher neighbour of every point (n,), and a mask (n,) of the saddle points.
+    """Return the flat index of a higher neighbour of every point (n,), and a mask (n,) of the saddle points.
 
-    A maximum has its own index; a point without a height has _MISSING. A saddle point has two or more separate groups of higher
-    neighbours. groups: number of groups for each pattern of higher neighbours, from `_groups`.
+    heights: (rows, columns) [m], NaN where missing. groups: number of groups for each pattern of higher neighbours, from
+    `_groups`. A maximum gets its own index; a point without a height gets _MISSING. A saddle point has two or more separate
+    groups of higher neighbours.
     """
     rows, columns = heights.shape
     parent = np.empty(heights.size, dtype=np.int32)
@@ -119,7 +127,10 @@ def _uphill(heights, groups):
 
 @formula
 def _above(heights, one, other):
-    """Return whether point `one` ranks higher than point `other`; equal heights are ranked by index."""
+    """Return whether point `one` ranks higher than point `other`; of equal heights the larger index ranks higher.
+
+    heights: flat map (n,). one, other: indices of points.
+    """
     return heights[one] > heights[other] or (heights[one] == heights[other] and one > other)
 
 
@@ -127,7 +138,8 @@ def _above(heights, one, other):
 def _top(parent, point):
     """Return the index of the highest point of the hill that a point belongs to.
 
-    The search shortens the stored path, so that later calls are faster.
+    parent: index of a higher point of the same hill, for each point. The search shortens the paths in `parent`, in place, so
+    that later calls are faster.
     """
     while parent[point] != point:
         parent[point] = parent[parent[point]]
@@ -139,9 +151,9 @@ def _top(parent, point):
 def _joined(heights, columns, parent, ascending, threshold):
     """Return a mask (n,) of the maxima that stand out by more than the threshold.
 
-    heights: flat map (n,) [m]. parent: index of a higher point of the same hill, for each point; changed in place where hills
-    are joined. ascending: indices of the saddle points, sorted by height. Saddles are processed from the highest down. The
-    highest maximum of each connected region is always in the mask.
+    heights: flat map (n,) [m]. columns: number of columns of the map. parent: index of a higher point of the same hill, for
+    each point; changed in place where hills are joined. ascending: indices of the saddle points, sorted by height. Saddles are
+    processed from the highest down. The highest maximum of each connected region is always in the mask.
     """
     kept = np.zeros(heights.size, dtype=np.bool_)
     for k in range(ascending.size - 1, -1, -1):

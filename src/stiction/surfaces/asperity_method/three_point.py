@@ -1,10 +1,10 @@
-r"""Peaks of profiles: points higher than both neighbours along a row or a column of a map.
+r"""Find the peaks of profiles: points higher than both neighbours along a row or a column of a map.
 
-A profile hardly ever crosses a summit: it passes over its shoulders. So its peaks are lower than the summits and, on a smooth
-Gaussian surface, blunter: their mean curvature is sqrt(pi m4/2), for summits it is (8/3) sqrt(m4/pi), 1.20 times as large
-(Nayak 1971). Where there are ever smaller waves, three points see ever smaller and sharper peaks as the pitch shrinks, a fixed
-share of all points, whatever carries the load. That is Greenwood's objection to three-point peaks (Greenwood & Wu 2001): they
-are here to be compared with.
+A profile hardly ever crosses a summit: it passes over its shoulders. So its peaks are lower than the summits. On a smooth
+Gaussian surface they are also blunter: their mean curvature is sqrt(pi m4/2), that of summits (8/3) sqrt(m4/pi), 1.20 times as
+large (Nayak 1971). On a surface with waves of every size the peaks get ever smaller and sharper as the pitch shrinks. They are
+then a fixed fraction of all points, whatever carries the load. This is Greenwood's objection to three-point peaks (Greenwood &
+Wu 2001); the method is included for comparison.
 
 *Assumes*: an asperity is a sampled point of a profile that is higher than both neighbours. *Source*:
 [greenwood_williamson_1966] for the peaks, [nayak_1971] for the number of summits of an isotropic Gaussian surface from the
@@ -25,11 +25,12 @@ from stiction.surfaces.heightmap import HeightMap
 
 
 def three_point(surface: HeightMap, directions: str) -> Asperities:
-    """Find the points of profiles that are higher than both neighbours.
+    """Find the points of profiles of a map that are higher than both neighbours, as asperities.
 
-    Their curvature is the second difference. directions: a value of DIRECTIONS. The peaks of all profiles are pooled. For
-    profiles along one direction, the density D_x D_y is D^2. Neighbours must be lower, not equal: plateaus are not counted.
-    Points next to missing ones are excluded. Raises InputError if fewer than two peaks are found.
+    directions: "x", "y" or "xy", the directions of the profiles, whose peaks are pooled. The curvature of a peak is the second
+    difference of the heights. The density per area follows from the peaks per length, 1.2092 D_x D_y, or 1.2092 D^2 for
+    profiles along one direction. A neighbour of equal height disqualifies a point, so plateaus are not counted. Points next to
+    missing ones are excluded. Raises InputError if fewer than two peaks are found.
     """
     found = [_peaks(lines, pitch) for lines, pitch in profiles(surface, directions)]
     heights, curvatures = np.concatenate([one[0] for one in found]), np.concatenate([one[1] for one in found])
@@ -44,9 +45,10 @@ def three_point(surface: HeightMap, directions: str) -> Asperities:
 
 
 def _peaks(lines: np.ndarray, pitch: float) -> tuple[np.ndarray, np.ndarray, float, tuple[np.ndarray, np.ndarray]]:
-    """Return heights (n,) and curvatures (n,) of the peaks of all lines, their number per length, and their places.
+    """Return heights (n,) [m] and curvatures (n,) [1/m] of all peaks, their number per length [1/m], and their places.
 
-    lines: heights (lines, points) [m]. The places are two arrays (n,): index of the line, index of the point.
+    lines: heights (lines, points) [m]. pitch: point spacing [m]. The places are two arrays (n,): index of the line, index of
+    the point.
     """
     middle = lines[:, 1:-1] - rounding(lines)
     peak = (middle > lines[:, :-2]) & (middle > lines[:, 2:])  # never next to NaN

@@ -1,1 +1,1 @@
-"""Readers of scan files: one module per file format, each with a record READER."""
+"""Read scan files: one module per file format, each with a constant READER."""

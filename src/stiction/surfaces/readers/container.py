@@ -1,4 +1,4 @@
-"""Read one measurement of a container of contact.engineering: a .zip file with two or more scans of one surface."""
+"""Read one measurement from a container of contact.engineering: a .zip file with two or more scans of one surface."""
 
 import warnings
 from pathlib import Path
@@ -10,10 +10,10 @@ from stiction.surfaces.readers.shared.topography import on_grid, quiet_library
 
 
 def read(path: Path, channel) -> RawScan:
-    """Read one measurement from a container, with the filters that the container states.
+    """Read one measurement from a container, after applying the filters that the container states.
 
-    channel: name or position of the measurement, by default the first. Raises InputError for another .zip file, a damaged one,
-    or if the library SurfaceTopography is not installed.
+    channel: name or position (from 0) of the measurement, by default the first. Raises InputError for another or a damaged .zip
+    file, or if the library SurfaceTopography is not installed.
     """
     try:
         from SurfaceTopography.Container.IO import CEReader
@@ -31,7 +31,7 @@ def read(path: Path, channel) -> RawScan:
             heights, size, notes = on_grid(topography)
     except InputError:
         raise
-    except Exception:  # of a damaged archive the library raises anything
+    except Exception:  # the library may raise anything for a damaged archive
         raise InputError("scan", str(path), "an undamaged .zip file of contact.engineering") from None
     notes += tuple(f"input warning: {' '.join(str(remark.message).split())}" for remark in remarks)
     said = f"container, measurement {names[place]!r} of {', '.join(names)}"
@@ -40,7 +40,10 @@ def read(path: Path, channel) -> RawScan:
 
 
 def _place(wanted, names: list[str]) -> int:
-    """Return the position of the requested measurement. Raises InputError."""
+    """Return the position (from 0) of the requested measurement in a container.
+
+    wanted: name or position; None for the first. names: names of all measurements. Raises InputError if none matches.
+    """
     if wanted is None:
         return 0
     if wanted in names:

@@ -1,6 +1,6 @@
 """Read .csv files with a table of numbers.
 
-A .csv file that begins with several lines of words belongs to the format of an instrument.
+A .csv file that begins with more than one line of words is left to the reader of instrument formats.
 """
 
 from pathlib import Path
@@ -16,9 +16,9 @@ GIVEN = "for a matrix size and unit, for columns the unit"
 
 
 def read(path: Path, channel) -> RawScan | None:
-    """Read a matrix of heights (rows along x), or columns x z or x y z.
+    """Read a .csv file: a matrix of heights (rows along x), or columns x z of a profile or x y z of a map.
 
-    Returns None for a file that begins with more than one line of words.
+    channel: must be None. Returns None for a file that begins with more than one line of words.
     """
     return read_text(path, channel, matrix)
 

@@ -8,17 +8,17 @@ from stiction.quantities.extras import how_to_install
 from stiction.surfaces.raw_scan import RawScan, Reader, ends_in_a_line
 from stiction.surfaces.readers.shared.topography import on_grid, quiet_library
 
-# Formats without a mark of their own, which the library sees in any file of a fitting length, and arrays, which it takes with
-# the first index along x: recognised by the ending of the name, or not at all.
+# These formats count only if the file name has their ending. The first two have no mark of their own, so that the library finds
+# them in any file of a suitable length; of arrays the library assumes that the first index runs along x.
 _BY_NAME = ("hgt", "nms", "npy", "npz")
-_DENSEST = 32  # points per byte of a file, beyond which its header is wrong: compressed heights have about one
+_DENSEST = 32  # largest number of points per byte of a file; above, its header is wrong: compressed heights have about one
 
 
 def read(path: Path, channel) -> RawScan | None:
     """Read a file in the format of an instrument; return None for an unknown format.
 
-    channel: name or position of a channel with heights. By default the library's default channel is read if it holds heights,
-    else the first channel that does. Raises InputError for a damaged file or if the library is not installed.
+    channel: name or position (from 0) of a channel with heights. By default the library's default channel is read if it holds
+    heights, else the first channel that does. Raises InputError for a damaged file or if the library is not installed.
     """
     with quiet_library():
         try:
@@ -35,7 +35,7 @@ def read(path: Path, channel) -> RawScan | None:
             raise
         except CannotDetectFileFormat:
             return None
-        except Exception as error:  # of a damaged file the 42 readers raise anything
+        except Exception as error:  # the 42 readers of the library may raise anything for a damaged file
             problem = " ".join(str(error).split())[:120] or type(error).__name__
             raise InputError("scan", str(path), f"an undamaged file (its reader says: {problem})") from None
 
@@ -62,7 +62,7 @@ def _library(reader, channel, path: Path) -> RawScan | None:
 
 
 def _no_line_lost(path: Path, points: int) -> None:
-    """Raise InputError if the file has more lines of numbers than the library read points.
+    """Raise InputError if a text file has more lines of numbers than the library read points.
 
     The library silently skips all lines above one that it cannot read.
     """
@@ -73,9 +73,10 @@ def _no_line_lost(path: Path, points: int) -> None:
 
 
 def _channel(reader, wanted):
-    """Return the requested channel (name or position), or the library's default.
+    """Return the requested channel of a file that the library has opened, or a default one.
 
-    Raises InputError, which lists the channels with heights, if the request matches none of them.
+    reader: opened file. wanted: name or position (from 0); None for the library's default channel, or the first with heights.
+    Raises InputError, which lists the channels with heights, if none matches.
     """
     channels = list(reader.channels)
     with_heights = [each for each in channels if each.is_height_channel and not isinstance(each.unit, tuple)]

@@ -10,15 +10,15 @@ from stiction.surfaces.readers.shared.arrays import checked, quiet
 
 
 def read(path: Path, channel) -> RawScan:
-    """Read the array of a .npy file: (rows, columns) along y and x, or (points,).
+    """Read the array of a .npy file: heights (rows, columns) along y and x, or (points,) of a profile.
 
-    The file is memory-mapped, so that a damaged header that claims too many values needs no memory.
+    channel: must be None. The file is memory-mapped, so that a damaged header that claims too many values needs no memory.
     """
     no_channel(channel)
     try:
         with quiet():
             heights = open_memmap(path, mode="r")
-    except Exception:  # the header is read as Python text, which fails in as many ways as that can be damaged
+    except Exception:  # the header is parsed as Python text, and damaged text may raise anything
         raise InputError("scan", str(path), "an undamaged .npy file with an array of numbers") from None
     return RawScan(checked(heights, path.name), "npy")
 

@@ -1,4 +1,4 @@
-"""Read .npz files with one or several arrays of heights."""
+"""Read .npz files with one or more arrays of heights."""
 
 from pathlib import Path
 
@@ -10,9 +10,9 @@ from stiction.surfaces.readers.shared.arrays import checked, quiet
 
 
 def read(path: Path, channel) -> RawScan:
-    """Read one array of a .npz file: (rows, columns) along y and x, or (points,).
+    """Read one array of a .npz file: heights (rows, columns) along y and x, or (points,) of a profile.
 
-    channel: name of the array; it may be None if the file has only one array.
+    channel: name of the array; it may be None if the file has only one array. Raises InputError if it has no such array.
     """
     try:
         with quiet(), path.open("rb") as file, np.load(file, allow_pickle=False) as archive:
@@ -21,11 +21,11 @@ def read(path: Path, channel) -> RawScan:
                 raise InputError("channel", channel, f"the name of an array of {path.name}: {names}")
             name = channel or archive.files[0]
             heights = archive[name]
-            if not isinstance(heights, np.ndarray):  # what is no array is handed on as bytes
+            if not isinstance(heights, np.ndarray):  # NumPy returns other content of the archive as bytes
                 raise TypeError
     except InputError:
         raise
-    except Exception:  # of a damaged archive the unpacking raises anything, a MemoryError of a false header included
+    except Exception:  # a damaged archive may raise anything, including a MemoryError because of a false header
         raise InputError("scan", str(path), "an undamaged .npz file with arrays of numbers") from None
     return RawScan(checked(heights, path.name), f"npz, array {name!r} of {names}")
 

@@ -1,4 +1,4 @@
-"""Read the formats of Gwyddion that `instruments` does not know, with the optional library gwyddionpy."""
+"""Read the formats that Gwyddion can read and `instruments` cannot, with the optional library gwyddionpy."""
 
 from pathlib import Path
 
@@ -11,7 +11,8 @@ from stiction.surfaces.raw_scan import RawScan, Reader
 def read(path: Path, channel) -> RawScan | None:
     """Read a file that Gwyddion can read; return None for others, or if gwyddionpy or its converter is not installed.
 
-    channel: name or position among the channels with heights, by default the first. Raises InputError if there is none.
+    channel: name of a channel with heights, or its position (from 0) among these; by default the first. Raises InputError if
+    there is none.
     """
     try:
         import gwyddionpy

@@ -1,7 +1,7 @@
 """Read text files with a table of numbers, as in .csv files.
 
-Lines that begin with # may state the units of columns x y z. A file with other statements in such lines belongs to the format
-of an instrument.
+Lines that begin with # may state the units of columns x y z. A file with other statements in such lines is left to the reader
+of instrument formats.
 """
 
 import re
@@ -16,9 +16,10 @@ from stiction.surfaces.readers.shared.text import matrix, read_text
 
 
 def read(path: Path, channel) -> RawScan | None:
-    """Read a matrix of heights (rows along x), or columns x z or x y z.
+    """Read a text file: a matrix of heights (rows along x), or columns x z of a profile or x y z of a map.
 
-    Returns None for a file whose # lines state more than units.
+    channel: must be None. Returns None for a file whose # lines state more than units, or that begins with more than one line
+    of words.
     """
     units = _units(path)
     if units is None:
@@ -31,15 +32,14 @@ def read(path: Path, channel) -> RawScan | None:
     return replace(scan, heights=heights, unit=lateral) if scan.size else None
 
 
-# Gwyddion's remarks above columns; other lines with a colon come from unknown programs.
+# Lines that Gwyddion writes above columns; other lines with a colon come from unknown programs.
 _REMARK = re.compile(r"#\s*(Channel|Lateral units|Value units):\s*(.*?)\s*")
 
 
 def _units(path: Path) -> tuple[str, ...] | None:
-    """Return (lateral unit, height unit) from the # lines at the start of a file.
+    """Return (lateral unit, height unit) from the lines at the start of a file that begin with #; () if they state none.
 
-    Returns () if no # line states a unit. Returns None if a # line contains another statement with a colon, or only one unit
-    or an unknown one is stated.
+    Returns None if one of these lines has another statement with a colon, or if only one unit or an unknown one is stated.
     """
     said: dict[str, str] = {}
     with path.open(encoding="utf-8-sig", errors="replace") as file:

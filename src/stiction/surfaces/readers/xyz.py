@@ -1,6 +1,6 @@
 """Read .xyz files with heights at given positions.
 
-A file that begins with several lines of words belongs to the format of an instrument.
+A file that begins with more than one line of words is left to the reader of instrument formats.
 """
 
 from pathlib import Path
@@ -13,9 +13,9 @@ from stiction.surfaces.readers.shared.text import read_text
 
 
 def read(path: Path, channel) -> RawScan | None:
-    """Read columns x z of a profile, or columns x y z of a map.
+    """Read a .xyz file: columns x z of a profile, or columns x y z of a map.
 
-    Returns None for a file that begins with more than one line of words.
+    channel: must be None. Returns None for a file that begins with more than one line of words.
     """
     return read_text(path, channel, _no_positions)
 

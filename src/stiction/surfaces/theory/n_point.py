@@ -1,17 +1,17 @@
-"""Statistics of n-point asperities of a Gaussian profile with exponential autocorrelation.
+"""Compute the statistics of n-point asperities of a Gaussian profile with exponential autocorrelation.
 
 Hariri, Zu & Ben Mrad (2006) define an asperity as n neighbouring sampled points whose n - 2 middle ones are above a level.
 The closer the surfaces are, the more points an asperity has. Their abstract states that height and curvature of such an
 asperity are defined and that their distributions are derived, with the exponential autocorrelation as an example. It does not
-say how. This module is a reconstruction:
+state how. This module is a reconstruction:
 
     asperity   a longest row of m = n - 2 neighbouring points above the level, and the neighbour below it on either side
     height t   the highest of the m points, above the level
     radius R   of the parabola of this height over the chord L = (m + 1) spacing between the two neighbours, L^2 / (8 t)
 
-A Gaussian profile with exponential autocorrelation is a Markov chain, so no simulation is needed. Levels and heights are
-divided by the standard deviation of the profile, `correlation` is that of two neighbouring points, and rates are per sampled
-point.
+A Gaussian profile with exponential autocorrelation is a Markov chain, so no simulation is needed. Levels D and heights z are
+divided by the standard deviation of the profile, `correlation` (rho) is that of two neighbouring points, phi is the standard
+Gaussian density, and rates are per sampled point.
 
 - A row begins wherever the profile rises through the level. The rate of rows is a bivariate Gaussian integral, P(y0 < D <
   y1) = 2 T(D, sqrt((1 - rho)/(1 + rho))), with Owen's function T.
@@ -44,11 +44,14 @@ _gauss = cache(leggauss)
 
 @dataclass(frozen=True)
 class NPointAsperities:
-    """Store the n-point asperities of a profile at one level, from left to right, as arrays of one length.
+    """Store the n-point asperities of a profile at one level, from left to right, as arrays (k,).
 
-    points: number of points n, including the two neighbours below the level. height: of the highest point above the level.
-    radius: of the parabola with this height over the chord between the two neighbours. Lengths have the unit of the profile.
-    middle: index of the point in the middle of the asperity.
+    - points: number n of points, including the two neighbours below the level
+    - height: height of the highest point above the level
+    - radius: radius of the parabola with this height over the chord between the two neighbours
+    - middle: index of the point in the middle of the asperity
+
+    height and radius have the unit of the profile.
     """
 
     points: np.ndarray
@@ -62,8 +65,8 @@ def n_point_asperities(profile, spacing: float, level: float) -> NPointAsperitie
 
     An asperity is a longest run of neighbouring points above the level, with the neighbour at or below the level on either
     side. Runs cut by an end of the profile are excluded. profile: heights (N,) [m]. spacing: distance of neighbouring points
-    [m], > 0. level: [m], measured like the heights. Raises InputError for heights that are not finite or not one row, or a
-    spacing <= 0.
+    [m], > 0. level: [m], measured from the same zero as the heights. Raises InputError for heights that are not finite or not
+    one row, or a spacing <= 0.
     """
     heights = np.asarray(profile, dtype=float)
     if heights.ndim != 1 or not np.isfinite(heights).all():
@@ -74,7 +77,7 @@ def n_point_asperities(profile, spacing: float, level: float) -> NPointAsperitie
     first = np.flatnonzero(~above[:-1] & above[1:]) + 1
     past = np.flatnonzero(above[:-1] & ~above[1:]) + 1
     if len(past) and (not len(first) or past[0] < first[0]):
-        past = past[1:]  # of a row that began before the profile
+        past = past[1:]  # this row began before the profile
     first = first[: len(past)]
     if not len(first):
         return NPointAsperities(np.zeros(0, dtype=int), np.zeros(0), np.zeros(0), np.zeros(0, dtype=int))
@@ -87,25 +90,26 @@ def n_point_asperities(profile, spacing: float, level: float) -> NPointAsperitie
 
 
 def rate_of_rows(level, correlation):
-    """Return the expected number of n-point asperities, of any n, per sampled point.
+    """Return the expected number of n-point asperities, of any n, per sampled point of a Gaussian profile.
 
-    The number is the probability that a point is below the level and its next neighbour above it. level: in standard
-    deviations of the profile. correlation: of neighbouring heights, 0 <= correlation < 1. Numbers or arrays.
+    It is the probability that a point is below the level and its next neighbour above it. level: in standard deviations of the
+    profile. correlation: of neighbouring heights, 0 <= correlation < 1. Both may be arrays.
     """
     return 2.0 * owens_t(level, np.sqrt((1.0 - correlation) / (1.0 + correlation)))
 
 
 def points_above(level):
-    """Return the fraction of the sampled points above the level (in standard deviations)."""
+    """Return the fraction of the points of a Gaussian profile above a level; level: in standard deviations of the profile."""
     return ndtr(-np.asarray(level, dtype=float))
 
 
 def mean_height(level, correlation):
-    """Return the mean height above the level of the n-point asperities, over all n.
+    """Return the mean height of the n-point asperities of a Gaussian profile above the level, over all n.
 
     Heights and levels are divided by the standard deviation of the profile. level and correlation (of neighbouring heights):
-    numbers or arrays. The table is accurate to 5e-6 for levels D of -3 to 10. Beyond them the leading terms are used: the
-    height grows as 2 |D| below and falls as 1/D above. Raises InputError unless 0 <= correlation <= LARGEST_CORRELATION.
+    numbers or arrays. A table is interpolated, accurate to 5e-6 for levels D of -3 to 10. Beyond them the leading terms are
+    used: the height grows as 2 |D| below and falls as 1/D above. Raises InputError unless 0 <= correlation <=
+    LARGEST_CORRELATION.
     """
     level, correlation = np.broadcast_arrays(np.asarray(level, dtype=float), np.asarray(correlation, dtype=float))
     good = (correlation >= 0.0) & (correlation <= LARGEST_CORRELATION)
@@ -116,7 +120,7 @@ def mean_height(level, correlation):
     return (value + 2.0 * np.maximum(_LOWEST - level, 0.0)) * _HIGHEST / np.maximum(level, _HIGHEST)
 
 
-# Of the table: levels, and sqrt(1 - correlation), which is small where neighbours are alike.
+# Range of the table of mean heights in the level, and in sqrt(1 - correlation), which is small if neighbours are alike.
 _LOWEST, _HIGHEST, _FOLD = -3.0, 10.0, 12.0
 _SMALLEST = 0.0275
 _DEGREES = 28, 16
@@ -124,13 +128,13 @@ LARGEST_CORRELATION = 1.0 - _SMALLEST * _SMALLEST
 
 
 def _unit_level(level):
-    """Map the levels of the table to -1..1, with a finer scale at low levels."""
+    """Map the levels of the table of mean heights to -1..1, with a finer scale at low levels."""
     share = (level - _LOWEST) / (level - _LOWEST + _FOLD)
     return 2.0 * share * (_HIGHEST - _LOWEST + _FOLD) / (_HIGHEST - _LOWEST) - 1.0
 
 
 def _unit_roughness(correlation):
-    """Map the correlations of the table to 1..-1, as an even function of (1 - correlation)^(1/4)."""
+    """Map the correlations of the table of mean heights to 1..-1, linearly in (1 - correlation)^(1/4)."""
     least = math.sqrt(_SMALLEST)
     return 2.0 * ((1.0 - correlation) ** 0.25 - least) / (1.0 - least) - 1.0
 
@@ -138,7 +142,7 @@ def _unit_roughness(correlation):
 @cache
 @on_one_thread
 def _table() -> np.ndarray:
-    """Return Chebyshev coefficients of the logarithm of the mean height, over level and correlation.
+    """Return Chebyshev coefficients of the logarithm of the mean height of n-point asperities, over level and correlation.
 
     The computation takes a third of a second; the result is cached.
     """
@@ -153,10 +157,13 @@ def _table() -> np.ndarray:
 
 
 def solved_mean_height(level: float, correlation: float, heights: int = 48, fineness: float = 1.7, least: int = 2) -> float:
-    """Return the mean height of n-point asperities above one level >= -3, by solving the integral equation; accurate to 3e-6.
+    """Return the mean height of n-point asperities above one level >= -3, from the integral equation of the module docstring.
 
-    level and result: in standard deviations of the profile. correlation: of neighbouring heights. heights: number of heights
-    z in the quadrature. A panel between two of them has `least` Gauss points, plus `fineness` for every width of the kernel.
+    - level: level, and result, in standard deviations of the profile; correlation: of neighbouring heights
+    - heights: number of heights z in the quadrature
+    - fineness, least: a panel between two heights z has `least` Gauss points, plus `fineness` for every width of the kernel
+
+    The result is accurate to 3e-6.
     """
     width = math.sqrt(1.0 - correlation * correlation)
     reach = math.sqrt((level * level if level > 0.0 or level < -1.0 else 0.0) + 40.0) - level
@@ -176,16 +183,17 @@ def solved_mean_height(level: float, correlation: float, heights: int = 48, fine
     factor = cholesky(matrix, lower=True, overwrite_a=True, check_finite=False)
     right = np.column_stack([root * _falls(x, level, correlation), root[:, None] * _kernel(x[:, None], z, correlation)])
     solved = solve_triangular(factor, right, lower=True, check_finite=False)
-    # q(z) sqrt(phi): it falls at once, or goes on to lower points and falls from there
+    # q(z) sqrt(phi): the profile falls below the level at once, or continues to lower points and falls from there.
     later = np.cumsum(solved[:, :1] * solved[:, 1:], axis=0)[np.cumsum(counts) - 1, np.arange(heights)]
     q = _falls(z, level, correlation) + later
     return float(np.sum(dz * (z - level) * q * q) / rate_of_rows(level, correlation))
 
 
 def _kernel(x, y, correlation):
-    """Return the joint density of two neighbouring heights divided by sqrt(phi(x) phi(y)).
+    """Return the joint Gaussian density of two neighbouring heights x and y divided by sqrt(phi(x) phi(y)).
 
-    The division makes the kernel of the Markov chain symmetric.
+    Heights are in standard deviations of the profile, correlation is theirs, and phi is the standard Gaussian density. The
+    division makes the kernel of the Markov chain symmetric.
     """
     variance = 1.0 - correlation * correlation
     spread = correlation / (2.0 * variance) * (x - y) ** 2
@@ -194,9 +202,10 @@ def _kernel(x, y, correlation):
 
 
 def _falls(x, level, correlation):
-    """Return sqrt(phi(x)) times the probability that the next point is below the level.
+    """Return sqrt(phi(x)) times the probability that the point after one at the height x is below the level.
 
-    x is the height of the present point.
+    x and level are in standard deviations of the profile; correlation is that of neighbouring heights, and phi the standard
+    Gaussian density.
     """
     root = np.exp(-0.25 * x * x) / (2.0 * math.pi) ** 0.25
     return ndtr((level - correlation * x) / math.sqrt(1.0 - correlation * correlation)) * root
@@ -206,18 +215,19 @@ def _falls(x, level, correlation):
 
 
 def peaks_per_point(correlation):
-    """Return the fraction of sampled points that are higher than both neighbours.
+    """Return the fraction of the points of a Gaussian profile that are higher than both neighbours.
 
-    The differences to the two neighbours are Gaussian, with correlation (1 - rho)/2. Source: Whitehouse & Archard 1970.
+    correlation: rho of neighbouring heights, of an exponential autocorrelation. The differences to the two neighbours are
+    Gaussian, with correlation (1 - rho)/2. Source: Whitehouse & Archard 1970.
     """
     return 0.25 + np.arcsin((1.0 - correlation) / 2.0) / (2.0 * math.pi)
 
 
 def peak_curvature(correlation):
-    """Return the mean second difference 2 y0 - y-1 - y1 of a profile over its three-point peaks.
+    """Return the mean of 2 y0 - y-1 - y1 over the three-point peaks of a Gaussian profile, a dimensionless curvature.
 
-    y0 is the height of the peak, y-1 and y1 the heights of its neighbours, all in standard deviations of the profile. Source:
-    Whitehouse & Archard 1970.
+    y0 is the height of the peak, y-1 and y1 the heights of its neighbours, all in standard deviations of the profile.
+    correlation: of neighbouring heights, of an exponential autocorrelation. Source: Whitehouse & Archard 1970.
     """
     return (3.0 - correlation) * np.sqrt(1.0 - correlation) / (2.0 * math.sqrt(math.pi) * peaks_per_point(correlation))
 
@@ -232,18 +242,18 @@ def _match(correlation):
     return peak_curvature(correlation) / peaks_per_point(correlation) ** 2
 
 
-# The least Nayak's alpha of such a surface: neighbours uncorrelated. (8 pi^3)^2 / (2 81^2) = 4.689.
+# The smallest Nayak's alpha that such a profile can represent, with uncorrelated neighbours: (8 pi^3)^2 / (2 81^2) = 4.689.
 LEAST_BANDWIDTH = (_MATCH / float(_match(0.0))) ** 2
-# The largest, up to which the mean height is tabulated.
+# The largest Nayak's alpha for which the mean height is tabulated.
 LARGEST_BANDWIDTH = (_MATCH / float(_match(LARGEST_CORRELATION))) ** 2
 
 
 def correlation_of_bandwidth(alpha: np.ndarray) -> np.ndarray:
-    """Return the correlation of neighbouring profile points that belongs to Nayak's alpha (n,).
+    """Return the correlation (n,) of neighbouring profile points that represents a surface with Nayak's alpha (n,).
 
-    A profile with exponential autocorrelation and this correlation has three-point peaks with the number and curvature of the
-    peaks on a Gaussian surface with alpha. The equation is solved by bisection. Raises InputError unless alpha is
-    LEAST_BANDWIDTH to LARGEST_BANDWIDTH.
+    alpha: bandwidth parameter m0 m4/m2^2. A profile with exponential autocorrelation and this correlation has three-point peaks
+    with the number and curvature of the peaks on a Gaussian surface with alpha. The equation is solved by bisection. Raises
+    InputError unless alpha is LEAST_BANDWIDTH to LARGEST_BANDWIDTH.
     """
     alpha = np.asarray(alpha, dtype=float)
     bad = ~((alpha >= LEAST_BANDWIDTH) & (alpha <= LARGEST_BANDWIDTH))

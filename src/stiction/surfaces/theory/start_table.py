@@ -1,4 +1,4 @@
-"""Tables of approximate separations, used as starting values when solving for a given load.
+"""Tabulate approximate separations, from which the iteration for the separation at a given load starts.
 
 Independent spheres with Gaussian heights carry the load F_3/2(x) at the separation x (Greenwood & Williamson 1966). At the
 same load, the separation of another theory differs from x by an amount that varies slowly, with x and with the one
@@ -19,7 +19,7 @@ _LONE = np.linspace(-12.0, 20.0, 257)
 
 @cache
 def _inverse():
-    """Return the separation of independent spheres as a spline of the logarithm of their load."""
+    """Return a spline of the separation of independent spheres over the logarithm of their load F_3/2."""
     from scipy.interpolate import CubicSpline
 
     x = np.linspace(-40.0, 36.0, 2001)
@@ -27,20 +27,24 @@ def _inverse():
 
 
 def lone_separation(load: np.ndarray) -> np.ndarray:
-    """Return the separation x with F_3/2(x) = load, accurate to about 1e-6.
+    """Return the separation x, in units of sigma, at which independent spheres with Gaussian heights carry a load.
 
-    Returns NaN for loads of 0 or less, and where x is outside -40 to 36.
+    It solves F_3/2(x) = load (see `summits.truncated_mean`). load: array, per sphere, divided by K R^(1/2) sigma^(3/2). The
+    error is about 1e-6. The result is NaN for loads of 0 or less, and where x is outside -40 to 36.
     """
     with np.errstate(divide="ignore", invalid="ignore"):
         return _inverse()(np.log(load))
 
 
 def tabulated(loads: Callable, groups: np.ndarray, along: np.ndarray) -> Callable[[np.ndarray, np.ndarray], np.ndarray]:
-    """Return a function that interpolates approximate separations from a table.
+    """Return a function that interpolates approximate separations of a theory at given loads from a table.
 
-    loads: function (h (H,), groups (k,)) that returns loads (k, H) at the separations h. groups: (k,) values of the
-    dimensionless group. along: (k,) ascending, the coordinate of each group in the table. The returned function maps loads
-    (n, m) and coordinates (n,) to separations (n, m). If several separations carry one load, the largest is used.
+    - loads: function (h (H,), groups (k,)) that returns loads (k, H) of the theory at the separations h
+    - groups: (k,) values of the dimensionless group of the theory
+    - along: (k,) ascending, the coordinate of each group in the table
+
+    The returned function maps loads (n, m) and coordinates (n,) to separations (n, m). If more than one separation carries a
+    load, the largest is used.
     """
     from scipy.interpolate import PchipInterpolator, RectBivariateSpline
 
@@ -59,7 +63,7 @@ def tabulated(loads: Callable, groups: np.ndarray, along: np.ndarray) -> Callabl
 
 
 def separation_of_summits(load: np.ndarray, density: np.ndarray, shapes: Callable[[], Shapes]) -> np.ndarray:
-    """Return approximate separations (n, m), divided by sigma, at which the summits carry given loads.
+    """Return approximate separations (n, m), divided by sigma, at which the summits of Gaussian surfaces carry given loads.
 
     load: (n, m), per asperity, divided by K R^(1/2) sigma^(3/2). density: N R sigma (n,) of the surfaces. shapes: function
     that returns the load and area factors of a summit, as for `summits.curve`.

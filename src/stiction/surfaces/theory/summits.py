@@ -1,4 +1,4 @@
-"""Sums over the summits of an isotropic Gaussian surface: Nayak's joint density, and F_n(h).
+"""Sum load and contact area over the summits of an isotropic Gaussian surface, by Nayak's joint density of their properties.
 
 A summit is a point of zero slope that curves down in all directions. Nayak (1971) gives the number of summits by height z,
 mean curvature kappa and half the difference r of the principal curvatures kappa + r and kappa - r. At a point of an isotropic
@@ -12,6 +12,8 @@ dr is therefore
 which integrates to m4 / (6 pi sqrt(3) m2). With q = kappa/s and t = r/kappa (0 for a round summit, 1 for a ridge), an elastic
 summit with the overlap w carries the load (4/3) E* w^(3/2) kappa^(-1/2) C_P(t) on the area pi w / kappa C_A(t). For load and
 area each, the integral over t is a function g(q), and the integral over z is a Gaussian mean. One integral over q remains.
+
+F_n(h) is the integral of (z - h)^n phi(z) over z > h, with the standard Gaussian density phi.
 """
 
 import math
@@ -28,22 +30,22 @@ from stiction.engine.vectorised import exponential
 from stiction.surfaces.theory.moments import SUMMIT_DEFICIT, require_gaussian, summit_height
 
 _ROOT_2PI = math.sqrt(2.0 * math.pi)
-_DEEP = -12.0  # below, F_n is its asymptotic series to the last digit
-_FAR = 39.0  # above, exp(-h^2/2) is zero to double precision
+_DEEP = -12.0  # for smaller h, F_n(h) equals its asymptotic series to the last digit
+_FAR = 39.0  # for larger h, exp(-h^2/2) is zero in double precision
 _DEGREE = 64
-_REACH = 9.0  # a Gaussian is neglected this many deviations from its peak
+_REACH = 9.0  # standard deviations from its peak beyond which a Gaussian is neglected
 _STEP, _NODES = 1.25, 12  # panels of 1.25 deviations, with 12 Gauss points each
 _MOST_PANELS = 200
 
 
-# ---- F_n(h), the mean of (z - h)^n over a standard Gaussian's z > h
+# ---- F_n(h), the integral of (z - h)^n phi(z) over z > h
 
 
 @cache
 def _truncated_tables(n: float) -> tuple[np.ndarray, np.ndarray]:
-    """Return the Chebyshev coefficients of F_n, the integral of `truncated_mean`, in two ranges of h.
+    """Return the Chebyshev coefficients of F_n(h) (see `truncated_mean`) in two ranges of h, above and below 0.
 
-    On 0..FAR the series is of F_n exp(h^2/2) (1 + h)^(n+1), on DEEP..0 of F_n / (1 - h)^n.
+    The series on 0 to 39 is that of F_n exp(h^2/2) (1 + h)^(n+1), the one on -12 to 0 that of F_n / (1 - h)^n.
     """
     node, weight = leggauss(200)
     y = 7.0 * (1.0 + node) / 2.0  # v = y^2, up to 49
@@ -68,11 +70,11 @@ def _truncated_tables(n: float) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _fold(h, last):
-    """Map h in 0..last to -1..1, so that points are dense near zero: h/(h + 3), stretched. h is an array."""
+    """Map h in 0..last to -1..1 by 2 (last + 3)/last h/(h + 3) - 1, so that interpolation points are dense near h = 0."""
     return 2.0 * (last + 3.0) / last * h / (h + 3.0) - 1.0
 
 
-_fold_one = formula(_fold)  # the same of a number, for kernels
+_fold_one = formula(_fold)  # for a single number, inside kernels
 
 
 def _unfold(x: np.ndarray, last: float = _FAR) -> np.ndarray:
@@ -100,7 +102,10 @@ def truncated_mean(n: float, h: np.ndarray) -> np.ndarray:
 
 
 def _asymptotic(n, depth):
-    """Return the mean of (depth + z)^n over a standard Gaussian z, from its moments; depth is an array."""
+    """Return the mean of (depth + z)^n over a standard Gaussian z for a large depth, from the moments of z.
+
+    It is F_n(-depth) to the last digit for depth > 12.
+    """
     total = term = 1.0
     for k in range(1, 12):  # binomial(n, 2k) (2k - 1)!! / depth^(2k)
         term = term * (n - 2 * k + 2) * (n - 2 * k + 1) / (2 * k) / (depth * depth)
@@ -115,11 +120,12 @@ _asymptotic_one = formula(_asymptotic)
 
 @dataclass(frozen=True, eq=False)
 class Shapes:
-    """Store load and area factors of an elliptic summit at the Gauss points of its shape t.
+    """Store load and area factors of an elliptic summit at the Gauss points of its shape t; all arrays are (m,).
 
-    t = r / kappa is half the difference of the principal curvatures over their mean: 0 for a round summit, 1 for a ridge. All
-    arrays are (m,). weight: of each Gauss point. load: factor C_P(t). area: factor C_A(t). Both factors are 1 for a round
-    summit.
+    - t: half the difference of the principal curvatures over their mean: 0 for a round summit, 1 for a ridge
+    - weight: weight of each Gauss point
+    - load, area: factors C_P(t) and C_A(t) by which load and contact area at a given overlap differ from those of a round
+      summit
     """
 
     t: np.ndarray
@@ -133,10 +139,10 @@ _LARGEST_Q = 60.0
 
 @cache
 def _over_shapes(shapes: Shapes) -> tuple[np.ndarray, np.ndarray]:
-    """Return Chebyshev coefficients of (1 + q^2) g(q), for load and for area.
+    """Return the Chebyshev coefficients of (1 + q^2) g(q), for the load and for the area.
 
-    q = kappa/s and t = r/kappa as in the module. g(q) = Int_0^1 t (1 - t^2) exp(-q^2 t^2 / 2) C(t) dt is the integral over the
-    summit shapes t (not normalised), with C the load factor or the area factor.
+    q is the mean curvature of a summit over s, as in the module docstring. g(q) = Int_0^1 t (1 - t^2) exp(-q^2 t^2 / 2) C(t) dt
+    is the integral over the shapes t of the summits (not normalised), with C the load factor or the area factor in `shapes`.
     """
     measure = shapes.weight * shapes.t * (1.0 - shapes.t**2)
 
@@ -151,7 +157,7 @@ def _over_shapes(shapes: Shapes) -> tuple[np.ndarray, np.ndarray]:
 
 
 def curve(h: np.ndarray, density: np.ndarray, shapes: Callable[[], Shapes]) -> tuple[np.ndarray, np.ndarray]:
-    """Return load and contact area per asperity (n, H) of elastic Gaussian surfaces.
+    """Return load and contact area per asperity, (n, H) each, of elastic Gaussian surfaces in contact with a plane.
 
     The load is divided by K R^(1/2) sigma^(3/2), the area by pi R sigma. h: separation from the mean of the summits divided
     by sigma, (H,) for all surfaces or (n, H). density: N R sigma (n,) of the surfaces. shapes: function that returns the load
@@ -163,7 +169,7 @@ def curve(h: np.ndarray, density: np.ndarray, shapes: Callable[[], Shapes]) -> t
     variance = 1.0 - (1.5 - SUMMIT_DEFICIT) / (768.0 * math.pi * density * density)  # m0 - (3/2) m2^2/m4
     rest = np.sqrt(np.maximum(variance, 1e-12))
     d = np.ascontiguousarray(h + summit_height(density)[:, None])
-    shared = h.ndim == 1 and h.size > 1  # these are computed alike, on panels that reach as far for all
+    shared = h.ndim == 1 and h.size > 1  # the panels then reach equally far for all separations
     farthest = np.repeat(d.max(axis=1, keepdims=True), h.size, axis=1) if shared else d
     load, area = np.empty((2, *d.shape))
     series = np.stack(_over_shapes(shapes())), *_tables_of_means()
@@ -176,7 +182,7 @@ def curve(h: np.ndarray, density: np.ndarray, shapes: Callable[[], Shapes]) -> t
 
 @cache
 def _tables_of_means() -> tuple[np.ndarray, np.ndarray]:
-    """Return Chebyshev coefficients (2, terms) of the truncated means of powers 3/2 and 1, above and below 0."""
+    """Return the Chebyshev coefficients of F_3/2(h) and F_1(h), (2, terms) each for h >= 0 and for h < 0."""
     above, below = zip(_truncated_tables(1.5), _truncated_tables(1.0), strict=True)
     return np.stack(above), np.stack(below)
 
@@ -189,11 +195,13 @@ def _gauss() -> tuple[np.ndarray, np.ndarray]:
 
 @kernel
 def _fill_curves(separations, spread, series, gauss, sums):
-    """Write the integrals over summit curvature q for load and area into the arrays `sums`, (n, H) each.
+    """Write the integrals over the summit curvature q for load and area into the two arrays `sums`, (n, H) each.
 
-    separations: from the mean plane (n, H), and the largest of each surface, which sets the range of integration. spread:
-    mean summit height per q, and standard deviation at fixed q, (n,) each. series: Chebyshev coefficients of the shape
-    integrals and of the truncated means above and below 0. gauss: Gauss nodes and weights.
+    - separations: separation from the mean plane (n, H), and the largest one of each surface (n, H), which sets the range of
+      integration; in units of sigma
+    - spread: mean summit height divided by q, and standard deviation of the summit height at fixed q, (n,) each
+    - series: Chebyshev coefficients of the integrals over the shape, and of the truncated means for h >= 0 and h < 0
+    - gauss: nodes and weights of a Gauss rule
     """
     (d, farthest), (rise, rest), (node, weight), (load, area) = separations, spread, gauss, sums
     shapes, above, below = series
@@ -223,7 +231,7 @@ def _fill_curves(separations, spread, series, gauss, sums):
 
 @kernel
 def _add_series(x, first, last, coefficients, work, out):
-    """Write two Chebyshev series at the points x[k], first <= k < last, into out (2, points).
+    """Write two Chebyshev series at the points x[k], first <= k < last, into the array `out` (2, points).
 
     coefficients: (2, terms). work: scratch array. Clenshaw's recurrence sums the series.
     """
@@ -242,9 +250,9 @@ def _add_series(x, first, last, coefficients, work, out):
 
 @kernel
 def _put_means(h, count, above, below, x, work, mean):
-    """Write mean[0, k] = F_3/2(h[k]) and mean[1, k] = F_1(h[k]) for k < count; h descends.
+    """Write F_3/2(h[k]) into mean[0, k] and F_1(h[k]) into mean[1, k] for k < count; h descends.
 
-    above, below: Chebyshev coefficients for h >= 0 and h < 0. x, work: scratch.
+    F_n: see `truncated_mean`. above, below: Chebyshev coefficients for h >= 0 and h < 0. x, work: scratch arrays.
     """
     high = 0
     while high < count and h[high] >= _FAR:
@@ -278,9 +286,9 @@ def _put_means(h, count, above, below, x, work, mean):
 def _put_panels(d, farthest, rise, rest, ends):
     """Write the ends of integration panels over sqrt(q) into `ends`, and return the number of panels.
 
-    q: dimensionless summit curvature. d: separation from the mean plane. rise: mean summit height per q. rest: standard
-    deviation of summit heights at fixed q. Panels are finest at q = d / rise, where the mean summit height equals the
-    separation.
+    q: dimensionless summit curvature. d: separation from the mean plane. farthest: largest separation, which sets the end of
+    the range. rise: mean summit height divided by q. rest: standard deviation of summit heights at fixed q. Panels are finest
+    at q = d / rise, where the mean summit height equals the separation.
     """
     whole = math.sqrt(rest * rest + 2.0 * rise * rise)  # sqrt(m0)
     width = math.sqrt(2.0) * rest / whole  # deviation of q at a given height

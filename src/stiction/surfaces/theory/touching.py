@@ -1,19 +1,20 @@
-"""Fraction of asperities in contact, estimated from their elastic contact area (Gaussian heights)."""
+"""Estimate the fraction of asperities that touch from the elastic contact area (Gaussian heights)."""
 
 import math
 from functools import cache
 
 import numpy as np
 
-# Where expected numbers of asperities are tabulated, over sigma: from all that touch to none that ever would.
+# Separations over sigma at which the fraction is tabulated, from a contact in which all asperities touch to none.
 _SEPARATIONS = np.linspace(-8.0, 37.0, 2000)
 
 
 def expected_share(area: np.ndarray) -> np.ndarray:
-    """Return the fraction of asperities in contact for a contact area per asperity, divided by pi R sigma.
+    """Return the fraction of asperities that touch, from the contact area per asperity, divided by pi R sigma.
 
-    It is F_0(h) at the separation h with F_1(h) = area, for elastic spheres with Gaussian heights (Greenwood & Williamson
-    1966, eqs 5 and 6). Theories without asperities use it.
+    area: array. The result is F_0(h) at the separation h with F_1(h) = area, for elastic spheres with Gaussian heights
+    (Greenwood & Williamson 1966, eqs 5 and 6). F_n(h) is the integral of (z - h)^n phi(z) over z > h, with the standard
+    Gaussian density phi. Theories without asperities use this estimate.
     """
     log_area, log_share = _tables()
     small = np.log(np.maximum(area, 1e-300))
@@ -22,13 +23,13 @@ def expected_share(area: np.ndarray) -> np.ndarray:
 
 @cache
 def _tables() -> tuple[np.ndarray, np.ndarray]:
-    """Return the logarithms of F_1, ascending, and of F_0 at the same separations."""
-    from scipy.special import ndtr  # slow to import, and wanted by theories without asperities only
+    """Return the logarithms of F_1(h), ascending, and of F_0(h) at the same separations h; see `expected_share`."""
+    from scipy.special import ndtr  # slow to import, and used by theories without asperities only
 
     h = _SEPARATIONS[::-1]
     share = ndtr(-h)
     density = np.exp(-0.5 * h * h) / math.sqrt(2.0 * math.pi)
-    # F_1 = phi - h F_0 cancels far out, where it is F_0/h (1 - 2/h^2 + 10/h^4 ...).
+    # F_1 = phi - h F_0 loses its digits at large h, where F_0/h (1 - 2/h^2 + 10/h^4 ...) replaces it.
     far = h > 12.0
     tail = share / np.where(far, h, 1.0) * (1.0 - 2.0 / np.where(far, h, 1.0) ** 2 + 10.0 / np.where(far, h, 1.0) ** 4)
     return np.log(np.where(far, tail, density - h * share)), np.log(share)

@@ -1,4 +1,4 @@
-"""Profiles of a map, its rows and columns, and the density of asperities along them.
+"""Select the profiles of a map, its rows and columns, and convert the density of asperities along them to a density per area.
 
 From asperities per length D to asperities per area N, the relation of the peaks of an isotropic Gaussian surface is used (Nayak
 1971): peaks (1/2 pi) sqrt(m4/m2) per length, summits m4 / (6 pi sqrt(3) m2) per area, and thus
@@ -23,10 +23,10 @@ DIRECTIONS = Parameter("directions of the profiles; a single profile has only x"
 
 
 def profiles(surface: HeightMap, directions: str) -> list[tuple[np.ndarray, float]]:
-    """Return the profiles of a map along each chosen direction, with their pitch.
+    """Return the profiles of a map along each chosen direction, as a list of (heights, pitch).
 
-    Each item holds the heights (lines, points) [m] above the mean plane and the pitch [m]. Raises InputError if the profiles
-    are too short.
+    directions: "x", "y" or "xy". heights: (lines, points) [m] above the mean plane. pitch: point spacing along the lines [m].
+    Raises InputError if a profile has fewer than three points.
     """
     heights = over_mean_plane(surface)
     dy, dx = surface.pitch
@@ -38,14 +38,15 @@ def profiles(surface: HeightMap, directions: str) -> list[tuple[np.ndarray, floa
 
 
 def directions_of(surface: HeightMap, directions: str) -> str:
-    """Return the directions of profiles to use, as letters: "x" for a single profile, otherwise `directions`."""
+    """Return the directions of the profiles to use, as letters: "x" for a single profile, otherwise `directions`."""
     return "x" if surface.is_profile else directions
 
 
 def places_of(points: Sequence[tuple[np.ndarray, np.ndarray]], surface: HeightMap, directions: str) -> np.ndarray:
-    """Return row and column (n, 2) in the map of points given as line and index on the line.
+    """Return row and column (n, 2) in the map of points that are given by line and index on the line.
 
-    points: for each direction, arrays (line numbers, indices along the line). The result lists one direction after the other.
+    points: for each direction, arrays (line numbers, indices along the line). directions: "x", "y" or "xy". The result lists
+    one direction after the other.
     """
     chosen = directions_of(surface, directions)
     along = [one if way == "x" else one[::-1] for way, one in zip(chosen, points, strict=True)]
@@ -53,7 +54,7 @@ def places_of(points: Sequence[tuple[np.ndarray, np.ndarray]], surface: HeightMa
 
 
 def per_area(per_length: Sequence[float]) -> float:
-    """Return the asperities per area [1/m^2] from the asperities per length [1/m] by equation (1).
+    """Return the asperities per area [1/m^2] from the asperities per length D [1/m]: N = 1.2092 D_x D_y (equation (1)).
 
     per_length: D_x and D_y; a single value is used for both directions.
     """

@@ -1,9 +1,10 @@
-"""Summits of a map: the mean curvature of the paraboloid through the points around each, and how many there are per area.
+"""Compute the curvature of the summits of a map from fitted paraboloids, and their number per area.
 
-The curvature of a summit is taken from the paraboloid z = a + b x + c y + d x^2 + e x y + f y^2 that fits the points around it
-best (least squares), half the sum of its two principal curvatures: -(d + f). On a grid this is a weighted sum of the heights.
-What a grid sees depends on its pitch (Greenwood 1984): where waves are short of points, summits are missed and those found are
-too low and too blunt. Fitting more points, or a threshold, trades one bias for another; surfaces.md has their sizes.
+The curvature of a summit is that of the paraboloid z = a + b x + c y + d x^2 + e x y + f y^2 that fits the points around it
+best (least squares): half the sum of its two principal curvatures, -(d + f). On a grid this is a weighted sum of the heights.
+The result depends on the pitch, the point spacing (Greenwood 1984): where waves have too few points, some summits are missed,
+and those found are too low and too blunt. Fitting more points, or a threshold, trades one bias for another
+(docs/how-to/which-asperity-method.md).
 """
 
 from collections.abc import Callable
@@ -16,7 +17,7 @@ from stiction.surfaces.heightmap import HeightMap
 
 
 def areal(surface: HeightMap) -> np.ndarray:
-    """Return the heights of a map above its mean plane [m].
+    """Return the heights (rows, columns) [m] of a map above its mean plane.
 
     Raises InputError if the map has fewer than three rows or columns.
     """
@@ -29,11 +30,14 @@ def areal(surface: HeightMap) -> np.ndarray:
 def fitted(
     method: str, surface: HeightMap, heights: np.ndarray, tops: tuple[np.ndarray, ...], fit_points: int, note: str, **more
 ) -> Asperities:
-    """Return the Asperities object for summits at given points, with the curvatures of fitted paraboloids.
+    """Return the Asperities object for summits at given points of a map, with the curvatures of fitted paraboloids.
 
-    tops: (rows, columns) of the summits in the map. heights: (rows, columns) [m] above the mean plane. fit_points: number of
-    points of the fitted paraboloid, a key of FITS. A summit counts only if all its fitted points have heights; the area of
-    the density includes only such positions. note and more: arguments of `of_samples`.
+    - method: key of the asperity method; note, more: arguments of `asperity_set.of_samples`
+    - heights: (rows, columns) [m] above the mean plane
+    - tops: (row numbers, column numbers) of the summits, (n,) each
+    - fit_points: number of points of the fitted paraboloid, a key of FITS
+
+    A summit counts only if all its fitted points have heights; the area of the density includes only such positions.
     """
     row, column = tops
     dy, dx = surface.pitch
@@ -51,9 +55,10 @@ def fitted(
 
 
 def _whole_windows(heights: np.ndarray, reach: int, complete: bool) -> np.ndarray:
-    """Return a mask of the points whose surrounding square, `reach` points to each side, is complete.
+    """Return a mask (rows, columns) of the points whose surrounding square lies on the map and has no missing point.
 
-    A square is complete if it lies on the map and has no missing point.
+    heights: (rows, columns). reach: number of points from the middle of the square to each side. complete: whether no point of
+    the map is missing.
     """
     known = np.ones(heights.shape, dtype=bool) if complete else np.isfinite(heights)
     if complete:
@@ -66,10 +71,11 @@ def _whole_windows(heights: np.ndarray, reach: int, complete: bool) -> np.ndarra
 
 
 def _square(reach: int) -> Callable[[float, float], np.ndarray]:
-    """Return a function of the pitch (dy, dx) that gives the weights of heights in the curvature, for a square of points.
+    """Return a function of the pitch (dy, dx) [m] that returns the weights of the heights in the curvature of a summit.
 
-    The least-squares paraboloid is fitted to (2 reach + 1)^2 points. The function x^2 minus its mean, w, is orthogonal to all
-    terms of the paraboloid but d x^2. The coefficient is therefore d = sum(w z) / sum(w^2) with the heights z.
+    The least-squares paraboloid is fitted to a square of (2 reach + 1)^2 points. The function x^2 minus its mean, w, is
+    orthogonal to all terms of the paraboloid but d x^2. The coefficient is therefore d = sum(w z) / sum(w^2) with the heights
+    z.
     """
 
     def weights(dy: float, dx: float) -> np.ndarray:
@@ -81,10 +87,13 @@ def _square(reach: int) -> Callable[[float, float], np.ndarray]:
 
 
 def _cross(dy: float, dx: float) -> np.ndarray:
-    """Return the weights (3, 3) of heights in the curvature of the paraboloid through a point and its four neighbours."""
+    """Return the weights (3, 3) [1/m^2] of heights in the curvature of the paraboloid through a point and four neighbours.
+
+    dy, dx: pitch [m] along y and x.
+    """
     along = np.array([[0.0, 0.0, 0.0], [1.0, -2.0, 1.0], [0.0, 0.0, 0.0]]) / 2.0
     return -(along / (dx * dx) + along.T / (dy * dy))
 
 
-# Mean curvature [1/m] as a sum over heights [m], by the number of points: a function of the pitch (dy, dx) [m].
+# Number of fitted points -> function of the pitch (dy, dx) [m] that returns the weights of the heights in the mean curvature.
 FITS: dict[int, Callable[[float, float], np.ndarray]] = {5: _cross, 9: _square(1), 25: _square(2), 49: _square(3)}

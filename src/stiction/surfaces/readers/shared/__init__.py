@@ -1,1 +1,1 @@
-"""Functions that several readers use: arrays, tables of numbers, heights at positions."""
+"""Provide functions that more than one reader uses: for arrays, tables of numbers, and heights at positions."""

@@ -10,16 +10,16 @@ from stiction.quantities.errors import InputError
 
 @contextmanager
 def quiet():
-    """Suppress NumPy warnings about unusual but valid file headers."""
+    """Within the context, suppress NumPy's warnings about unusual but valid file headers."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
         yield
 
 
 def checked(heights: np.ndarray, name: str) -> np.ndarray:
-    """Return an array of heights as (rows, columns).
+    """Return an array of heights as (rows, columns); an array (n,) becomes a profile (1, n).
 
-    Raises InputError unless the array holds real numbers and has the shape (rows, columns) or (n,).
+    name: name of the file, for the error. Raises InputError unless the array holds real numbers in one or two dimensions.
     """
     if heights.dtype.kind not in "iuf" or heights.ndim not in (1, 2):
         told = f"{name}: {heights.dtype} of shape {heights.shape}"

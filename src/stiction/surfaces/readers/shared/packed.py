@@ -8,20 +8,20 @@ from pathlib import Path
 
 from stiction.quantities.errors import InputError
 
-# Heights are noise in their last digits and pack to a tenth at best; what is smaller than this is no danger.
-_DENSEST, _HARMLESS = 50, 1 << 26  # bytes
+# The last digits of heights are noise, so that they pack to a tenth of their size at best. _HARMLESS bytes always fit.
+_DENSEST, _HARMLESS = 50, 1 << 26  # ratio, bytes
 _HDF5 = b"\x89HDF\r\n\x1a\n"
 
 
 def check_packed(path: Path) -> None:
-    """Raise InputError if a compressed file unpacks to far more than a scan of its size can.
+    """Raise InputError if a compressed scan file would unpack to far more bytes than a scan of its size can have.
 
     The limit is _DENSEST times the file size, and at least _HARMLESS bytes. Compressed files are .zip archives (.npz, .x3p and
-    others) and HDF5 files. Their directories state the unpacked sizes.
+    others) and HDF5 files, whose directories state the unpacked sizes. Other and damaged files pass.
     """
     try:
         held = _held(path)
-    except Exception:  # of a damaged file; its reader states better what is wrong
+    except Exception:  # the file is damaged, and its reader states better what is wrong
         return
     if held > max(_HARMLESS, _DENSEST * path.stat().st_size):
         told = f"{path.name}: {path.stat().st_size} bytes that unpack to {held}"

@@ -1,19 +1,20 @@
-"""Bring heights at given positions onto a regular grid."""
+"""Convert heights at given positions to heights on a regular grid."""
 
 import numpy as np
 
 from stiction.quantities.errors import InputError
 from stiction.surfaces.raw_scan import FEWEST_POINTS
 
-_ROUNDED = 0.75  # of a last digit that positions may be off: half of it, and as much again where both ends are rounded
+_ROUNDED = 0.75  # deviation of positions that may be their rounding, in units of the last digit: half of it, and some margin
 
 
 def equally_spaced(x: np.ndarray, z: np.ndarray) -> tuple[np.ndarray, tuple[float, float], tuple[str, ...]]:
-    """Return a profile with equal spacing: heights (1, n), size (y, x), and notes.
+    """Return a profile with equal spacing: heights (1, n), size (y, x), and notes for the history.
 
-    The size has the unit of x. Positions count as equally spaced if they deviate only by the rounding of their last written
-    digit, because interpolating between rounded positions would create false slopes. Other profiles are resampled to the same
-    number of points.
+    x, z: positions and heights (n,). The size has the unit of x. Positions count as equally spaced if they deviate only by the
+    rounding of their last written digit, because interpolation between rounded positions would create false slopes. Other
+    profiles are resampled to the same number of points by linear interpolation. Raises InputError for fewer than FEWEST_POINTS
+    points or positions that neither increase nor decrease throughout.
     """
     count = len(x)
     if count < FEWEST_POINTS:
@@ -36,10 +37,10 @@ def equally_spaced(x: np.ndarray, z: np.ndarray) -> tuple[np.ndarray, tuple[floa
 
 
 def gridded(x: np.ndarray, y: np.ndarray, z: np.ndarray) -> tuple[np.ndarray, tuple[float, float], tuple[str, ...]]:
-    """Return heights (rows, columns) of points on a grid, size (y, x), and notes.
+    """Return heights (rows, columns) of points on a regular grid, size (y, x), and notes for the history.
 
-    The points may have any order. Grid points without a height get NaN. Points along one line, parallel to x or y, are a
-    profile.
+    x, y, z: positions and heights (n,), in any order. Grid points without a height get NaN. Points along one line, parallel to
+    x or y, are a profile. Raises InputError if the points are not on a grid, or fill less than a quarter of it.
     """
     column, dx, columns, notes_x = _places(x, "x")
     row, dy, rows, notes_y = _places(y, "y")
@@ -54,7 +55,7 @@ def gridded(x: np.ndarray, y: np.ndarray, z: np.ndarray) -> tuple[np.ndarray, tu
         raise InputError("scan", "several heights at one point x y", "one height per point of a regular grid")
     heights = np.full((rows, columns), np.nan)
     heights.flat[flat] = z
-    dx, dy = dx or dy, dy or dx  # a profile is as wide as its points are apart
+    dx, dy = dx or dy, dy or dx  # the width of a profile is its point spacing
     notes = tuple(dict.fromkeys(notes_x + notes_y))
     if columns == 1:
         return heights.T, (dy, dy * rows), notes
@@ -62,9 +63,9 @@ def gridded(x: np.ndarray, y: np.ndarray, z: np.ndarray) -> tuple[np.ndarray, tu
 
 
 def _places(x: np.ndarray, name: str) -> tuple[np.ndarray, float, int, tuple[str, ...]]:
-    """Return grid indices (n,) of coordinates, the pitch, the number of grid points, and notes.
+    """Return grid indices (n,) of coordinates, the pitch, the number of grid points along this axis, and notes for the history.
 
-    The pitch is 0 if all coordinates are equal.
+    x: coordinates (n,). name: "x" or "y", for errors. The pitch is 0 if all coordinates are equal.
     """
     if not np.isfinite(x).all():
         raise InputError("scan", f"missing {name}", "finite positions x y of all points")
@@ -91,9 +92,9 @@ def _rounding(off: float, pitch: float) -> tuple[str, ...]:
 
 
 def _last_digit(x: np.ndarray) -> float:
-    """Return the largest power of ten such that all positions are multiples of it.
+    """Return the largest power of ten such that all positions (n,) are multiples of it: the place of their last written digit.
 
-    The result is 0 if none of the ten largest powers qualifies.
+    The result is 0 if the positions have more than ten digits.
     """
     largest = int(np.floor(np.log10(np.abs(x).max())))
     for exponent in range(largest, largest - 10, -1):

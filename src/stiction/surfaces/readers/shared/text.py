@@ -19,10 +19,10 @@ from stiction.surfaces.readers.shared.positions import equally_spaced, gridded
 
 
 def read_text(path: Path, channel, otherwise: Callable[[np.ndarray, tuple[str, ...], str], RawScan]) -> RawScan | None:
-    """Read a table of numbers: positions and heights if it has two or three columns.
+    """Read a table of numbers from a text file; with two or three columns it holds positions and heights, x z or x y z.
 
-    otherwise: function (table, notes, file name) -> RawScan for any other number of columns. Returns None for a file that
-    begins with more than one line of words. Raises InputError for a table that cannot be read.
+    channel: must be None. otherwise: function (table, notes, file name) -> RawScan for any other number of columns. Returns
+    None for a file that begins with more than one line of words. Raises InputError for a table that cannot be read.
     """
     layout = _layout(path)
     if layout is None:
@@ -50,18 +50,19 @@ _COLUMNS = {2: _profile, 3: _map}
 
 
 def matrix(table: np.ndarray, notes: tuple[str, ...], name: str) -> RawScan:
-    """Return the RawScan of a matrix of heights with rows along x; one column is a profile.
+    """Return the RawScan of a matrix of heights, whose rows run along x; a single column is a profile.
 
-    Raises InputError if the table includes row and column numbers.
+    table: heights (rows, columns). notes: for the history. name: name of the file, for the error. Raises InputError if the
+    table includes row and column numbers.
     """
     _no_numbering(table, name)
     return RawScan(table.T if table.shape[1] == 1 else table, "matrix of heights", notes=notes)
 
 
 def _no_numbering(table: np.ndarray, name: str) -> None:
-    """Raise InputError if the first row and the first column hold row and column numbers.
+    """Raise InputError if the first row and the first column of a table hold row and column numbers.
 
-    Spreadsheets and data frames write such tables.
+    Spreadsheets and data frames write such tables. name: name of the file, for the error.
     """
     rows, columns = table.shape
     if (
@@ -90,16 +91,17 @@ class _Layout:
 
 
 def _layout(path: Path) -> _Layout | None:
-    """Detect how the numbers of a file are written.
+    """Detect how the numbers of a text file are written.
 
-    Returns None if it does not begin with numbers after at most one line of words.
+    Returns None if the file does not begin with numbers after at most one line of words. Raises InputError for an empty file
+    and for row numbers.
     """
     first, second = [*islice(_lines(path), 2), "", ""][:2]
     if not first:
         raise InputError("scan", str(path), "a file with numbers")
     delimiter = _delimiter(second or first)
     names, cells = ([cell.strip() for cell in line.split(delimiter)] for line in (first, second))
-    numbers = any(map(_is_number, names)) or not any(names)  # a row of empty cells is one of missing heights
+    numbers = any(map(_is_number, names)) or not any(names)  # a row of empty cells is a row of missing heights
     if numbers:
         return _surveyed(path, delimiter, None) if not names[0] or _is_number(names[0]) else None
     if len(names) != len(cells) or not any(map(_is_number, cells)):
@@ -110,7 +112,11 @@ def _layout(path: Path) -> _Layout | None:
 
 
 def _surveyed(path: Path, delimiter: str | None, heading: str | None) -> _Layout:
-    """Return the layout of a text file, after all its lines are checked for decimal marks and row ends."""
+    """Return the layout of a text file, with the decimal marks and row ends found in all its lines.
+
+    delimiter, heading: already known parts of the layout. Raises InputError if the numbers have decimal commas and decimal
+    points.
+    """
     commas, points, ends_rows = False, False, delimiter is not None
     for line in islice(_lines(path), bool(heading), None):
         commas = commas or (delimiter != "," and "," in line)
@@ -127,7 +133,7 @@ def _delimiter(line: str) -> str | None:
             return mark
     if "," in line and not re.search(r"\d[ ]+[-+\d]", line):
         return ","
-    return None  # blanks, between which a comma marks decimals
+    return None  # columns are separated by blanks, and a comma is a decimal mark
 
 
 def _is_number(text: str) -> bool:
@@ -139,7 +145,7 @@ def _is_number(text: str) -> bool:
 
 
 def _lines(path: Path) -> Iterator[str]:
-    """Yield the lines of a file that are neither empty nor begin with #.
+    """Yield the lines of a text file that are neither empty nor begin with #.
 
     Bytes that are not valid UTF-8 are replaced; numbers do not contain such bytes.
     """
@@ -154,7 +160,10 @@ def _lines(path: Path) -> Iterator[str]:
 
 
 def _numbers(path: Path, layout: _Layout) -> tuple[np.ndarray, tuple[str, ...]]:
-    """Return the table (rows, columns), NaN for empty cells, and notes for the history."""
+    """Return the numbers of a text file as a table (rows, columns), NaN for empty cells, and notes for the history.
+
+    Raises InputError if the rows differ in length or have words.
+    """
     try:
         table = np.loadtxt(_rows(path, layout), delimiter=layout.delimiter, ndmin=2, comments=None)
     except ValueError as error:
@@ -167,7 +176,7 @@ def _numbers(path: Path, layout: _Layout) -> tuple[np.ndarray, tuple[str, ...]]:
 
 
 def _rows(path: Path, layout: _Layout) -> Iterator[str]:
-    """Yield the lines of numbers, with "nan" in empty cells and points as decimal marks."""
+    """Yield the lines of numbers of a text file, with "nan" in empty cells and points as decimal marks."""
     mark = layout.delimiter
     empty = re.compile(f"(?:^|{mark}) *(?:{mark}|$)")
     for line in islice(_lines(path), bool(layout.heading), None):

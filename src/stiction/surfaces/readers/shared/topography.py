@@ -1,4 +1,4 @@
-"""Convert a topography of the library SurfaceTopography to an array."""
+"""Convert a topography of the library SurfaceTopography to arrays."""
 
 import logging
 import warnings
@@ -12,9 +12,9 @@ from stiction.surfaces.readers.shared.positions import equally_spaced
 
 @contextmanager
 def quiet_library():
-    """Suppress warnings, log lines and floating-point warnings of the library.
+    """Within the context, suppress Python warnings, log lines and floating-point warnings of the library SurfaceTopography.
 
-    Errors are reported as InputError instead.
+    Errors of the library are not suppressed; callers report them as InputError.
     """
     before = logging.root.manager.disable
     logging.disable(logging.CRITICAL)
@@ -27,9 +27,10 @@ def quiet_library():
 
 
 def on_grid(topography) -> tuple[np.ndarray, tuple[float, float], tuple[str, ...]]:
-    """Return heights (rows, columns), size (y, x), and notes, from a topography.
+    """Return heights (rows, columns), size (y, x), and notes for the history from a topography of SurfaceTopography.
 
-    The library stores x as the first index, so maps are transposed. Profiles with unequal spacing are resampled.
+    Heights and size have the unit of the topography. The library stores x as the first index, so maps are transposed. Profiles
+    with unequal spacing are resampled. Missing points become NaN.
     """
     heights: Any = np.ma.filled(np.ma.asarray(topography.heights(), dtype=np.float64), np.nan)
     if topography.dim == 2:
