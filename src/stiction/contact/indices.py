@@ -354,7 +354,7 @@ class Indices(Subject):
 
 
 if TYPE_CHECKING:
-    _Arrays: Any  # type checkers take the fields of Groups as arrays, where those of Indices are numbers
+    _Arrays: Any  # for type checkers: the fields of Groups are arrays, whereas those of Indices are numbers
 else:
     _Arrays = Indices
 

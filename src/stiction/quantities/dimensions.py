@@ -23,7 +23,7 @@ def without_indexes(array: Any) -> Any:
 
     xarray aligns only arrays with indexes, which may drop or sort values. An array without indexes is returned unchanged.
     """
-    indexes = getattr(array, "xindexes", ())  # a Variable has none
+    indexes = getattr(array, "xindexes", ())  # an xarray.Variable has no indexes
     return array.drop_indexes(list(indexes)) if indexes else array
 
 
@@ -114,7 +114,7 @@ def coordinates(arrays: Iterable[tuple[str, Any]]) -> dict[str, Any]:
     first: dict[str, str] = {}
     arrays = list(arrays)
     for name, array in arrays:
-        for coordinate, values in getattr(array, "coords", {}).items():  # a Variable has none
+        for coordinate, values in getattr(array, "coords", {}).items():  # an xarray.Variable has no coordinates
             dim = str(coordinate)
             if _is_its_own(array, dim) and dim != name.rpartition(".")[2]:
                 own.setdefault(dim, []).append((name, values.variable))
@@ -130,7 +130,7 @@ def coordinates(arrays: Iterable[tuple[str, Any]]) -> dict[str, Any]:
     for dim, several in own.items():
         other = first.get(dim, "")
         if other.rpartition(".")[2] == dim and not np.array_equal(several[0][1].values, by_name[dim].values):
-            raise _disagreement(several[0][0], dim, several[0][1].size, other)  # the dimension is that quantity's own
+            raise _disagreement(several[0][0], dim, several[0][1].size, other)  # the dimension is named after `other`
         by_name |= _own_coordinates(dim, several, dim in by_name)
     return by_name
 

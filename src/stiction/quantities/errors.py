@@ -22,7 +22,7 @@ def _short(value) -> str:
     if isinstance(value, InWords):
         return re.sub(r"\s+", " ", value)
     if hasattr(value, "item") and getattr(value, "size", 1) == 1:
-        value = value.item()  # 0.6 rather than np.float64(0.6)
+        value = value.item()  # so that the error shows 0.6 and not np.float64(0.6)
     text = re.sub(r"\s+", " ", repr(value))
     half = (_LONGEST - 3) // 2
     return text if len(text) <= _LONGEST else f"{text[:half]}...{text[-half:]}"
@@ -57,11 +57,11 @@ class InputError(ValueError):
         self.value = value
         self.allowed = allowed
         self.hint = hint
-        super().__init__(field, value, allowed, *filter(None, [hint]))  # the arguments, so that the error can be pickled
+        super().__init__(field, value, allowed, *filter(None, [hint]))  # pickling needs these arguments
 
     def __str__(self) -> str:
         field, allowed = (re.sub(r"\s+", " ", text) for text in (self.field, self.allowed))
-        # Where no value is allowed, the reason stands alone.
+        # If no value is allowed, only the reason is stated.
         reason = allowed if allowed.startswith("not supported") else f"allowed: {allowed}"
         return "; ".join(filter(None, [f"{field}: {_short(self.value)}", reason, self.hint]))
 

@@ -96,7 +96,7 @@ def plain_number(entry: Any, where: str) -> float:
     """
     try:
         number = float(entry)
-    except OverflowError:  # TOML has whole numbers without end
+    except OverflowError:  # whole numbers of TOML have no upper limit
         number = math.inf
     if not math.isfinite(number):
         raise InputError(where, entry, "a finite number")
@@ -226,7 +226,7 @@ class Input(BaseModel):
         return self._without_labels or self
 
     @cached_property
-    def _without_labels(self) -> Self | None:  # None, not the record itself, with which == would never end
+    def _without_labels(self) -> Self | None:  # None if nothing changes: with the record itself, == would never end
         fields = {name: _unlabelled(getattr(self, name)) for name in type(self).model_fields}
         changed = any(value is not getattr(self, name) for name, value in fields.items())
         return type(self).model_construct(self.model_fields_set, **fields) if changed else None
@@ -319,10 +319,10 @@ def _drop_null(entry: dict) -> None:
     entry.update(choices[0] if len(choices) == 1 else {"anyOf": choices} if choices else {})
 
 
-_KINDS = {"model_type": "a table of named numbers"}  # types of errors whose pydantic text is meant for programmers
+_KINDS = {"model_type": "a table of named numbers"}  # replaces texts of pydantic that are meant for programmers
 
 
-_PROFILES = {"Rq": "Sq", "Sa": "Ra"}  # the quantities have one symbol for profiles and areas
+_PROFILES = {"Rq": "Sq", "Sa": "Ra"}  # the table of quantities has one symbol for profiles and areas
 
 
 def _by_symbol(key: str, cls: type[Input]) -> str:

@@ -13,7 +13,7 @@ class Converted(Generic[Value, Taken]):
     """Tell type checkers that a field of a record may be set to the types `Taken` and then has the type `Value` (PEP 681)."""
 
     def __get__(self, record: object, owner: object) -> Value:
-        raise NotImplementedError  # for type checkers alone
+        raise NotImplementedError  # only type checkers use this method
 
     def __set__(self, record: object, value: Taken) -> None:
         raise NotImplementedError

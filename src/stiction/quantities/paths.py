@@ -16,7 +16,7 @@ def read_text(path: Path, field: str, wanted: str, largest: int, name: str | Non
     try:
         why = _not_read(path, largest)
         if not why:
-            return path.read_text(encoding="utf-8-sig")  # some editors begin a file with the mark of its encoding
+            return path.read_text(encoding="utf-8-sig")  # some editors begin a file with a byte order mark
     except OSError as error:
         why = f"this file cannot be read ({error.strerror})"
     except UnicodeDecodeError:

@@ -41,7 +41,7 @@ def sobol_points(columns: int, count: int, seed: int | np.random.SeedSequence) -
     key = f"{seed.entropy}_{'_'.join(map(str, seed.spawn_key))}" if isinstance(seed, np.random.SeedSequence) else seed
     path = cache_folder("points") / f"sobol-{columns}-{count}-{key}.npz"
     try:
-        with np.load(path, allow_pickle=False) as file:  # an archive carries a checksum of its content
+        with np.load(path, allow_pickle=False) as file:  # the archive has a checksum, so that damage is noticed
             points = file["points"]
         if points.shape == (count, columns):
             return points

@@ -100,7 +100,7 @@ def _outside() -> tuple[tuple[Record, str], ...]:
             problem = _problem(record, [other for other, _ in loaded])
         except KeyboardInterrupt:
             raise
-        except BaseException as error:  # somebody else's code may raise anything
+        except BaseException as error:  # the code of a plug-in may raise anything
             problem = " ".join(f"{type(error).__name__}: {error}".split())
         finally:
             slow.cancel()

@@ -136,7 +136,7 @@ def _reliable(surface: "HeightMap", tip_radius: float | None, field: str) -> Bin
     tip_radius: radius of the stylus [m], None to ignore it. field: name of the scan, for the error. Raises InputError if no
     wavelength is reliable.
     """
-    bins = "log" if surface.is_profile else "linear"  # narrow where many waves share one
+    bins = "log" if surface.is_profile else "linear"  # linear bins are narrow at large q, where each has many waves
     with field_as(lambda own: f"{field}.{own}"):
         spectrum = power_spectrum(surface, "none" if surface.periodic else "hann")
         binned = radial_average(spectrum, bins, tip_radius)

@@ -55,7 +55,7 @@ def _harmonic(heights: np.ndarray, missing: np.ndarray, pitch: tuple[float, floa
 
 
 _RESIDUAL = 1e-9  # largest residual of the equations, relative to the heights at the rims of the holes
-_DAMPED = 0.7  # step of the relaxation on each level
+_DAMPED = 0.7  # damping factor of the relaxation on each level
 _FEW = 1000  # points for which the equations are solved directly
 
 

@@ -24,7 +24,7 @@ from stiction.surfaces.finishes import Finish, finish, surface_kind_of
 from stiction.surfaces.roughness import SHAPE, Roughness, ShapeNumber, refuse_impossible_kurtosis
 from stiction.surfaces.theory.moments import Moments, bandwidth, combine
 
-SQ_OVER_RA = 1.25  # sqrt(pi/2) of Gaussian heights, rounded as it is in practice
+SQ_OVER_RA = 1.25  # sqrt(pi/2) of Gaussian heights, rounded as is usual
 _ASPERITIES = ("asperity_height_deviation", "asperity_radius", "asperity_density")
 _HEIGHTS = ("rms_height", "mean_height")
 _SYMBOLS = ("Sq", "Rq", "Ra", "Sa")  # these are no keys, but the error of Finished then names the right key

@@ -181,7 +181,7 @@ def in_metres(value, field: str) -> float:
     """
     try:
         return float(value) if isinstance(value, Real) else to_si(str(value), "mean_separation")
-    except OverflowError:  # a whole number of hundreds of digits
+    except OverflowError:  # an integer with hundreds of digits
         raise InputError(field, value, "a finite length, in m") from None
     except InputError as error:
         raise InputError(field, error.value, 'a length, e.g. "10 um"') from None

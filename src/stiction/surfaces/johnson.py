@@ -109,7 +109,7 @@ def _fitted(curve, skewness: float, kurtosis: float):
         found = _skewness_and_kurtosis(curve, delta, sign * x[1] * delta)
         return np.array([found[0] - skewness, found[1] - kurtosis])
 
-    deltas = (0.3, 0.6, 1.0, 1.5, 2.5, 5.0, 20.0)[2 if curve is _unbounded else 0 :]  # below, fourth powers are too large
+    deltas = (0.3, 0.6, 1.0, 1.5, 2.5, 5.0, 20.0)[2 if curve is _unbounded else 0 :]  # for smaller ones sinh^4 is too large
     starts = [(math.log(delta), shift) for delta in deltas for shift in (0.0, 0.2, 0.5, 1.0, 2.0, 4.0)]
     starts.sort(key=lambda x: float(np.abs(difference(x)).max()))
     for start in starts[:3]:

@@ -175,7 +175,7 @@ def _without_polynomial(surface: HeightMap, order: int) -> np.ndarray:
         known = left if there is None else np.where(there, left, 0.0)
         moments = along_y.T @ (known @ along_x)
         solved = np.linalg.lstsq(gram, np.array([moments[j, i] for i, j in terms]), rcond=1e-13)[0]
-        coefficients = np.zeros((order + 1, order + 1))  # of y, of x
+        coefficients = np.zeros((order + 1, order + 1))  # by order in y and order in x
         coefficients[[j for _, j in terms], [i for i, _ in terms]] = solved
         left -= along_y @ coefficients @ along_x.T
     return left

@@ -88,7 +88,7 @@ def read_scan(
     check_numbers(raw.heights, path.name)
     factor, height_factor, units = _factors(raw, size, unit, height_unit, height_scale)
     extent, override = _size(raw, size, unit, factor)
-    with np.errstate(over="ignore", invalid="ignore"):  # reported as heights that are not finite
+    with np.errstate(over="ignore", invalid="ignore"):  # check_scale reports heights that are not finite
         heights = np.asarray(raw.heights, dtype=np.float64) * height_factor
     check_scale(heights, extent, path.name)
     surface = HeightMap(heights, extent, name=path.name)

@@ -135,7 +135,7 @@ class BinnedSpectrum:
         return (self.wavelength <= self.longest * _ROUNDING) & (self.wavelength * _ROUNDING >= self.shortest)
 
 
-# ---- windows: of (rows, columns) and the size (y, x), not yet scaled
+# ---- windows: functions of the shape (rows, columns) and the size (y, x), before scaling
 
 
 def _rectangle(shape, size) -> np.ndarray:
@@ -290,7 +290,7 @@ def _binned(waves, power, magnitudes, **settings) -> BinnedSpectrum:
     return BinnedSpectrum(magnitudes[full] / count, power[full] / count, np.rint(count).astype(int), **settings)
 
 
-# ---- parts
+# ---- helpers
 
 
 def _complete(surface: HeightMap) -> np.ndarray:

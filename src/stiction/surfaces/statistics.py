@@ -195,7 +195,7 @@ def _height_parameters(heights: np.ndarray) -> tuple[float, tuple[float, float, 
     highest, lowest = float(np.nanmax(heights)), float(np.nanmin(heights))
     if not highest > lowest:
         raise InputError("heights", highest, "heights that differ")
-    start = (highest + lowest) / 2.0  # near the mean, so that a large offset costs no digits
+    start = (highest + lowest) / 2.0  # close to the mean, so that a large offset costs no digits
     mean = start + sum(float(np.nansum(block - start)) for block in _blocks(heights)) / count
     span = highest - lowest  # heights are divided by it, so that their fourth powers do not underflow
     sums = np.zeros(4)

@@ -39,7 +39,7 @@ def eight_neighbour(surface: HeightMap, fit_points: int) -> Asperities:
     middle = middle - rounding(heights)
     for i, j in product(range(3), range(3)):
         if (i, j) != (1, 1):
-            top &= middle > heights[i : rows - 2 + i, j : columns - 2 + j]  # never next to NaN
+            top &= middle > heights[i : rows - 2 + i, j : columns - 2 + j]  # False next to NaN
     row, column = np.nonzero(top)
     note = f"summits higher than all eight neighbours; paraboloid through {fit_points} points"
     return fitted("eight_neighbour", surface, heights, (row + 1, column + 1), fit_points, note)

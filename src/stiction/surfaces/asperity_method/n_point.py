@@ -64,7 +64,7 @@ def _rises(lines: np.ndarray, level: float) -> float:
 
     lines: heights (lines, points) [m]. level: [m]. Pairs with a missing point are left out.
     """
-    rises = np.count_nonzero((lines[:, :-1] <= level) & (lines[:, 1:] > level + rounding(lines)))  # never next to NaN
+    rises = np.count_nonzero((lines[:, :-1] <= level) & (lines[:, 1:] > level + rounding(lines)))  # False next to NaN
     known = np.isfinite(lines)
     return float(rises / max(int(np.count_nonzero(known[:, :-1] & known[:, 1:])), 1))
 

@@ -51,7 +51,7 @@ def _peaks(lines: np.ndarray, pitch: float) -> tuple[np.ndarray, np.ndarray, flo
     the point.
     """
     middle = lines[:, 1:-1] - rounding(lines)
-    peak = (middle > lines[:, :-2]) & (middle > lines[:, 2:])  # never next to NaN
+    peak = (middle > lines[:, :-2]) & (middle > lines[:, 2:])  # False next to NaN
     line, point = np.nonzero(peak)
     heights = lines[line, point + 1]
     curvatures = (2.0 * heights - lines[line, point] - lines[line, point + 2]) / (pitch * pitch)

@@ -233,8 +233,8 @@ def peak_curvature(correlation):
 
 
 # On a profile of an isotropic Gaussian surface there are (1/2 pi) sqrt(m4/m2) peaks per length, of mean curvature
-# sqrt(pi m4/2) (Nayak 1971). A sampled profile of the same variance has as many of the same curvature if
-# peak_curvature / peaks_per_point^2 is this, over sqrt(alpha).
+# sqrt(pi m4/2) (Nayak 1971). A sampled profile of the same variance has as many peaks of the same curvature if
+# peak_curvature / peaks_per_point^2 equals this number over sqrt(alpha).
 _MATCH = 4.0 * math.pi**2 * math.sqrt(math.pi / 2.0)
 
 
@@ -264,7 +264,7 @@ def correlation_of_bandwidth(alpha: np.ndarray) -> np.ndarray:
             f"{LEAST_BANDWIDTH:.4g} to {LARGEST_BANDWIDTH:.4g}: the range of the tabulated profiles with exponential "
             "autocorrelation",
         )
-    low, high = np.full(alpha.shape, _SMALLEST), np.ones(alpha.shape)  # of sqrt(1 - correlation)
+    low, high = np.full(alpha.shape, _SMALLEST), np.ones(alpha.shape)  # bounds of sqrt(1 - correlation)
     for _ in range(52):
         middle = (low + high) / 2.0
         less = _match(1.0 - middle * middle) * np.sqrt(alpha) < _MATCH

@@ -50,7 +50,7 @@ def tabulated(loads: Callable, groups: np.ndarray, along: np.ndarray) -> Callabl
 
     table = np.empty((along.size, _LONE.size))
     for row, load in zip(table, loads(_SEPARATIONS, groups), strict=True):
-        part = slice(int(np.argmax(load)), int(np.searchsorted(-load, 0.0)))  # it falls, to where nothing touches
+        part = slice(int(np.argmax(load)), int(np.searchsorted(-load, 0.0)))  # where the load falls, down to no contact
         x = lone_separation(load[part])
         row[:] = PchipInterpolator(x, _SEPARATIONS[part] - x)(np.clip(_LONE, x[0], x[-1]))
     shift = RectBivariateSpline(along, _LONE, table)

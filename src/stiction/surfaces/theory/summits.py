@@ -175,7 +175,7 @@ def curve(h: np.ndarray, density: np.ndarray, shapes: Callable[[], Shapes]) -> t
     series = np.stack(_over_shapes(shapes())), *_tables_of_means()
     _fill_curves((d, farthest), (rise, rest), series, _gauss(), (load, area))
     size = math.sqrt(3.0 * math.pi) / 8.0  # s R
-    common = math.sqrt(3.0) / (2.0 * math.sqrt(math.pi))  # s^2 / (2 pi m2 N), and the Gaussian's own factor
+    common = math.sqrt(3.0) / (2.0 * math.sqrt(math.pi))  # s^2 / (2 pi m2 N) times the factor of the Gaussian
     rest = rest[:, None]
     return common / math.sqrt(size) * rest**1.5 * load, common / size * rest * area
 
@@ -296,7 +296,7 @@ def _put_panels(d, farthest, rise, rest, ends):
     if d > _FAR * whole:
         return 0
     last = math.sqrt(2.0) * (highest + _REACH)
-    # from d/rise back to well past the largest integrand, in widths
+    # Distance, in widths, from q = d/rise back to well beyond the largest integrand.
     behind = min(highest * rest / (math.sqrt(2.0) * rise) + _REACH, last / width)
     start = min(max(d / rise, 0.0), last)
     back, ahead, step, count = math.ceil(behind / _STEP), 0.0, _STEP * width, 0

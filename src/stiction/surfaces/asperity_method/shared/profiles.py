@@ -16,7 +16,7 @@ from stiction.records.registry import Parameter
 from stiction.surfaces.asperity_set import over_mean_plane
 from stiction.surfaces.heightmap import HeightMap
 
-_SUMMITS_PER_PEAKS_SQUARED = 2.0 * math.pi / (3.0 * math.sqrt(3.0))  # of equation (1)
+_SUMMITS_PER_PEAKS_SQUARED = 2.0 * math.pi / (3.0 * math.sqrt(3.0))  # factor of equation (1)
 RELATION = f"N = {_SUMMITS_PER_PEAKS_SQUARED:.4f} D_x D_y (one direction: D^2) of an isotropic Gaussian surface"
 
 DIRECTIONS = Parameter("directions of the profiles; a single profile has only x", "xy", ("xy", "x", "y"))

@@ -73,9 +73,9 @@ def _places(x: np.ndarray, name: str) -> tuple[np.ndarray, float, int, tuple[str
     if extent == 0.0:
         return np.zeros(len(x), dtype=int), 0.0, 1, ()
     steps = np.diff(np.unique(x))
-    steps = steps[steps > 1e-6 * extent]  # smaller ones are rounding
+    steps = steps[steps > 1e-6 * extent]  # smaller steps are round-off
     tried = []
-    for intervals in {len(steps), round(extent / float(np.median(steps)))}:  # with no line left out, and with some
+    for intervals in {len(steps), round(extent / float(np.median(steps)))}:  # without and with missing lines
         pitch = extent / intervals
         tried.append((float(np.abs((x - start) / pitch - np.rint((x - start) / pitch)).max()), pitch))
     off, pitch = min(tried)
