@@ -70,8 +70,8 @@ class Contact(Subject):
 
     Notes
     -----
-    Every number may be an array with a named dimension (`stiction.axis`). The strength of the contact is that of the softer
-    body; of two equally hard bodies that with the lower yield stress, then Poisson's ratio, then tangent modulus.
+    Every number may be an array with a named dimension (`stiction.axis`). The softer body decides the strength;
+    of two equally hard bodies the one with the lower yield stress, then Poisson's ratio, then tangent modulus.
 
     Examples
     --------
@@ -332,7 +332,7 @@ class Contact(Subject):
         """Return the shear strength tau_0 [Pa] and the pressure coefficient of the interface; each is None if unknown.
 
         level: quantile levels between 0 and 1 at which the distributions of the interface state are read; numbers without a
-        state do not depend on it. The strength is not capped by that of the bodies. If the state gives it over hardness or
+        state do not depend on it. The bodies' strength does not limit it. If the state gives it over hardness or
         shear modulus, those of the softer touching body apply. Raises InputError.
         """
         if self.interface is None:

@@ -66,7 +66,7 @@ class Indices(Subject):
     theta, lam : float or array, optional
         Elastic and plastic adhesion index; without adhesion state hardness_group in place of both.
     hardness_group, nu, K_beta, hardness_to_yield, tabor_parameter, sharpness, roughness_parameter : float or array, optional
-        Groups of the bodies without a film; K_beta is by default (8/3)(2 - nu)/(1 - nu), that of two equal bodies.
+        Groups of the bodies without a film; K_beta is by default (8/3)(2 - nu)/(1 - nu), the value of two equal bodies.
     n_E, n_H, tau : float or array, optional
         Modulus and hardness of a film over those of the bodies, and thickness over sigma: all three, or none without a film.
     n_g, film_aspect, film_nu, film_K_beta, film_friction_constant : float or array, optional
@@ -165,7 +165,7 @@ class Indices(Subject):
         return self
 
     def _check_bodies(self) -> None:
-        """Raise InputError if film and bodies cannot exist together, such as an n_E above that of a rigid film."""
+        """Raise InputError if film and bodies cannot exist together, such as an n_E above the value of a rigid film."""
         if self.films is not None and not np.all((self.films == 1.0) | (self.films == 2.0)):
             raise InputError("films", self.films, "1 or 2, the number of coated bodies")
         if not self.has_film or self.coated_share is None:
@@ -249,12 +249,12 @@ class Indices(Subject):
 
     @property
     def strength_over_bodies(self) -> "NumberOrArray | None":
-        """Return the shear strength of the interface over that of the weaker touching surface; None if unknown."""
+        """Return the shear strength of the interface over the one of the weaker touching surface; None if unknown."""
         return None if self.shear_strength is None else self.shear_strength / self.body_shear_strength
 
     @property
     def interface_strength(self) -> "NumberOrArray | None":
-        """Return the interfacial shear strength over hardness, at most that of the weaker surface; None if unknown."""
+        """Return the interfacial shear strength over hardness, capped at the weaker surface's strength; None if unknown."""
         strengths: Any = self.shear_strength, self.body_shear_strength
         return None if self.shear_strength is None else np.minimum(*strengths)
 
@@ -291,7 +291,7 @@ class Indices(Subject):
         Its adhesion indices are theta n_E/n_g and lambda n_H^4/(n_E n_g)^2; its nu and K beta are those of the film.
 
         Source: section 2 of the 2015 paper (S5.1); n_g is an addition of this project. Forces are then normalised with the
-        film's unit of force, which is n_E times that of the bodies. Raises InputError without a film.
+        film's unit of force, which is n_E times the bodies' unit. Raises InputError without a film.
         """
         if not self.has_film:
             raise InputError("tau", None, "the film thickness over sigma; a film needs tau, n_E and n_H together")
@@ -377,7 +377,7 @@ class Groups(_Arrays):
     def of(cls, indices: Indices) -> tuple["Groups", dict[str, int]]:
         """Return the groups of all n combinations of array inputs, and name -> length of their dimensions.
 
-        The shear strength of the interface is capped at that of the weaker touching surface.
+        The shear strength of the weaker touching surface caps the one of the interface.
         """
         whole = indices.resolved()
         values = {name: getattr(whole, name) for name in cls.model_fields} | {"shear_strength": whole.interface_strength}

@@ -37,8 +37,8 @@ class Material(Input):
     surface_energy : float [J/m^2], str with a unit, or array, optional
         Energy of a clean surface.
     characteristic_depth : float [m], str with a unit, or array, optional
-        Depth h* of a pyramid's imprint at which the hardness is sqrt(2) times that of large imprints (Nix and Gao 1998).
-        `hardness` is then that of large imprints; small asperities use a larger one, except on a map solved point by point.
+        Depth h* of a pyramid's imprint at which the hardness is sqrt(2) times the value of large imprints (Nix and Gao 1998).
+        `hardness` is then this value; small asperities use a larger one, except on a map solved point by point.
     name : str, optional
         Name in results.
     source : str or dict, optional

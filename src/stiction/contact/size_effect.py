@@ -3,7 +3,7 @@ r"""Compute the hardness of a material that gets harder as asperities get smalle
 *Assumes*: a crystal that hardens by dislocations: those present before the contact, and those that the shape of an imprint
 requires. The latter fill a hemisphere as wide as the contact. Strength grows with the square root of the total density of
 dislocations (Taylor).
-*Source*: [nix_gao_1998], the form as several texts restate it;
+*Source*: [nix_gao_1998], the form in which other texts restate it;
 [swadener_george_pharr_2002], abstract: under spheres hardness does not depend on the depth
 but grows as the radius falls. The densities rho below are derived here by counting dislocation loops, as both sources do. For a
 cone or pyramid whose faces lie at the angle beta to the surface, and for a sphere of radius R, with the Burgers vector b,

@@ -106,8 +106,8 @@ def coordinates(arrays: Iterable[tuple[str, Any]]) -> dict[str, Any]:
     """Return the coordinates along all dimensions of some input arrays, as name -> xarray.Variable.
 
     arrays: pairs (dotted name of the input, xarray.DataArray). An array made by `stiction.axis` is itself the coordinate of its
-    dimension. If several of these arrays, with different values, share a dimension, each becomes a coordinate named after its
-    own input. Raises InputError if two arrays differ in the length of a dimension or in its coordinate.
+    dimension. If two or more of these arrays, with different values, share a dimension, each becomes a coordinate named after
+    its own input. Raises InputError if two arrays differ in the length of a dimension or in its coordinate.
     """
     by_name: dict[str, Any] = {}
     own: dict[str, list[tuple[str, Any]]] = {}

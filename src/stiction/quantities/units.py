@@ -94,7 +94,7 @@ def span(ends: Iterable[float], form: str = ".3g") -> str:
 
 
 def values_in_words(values, where: str, count: int | None = None) -> InWords:
-    """Return a text for an error that describes several numbers where one was expected: "3 numbers, 100 nm to 2 um".
+    """Return a text for an error that describes numbers where a single one was expected: "3 numbers, 100 nm to 2 um".
 
     values: numbers in SI units. where: dotted name of the input; its last part is the key of the quantity in QUANTITIES. count:
     how many numbers there are, if `values` holds only the smallest and the largest.

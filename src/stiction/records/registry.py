@@ -95,7 +95,7 @@ class FilmLaw(Record):
     - wants: trait that the asperity law must have -> why
     - own_asperity: whether the film law has its own asperity law and ignores the one in `law`
     - one_body: whether film and substrate count as one body with the film's surface. If the film states a work of adhesion,
-      that of the bodies is then unused, and so are the groups in the field `takes` of the other laws
+      the work of adhesion of the bodies is then unused, and so are the groups in the field `takes` of the other laws
     - solved_as_one: whether its elastic asperity is a sphere on a layered solid; tangential laws with `layered` then suit it
       too
     - bares_substrate: whether the substrate can be exposed. A tangential law of the interface then shears only the part of the

@@ -32,7 +32,7 @@ class CombinedSpectrum:
     wavevector : array (bins,) [rad/m]
         Wave numbers, ascending.
     density : array (bins,) [m^4], or [m^3] of profiles
-        Power spectral density C, normalised as that of `SelfAffine`; between bins ln C is linear in the logarithm of the wave
+        Power spectral density C, normalised as in `SelfAffine`; between bins ln C is linear in the logarithm of the wave
         number.
     disagreement : float
         Largest ratio of the densities that two scans give at the same wave number; 1 if no two scans overlap.

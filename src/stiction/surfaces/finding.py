@@ -1,4 +1,4 @@
-"""Find the asperities of a measured surface by one of several methods: sigma, R and N.
+"""Find the asperities of a measured surface by a selected method, and from them sigma, R and N.
 
 sigma is the standard deviation of the asperity heights, R the tip radius and N the number per area. They depend on the method
 as strongly as on the point spacing of the map. Each method is a record of the class AsperityMethod, in a file of

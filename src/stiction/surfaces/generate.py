@@ -146,7 +146,7 @@ def gaussian_surface(
     size : (y, x) [m], each a number or text with a unit
         Size of the period.
     spectrum : callable
-        Power spectral density C(q) at wave numbers q [rad/m]: m^4 for a surface, m^3 for a profile, normalised as that of
+        Power spectral density C(q) at wave numbers q [rad/m]: m^4 for a surface, m^3 for a profile, normalised as in
         `SelfAffine`, which is such a callable.
     seed : int
         At least 0; the same seed and shape give the same heights.

@@ -305,7 +305,7 @@ def _one_map(solvable: SolvableMaps) -> "HeightMap | None":
 def independent(found: "Asperities", surface: "HeightMap") -> int:
     """Return the number of separate asperities: the number found, but on a map at most density times area.
 
-    found: the asperities. A method may find the same hill on several neighbouring profiles and count it each time.
+    found: the asperities. A method may find the same hill on two or more neighbouring profiles and count it each time.
     """
     if surface.is_profile:
         return found.count

@@ -113,7 +113,7 @@ class BinnedSpectrum:
     - wavevector: mean |q| of the waves in a bin [rad/m]; waves: their number, q and -q counted as two
     - density: mean power spectral density C in a bin, [m^4] for a map and [m^3] for a profile
     - longest, shortest: ends of the reliable wavelengths [m]
-    - is_profile: whether the spectrum is that of a profile; window: a key of WINDOWS
+    - is_profile: whether it is the spectrum of a profile; window: a key of WINDOWS
     """
 
     wavevector: np.ndarray

@@ -31,7 +31,7 @@ _EDGE = 1e-9  # relative; includes a wave on an edge of the spectrum in spite of
 def line_moments(dimensions: int, integrals: Iterable[float]) -> Moments:
     """Return the spectral moments m0, m2, m4 of a profile from integrals over the power spectral density C.
 
-    dimensions: d, 2 if C is that of a surface, 1 for a profile. integrals: Int C q^(k + d) d ln q for k = 0, 2, 4.
+    dimensions: d, 2 if C belongs to a surface, 1 for a profile. integrals: Int C q^(k + d) d ln q for k = 0, 2, 4.
     """
     return Moments(
         *(share * integral / _SOLID[dimensions] for share, integral in zip(_SHARES[dimensions], integrals, strict=True))

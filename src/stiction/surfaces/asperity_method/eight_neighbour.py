@@ -4,10 +4,10 @@ The result depends on the pitch, the point spacing (Greenwood 1984): where waves
 and those found are too low and too blunt. Where a long summit runs obliquely to the grid, more than one of its points is higher
 than all neighbours.
 
-*Assumes*: an asperity is a sampled point that is higher than its eight neighbours; its curvature is that of the least-squares
-paraboloid through 5, 9 (the default), 25 or 49 points around it. *Source*: [nayak_1971] for the summits that these points
-represent. With $n$ such points of heights $z$ on the area $A$ where they could be, and the second derivatives of the
-paraboloid,
+*Assumes*: an asperity is a sampled point that is higher than its eight neighbours; its curvature is computed from the
+least-squares paraboloid through 5, 9 (the default), 25 or 49 points around it. *Source*: [nayak_1971] for the summits that
+these points represent. With $n$ such points of heights $z$ on the area $A$ where they could be, and the second derivatives of
+the paraboloid,
 
 $$
 \kappa=-\tfrac12(z_{xx}+z_{yy}),\qquad N=\frac nA,\qquad\sigma^2=\overline{(z-\bar z)^2},\qquad\frac1R=\bar\kappa

@@ -6,7 +6,7 @@ hill, and so does the point. Of two points of the same height the one with the l
 points have one order.
 
 *Assumes*: an asperity is the top of a hill from which every path to a higher top descends by more than a threshold; its
-curvature is that of the least-squares paraboloid around it. *Source*: [iso_25178_2_2012], hills and Wolf pruning.
+curvature is computed from the least-squares paraboloid around it. *Source*: [iso_25178_2_2012], hills and Wolf pruning.
 *Reconstruction*: the standards were not available; the pruning, and its default of 5 % of $S_z$, are from memory, and dales are
 left out. With the saddle $s$ at which a hill of the top $z$ joins a higher one, the hill counts if
 

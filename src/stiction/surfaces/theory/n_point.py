@@ -10,7 +10,7 @@ state how. This module is a reconstruction:
     radius R   of the parabola of this height over the chord L = (m + 1) spacing between the two neighbours, L^2 / (8 t)
 
 A Gaussian profile with exponential autocorrelation is a Markov chain, so no simulation is needed. Levels D and heights z are
-divided by the standard deviation of the profile, `correlation` (rho) is that of two neighbouring points, phi is the standard
+divided by the standard deviation of the profile, rho is the correlation of two neighbouring heights, phi is the standard
 Gaussian density, and rates are per sampled point.
 
 - A row begins wherever the profile rises through the level. The rate of rows is a bivariate Gaussian integral, P(y0 < D <
@@ -204,8 +204,7 @@ def _kernel(x, y, correlation):
 def _falls(x, level, correlation):
     """Return sqrt(phi(x)) times the probability that the point after one at the height x is below the level.
 
-    x and level are in standard deviations of the profile; correlation is that of neighbouring heights, and phi the standard
-    Gaussian density.
+    x and level are in standard deviations of the profile. correlation: of neighbouring heights. phi: standard Gaussian density.
     """
     root = np.exp(-0.25 * x * x) / (2.0 * math.pi) ** 0.25
     return ndtr((level - correlation * x) / math.sqrt(1.0 - correlation * correlation)) * root

@@ -45,7 +45,7 @@ _MOST_PANELS = 200
 def _truncated_tables(n: float) -> tuple[np.ndarray, np.ndarray]:
     """Return the Chebyshev coefficients of F_n(h) (see `truncated_mean`) in two ranges of h, above and below 0.
 
-    The series on 0 to 39 is that of F_n exp(h^2/2) (1 + h)^(n+1), the one on -12 to 0 that of F_n / (1 - h)^n.
+    On 0 to 39 the series represents F_n exp(h^2/2) (1 + h)^(n+1), on -12 to 0 it represents F_n / (1 - h)^n.
     """
     node, weight = leggauss(200)
     y = 7.0 * (1.0 + node) / 2.0  # v = y^2, up to 49

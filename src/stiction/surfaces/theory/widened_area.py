@@ -31,7 +31,7 @@ def widened(pressure, c):
 
 
 def with_hardness(elastic, pressure, hardness):
-    """Return the contact area fraction of plastically deforming bodies by equation (5), from that of elastic bodies.
+    """Return the contact area fraction of plastically deforming bodies by equation (5), from the elastic one.
 
     elastic: area fraction of elastic bodies. pressure, hardness: mean pressure and hardness in one unit; hardness may be
     infinite. The fraction is 1 if the pressure reaches the hardness.
