@@ -39,10 +39,9 @@ def _finish(value):
 class Finished(Input):
     """Describe a rough body by its finish (how it was made) and perhaps its measured height.
 
-    - finish: name of a finish class, such as "ground" (docs/reference/interfaces.md)
-    - rms_height: Sq [m]; mean_height: Ra [m], converted by Sq = 1.25 Ra. Without either, the finish provides Sq
-    - kind: kind of surface as in `Roughness`; the default is the kind of the finish
-    - skewness, kurtosis, texture_aspect_ratio: as in `Roughness`
+    finish: name of a finish class, such as "ground" (docs/reference/interfaces.md). rms_height: Sq [m]. mean_height: Ra [m],
+    converted by Sq = 1.25 Ra; without either height, the finish provides Sq. kind: kind of surface as in `Roughness`; the
+    default is the kind of the finish. skewness, kurtosis, texture_aspect_ratio: as in `Roughness`.
 
     Raises InputError for two heights, or if sigma, R or N is stated too.
     """
