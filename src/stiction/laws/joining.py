@@ -1,4 +1,8 @@
-"""Join an asperity law and a tangential law into the regimes that the engine sums."""
+"""Join an asperity law and a tangential law into regimes.
+
+A regime is one smooth part of an asperity's response to displacement: load, contact area and tangential resistance. The engine
+sums regimes over the heights of the asperities.
+"""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
@@ -16,18 +20,20 @@ from stiction.engine.sorting import sort_few
 from stiction.laws.segment import NormalSegment, TangentialResistance
 from stiction.records.registry import AsperityLaw, TangentialLaw, select_options
 
-# Nearer to an end of a segment than this, relative to it, a kink is at the end.
+# A kink whose relative distance to an end of its segment is below this is moved to that end.
 _AT_END = 4e-15
-# Largest coordinate of any requested contact.
+# The search for a contact area on an endless segment ends at this coordinate.
 _FARTHEST = 1e100
 
 
 @dataclass(frozen=True)
 class Weights:
-    """Store weights of an asperity's response: arrays (n,) or numbers.
+    """Store a shift and the factors that are applied to the response of an asperity when it becomes a `Regime`.
 
-    shift: displacement at which the response starts. unit: factor from the forces of this body to the unit of force of the
-    whole contact. load, area, friction: weights of load, contact area and tangential resistance, usually 1 or 0.
+    Each field is a number or an array (n,), one value for each of n contacts. shift: added to the displacement, over sigma.
+    unit: factor from the forces of this body to the unit of force of the whole contact. load, area, friction: factors of load,
+    contact area and tangential force, usually 1 (counted) or 0 (left out); `friction` has no effect with a law of the
+    interface.
     """
 
     shift: np.ndarray | float = 0.0
@@ -39,22 +45,28 @@ class Weights:
 
 @formula
 def none(u, w, load, area):
-    """Return no tangential resistance: slip-limited and yield-limited force are 0."""
+    """Return (0, 0), the slip-limited and the yield-limited force of an asperity that does not resist sliding."""
     return 0.0, 0.0
 
 
 @cache
 def _joined(normal: Callable, coordinate: Callable, resistance: Callable, interfacial: bool, parameters: int, own: int) -> Any:
-    """Return the formulas `along` and `coordinate` of a joined regime.
+    """Return the formulas `along` (response at a coordinate u) and `coordinate` (u at a displacement) of a `Regime`.
 
-    parameters, own: number of parameters of the asperity law and of the tangential law. The function is cached, so that the
-    same laws give the same formulas and kernels are compiled once.
+    normal, coordinate: formulas of a `NormalSegment`. resistance: formula of a `TangentialResistance`. interfacial: whether
+    the tangential law describes the interface; its formula then gets load and area after weighting. parameters, own: number of
+    parameters of the asperity law and of the tangential law. The function is cached, so that the same laws give the same
+    formulas and kernels are compiled once.
     """
     joined = parameters + own
 
     @formula
     def along(u, *row):
-        """Return the six values that a `Regime` requires: weighted normal response and resistance of the body itself."""
+        """Return displacement, its derivative by u, load, contact area, slip-limited and yield-limited force at u.
+
+        row: parameters of the asperity law and of the tangential law, then the five numbers of `Weights`. The tangential law
+        gets load and area before weighting.
+        """
         w, stretch, load, area = normal(u, *row[:parameters])
         slip_limited, yield_limited = resistance(u, w, load, area, *row[parameters:joined])
         shift, unit, of_load, of_area, of_friction = row[joined:]
@@ -63,7 +75,11 @@ def _joined(normal: Callable, coordinate: Callable, resistance: Callable, interf
 
     @formula
     def along_interface(u, *row):
-        """Return the six values of a `Regime` for a law of the interface, which gets load and area after weighting."""
+        """Return displacement, its derivative by u, load, contact area, slip-limited and yield-limited force at u.
+
+        row: parameters of the asperity law and of the tangential law, then the five numbers of `Weights`. The tangential law,
+        a law of the interface, gets load and area after weighting.
+        """
         w, stretch, load, area = normal(u, *row[:parameters])
         shift, unit, of_load, of_area, _ = row[joined:]
         load, area = of_load * load, of_area * area
@@ -79,7 +95,10 @@ def _joined(normal: Callable, coordinate: Callable, resistance: Callable, interf
 
 @dataclass(frozen=True)
 class Law:
-    """Combine an asperity law, a tangential law and their options; without a tangential law only contact is computed."""
+    """Combine an asperity law with a tangential law and with the options chosen for both.
+
+    tangential: None computes load and contact area only. options: option name -> chosen value; each law takes its own options.
+    """
 
     asperity: AsperityLaw
     tangential: TangentialLaw | None = None
@@ -87,20 +106,25 @@ class Law:
 
     @property
     def interfacial(self) -> bool:
-        """Return whether the tangential law describes the interface rather than the bodies."""
+        """Return whether the tangential law describes the interface, not the bodies; False without a tangential law."""
         return self.tangential is not None and self.tangential.interfacial
 
     def segments(self, groups: Groups) -> list[NormalSegment]:
         return self.asperity.segments(groups, **select_options(self.asperity, self.options))
 
     def regimes(self, groups: Groups, weights: Weights = Weights(), **labels) -> list[Regime]:
-        """Return one regime for each segment of the asperity law; labels: as in `join`."""
+        """Return one `Regime` for each segment of the asperity law, with its tangential resistance and multiplied by `weights`.
+
+        groups: dimensionless groups of n contacts. labels: further fields of each Regime, such as body="film" or
+        touching=False.
+        """
         return [self.join(segment, groups, weights, **labels) for segment in self.segments(groups)]
 
     def join(self, segment: NormalSegment, groups: Groups, weights: Weights = Weights(), **labels) -> Regime:
-        """Return the regime of one segment with its tangential resistance, weighted by `weights`.
+        """Return the `Regime` of one segment of the asperity law, with its tangential resistance and multiplied by `weights`.
 
-        labels: further fields of the Regime, such as body, touching or in_half_space.
+        groups: dimensionless groups of n contacts. labels: further fields of the Regime, such as body="film" or
+        touching=False.
         """
         tangential_resistance = None
         if self.tangential is not None:
@@ -138,9 +162,10 @@ class Law:
 
 
 def with_kinks(edges: np.ndarray, kinks: np.ndarray | None) -> np.ndarray:
-    """Return the edges (n, m) with the kinks (n, k) inserted in order.
+    """Return the edges of n segments with kinks inserted in ascending order, (n, m + k).
 
-    Kinks outside the edges become segments of zero length at an end.
+    edges (n, m): coordinates of start, kinks and end of each segment. kinks (n, k): further coordinates, in any order, or None
+    for none. A kink outside the segment is moved to the nearer end, where it bounds a part of zero length.
     """
     if kinks is None or kinks.shape[1] == 0:
         return edges
@@ -155,7 +180,7 @@ def _fill_sorted(edges, kinks, out):
         first, last, row = edges[i, 0], edges[i, edges.shape[1] - 1], out[i]
         for j in range(row.size):
             value = edges[i, j] if j < edges.shape[1] else min(max(kinks[i, j - edges.shape[1]], first), last)
-            # A kink at an end, but for rounding: a segment of that length would have its nodes for nothing.
+            # A kink at an end, but for rounding, is moved there: a part that short would cost integration nodes for nothing.
             value = first if value <= first + _AT_END * abs(first) else value
             row[j] = last if value >= last - _AT_END * abs(last) else value
         sort_few(row)
@@ -165,9 +190,10 @@ Part = TypeVar("Part", NormalSegment, Regime)
 
 
 def within(part: Part, low: np.ndarray | float, high: np.ndarray | float) -> Part:
-    """Return the part of a segment or regime between the coordinates low and high (n,).
+    """Return a copy of a segment or regime that is restricted to the coordinates from `low` to `high`.
 
-    The part is empty if high < low, or if both limits are outside the segment on the same side.
+    low, high: numbers or arrays (n,). The copy is empty (all its edges are equal) if high < low, or if both limits lie outside
+    on the same side.
     """
     low = np.maximum(np.reshape(low, (-1, 1)), part.edges[:, :1])
     high = np.minimum(np.reshape(high, (-1, 1)), part.edges[:, -1:])
@@ -223,7 +249,10 @@ def _resistances(resistance: Callable, parameters: int) -> Any:
 
 
 def coordinates(segment: NormalSegment, w: np.ndarray | float) -> np.ndarray:
-    """Return the coordinates u (n,) at the displacements w (n,), limited to the ends of the segment."""
+    """Return the coordinates u (n,) of a segment at the displacements w, limited to the ends of the segment.
+
+    w: displacement over sigma, a number or an array (n,).
+    """
     edges, out = np.ascontiguousarray(segment.edges), np.empty(len(segment.edges))
     compiled = _coordinates(segment.normal, segment.coordinate, len(segment.parameters))
     compiled(_one_each(w, edges), columns(segment.parameters, len(edges)), edges, out)
@@ -231,9 +260,9 @@ def coordinates(segment: NormalSegment, w: np.ndarray | float) -> np.ndarray:
 
 
 def coordinates_at_area(segment: NormalSegment, area: np.ndarray | float) -> np.ndarray:
-    """Return the coordinates u (n,) at the contact areas `area` (n,), limited to the ends of the segment.
+    """Return the coordinates u (n,) of a segment at the contact areas `area`, limited to the ends of the segment.
 
-    The area must grow along the segment.
+    area: contact area over pi R sigma, a number or an array (n,). The area must grow along the segment.
     """
     edges, out = np.ascontiguousarray(segment.edges), np.empty(len(segment.edges))
     compiled = _coordinates_at_area(segment.normal, len(segment.parameters))
@@ -242,12 +271,18 @@ def coordinates_at_area(segment: NormalSegment, area: np.ndarray | float) -> np.
 
 
 def states(regime: Regime, u: np.ndarray) -> np.ndarray:
-    """Return the six values (n, 6) of `Regime.along` at the coordinates u (n,)."""
+    """Return the six values (n, 6) of a regime at the coordinates u (n,), one coordinate for each of n contacts.
+
+    They are displacement, its derivative by u, load, contact area, slip-limited and yield-limited tangential force.
+    """
     return _values(regime.along, regime.parameters, u, 6)
 
 
 def normal_states(segment: NormalSegment, u: np.ndarray) -> np.ndarray:
-    """Return displacement, its derivative, load and contact area (n, 4) at the coordinates u (n,)."""
+    """Return displacement, its derivative by u, load and contact area (n, 4) of a segment at the coordinates u (n,).
+
+    Displacements are over sigma, loads over K R^(1/2) sigma^(3/2) with K = (4/3) E*, areas over pi R sigma.
+    """
     return _values(segment.normal, segment.parameters, u, 4)
 
 
@@ -262,9 +297,11 @@ def _one_each(values: np.ndarray | float, edges: np.ndarray) -> np.ndarray:
 def resistances(
     tangential: TangentialLaw, groups: Groups, load: np.ndarray, area: np.ndarray, state: str = "elastic"
 ) -> np.ndarray:
-    """Return the tangential force (n, m) that a law of the interface gives for whole contacts.
+    """Return the tangential force (n, m) that a law of the interface gives for whole contacts of known load and contact area.
 
-    load, area: of the contacts (n, m). state: "elastic" or "plastic".
+    groups: dimensionless groups of n contacts. load, area (n, m): m states of each contact; loads are over
+    K R^(1/2) sigma^(3/2) with K = (4/3) E*, areas over pi R sigma. state: "elastic" or "plastic". The force is in the unit of
+    the load.
     """
     anywhere = NormalSegment(none, none, (), np.zeros((len(groups), 1)), state)
     tangential_resistance = tangential.tangential_resistance(anywhere, groups)

@@ -1,4 +1,4 @@
-"""Describe one smooth part (segment) of an asperity's normal behaviour, and the tangential resistance on it."""
+"""Describe a segment (one smooth part of an asperity's response to its load), and the tangential resistance on it."""
 
 import math
 from collections.abc import Callable
@@ -15,12 +15,12 @@ STATES = ("elastic", "elastic-plastic", "plastic")
 
 @dataclass(frozen=True)
 class NormalSegment:
-    """Describe one smooth part of an asperity's normal behaviour, for n parameter sets ("laws") at once.
+    """Describe one smooth part of the normal response of an asperity, for n contacts at once.
 
-    normal(u, *parameters) returns displacement, derivative of the displacement by u, load and contact area at the coordinate
-    u. coordinate(displacement, *parameters) -> u is the inverse of the displacement. Both are scalar formulas
-    (engine.compiled.formula) in the units of theory.md: displacement over sigma, load over K R^(1/2) sigma^(3/2), area
-    over pi R sigma.
+    normal(u, *parameters) returns displacement, its derivative by u, load and contact area at the coordinate u.
+    coordinate(displacement, *parameters) returns u; it is the inverse of the displacement. Both are scalar formulas
+    (engine.compiled.formula). Displacements are over sigma, loads over K R^(1/2) sigma^(3/2), areas over pi R sigma, with the
+    tip radius R, the standard deviation sigma of the heights and K = (4/3) E*.
 
     parameters: arrays (n,), in the order in which `normal` takes them.
     edges: array (n, m + 1) of coordinates: start, kinks, and end of the segment; the end may be infinite.
@@ -37,13 +37,13 @@ class NormalSegment:
 
 @dataclass(frozen=True)
 class TangentialResistance:
-    """Describe the tangential resistance on a segment: the force at which one asperity shears off.
+    """Describe the tangential force at which one asperity slides, along one segment and for n contacts at once.
 
     resistance(u, displacement, load, area, *parameters) returns the slip-limited and the yield-limited force, in the unit of
-    the load; at least one of them is zero. parameters: arrays (n,).
+    the load. The smaller force decides; at least one of the two returned numbers is zero. parameters: arrays (n,).
 
-    kinks: array (n, k) of coordinates at which the resistance is not smooth, in any order, or None; those outside the segment
-    are ignored. branch: coordinates at which the resistance starts like a fractional power, as in `Regime`, or None.
+    kinks: array (n, k) of coordinates at which the force is not smooth, in any order, or None; those outside the segment are
+    ignored. branch: coordinates at which the force starts like a fractional power, as in `Regime`, or None.
     """
 
     resistance: Callable
@@ -54,18 +54,21 @@ class TangentialResistance:
 
 @formula
 def displaced(w, *row):
-    """Return the coordinate of a segment whose coordinate is its displacement w."""
+    """Return w, the coordinate u of segments whose coordinate is the displacement w itself; row is not used."""
     return w
 
 
 @formula
 def root_of(w, *row):
-    """Return the coordinate of a segment whose coordinate is the square root of its displacement w."""
+    """Return sqrt(w), the coordinate u of segments whose coordinate is the square root of the displacement w.
+
+    It is 0 if w is negative. row is not used.
+    """
     return math.sqrt(max(w, 0.0))
 
 
 def edges_at(*places: np.ndarray | float) -> np.ndarray:
-    """Return m coordinates, each an array (n,) or a number, as edges (n, m) of a segment."""
+    """Return the edges (n, m) of n segments; each argument is one column, an array (n,) of coordinates or a number."""
     return np.stack(np.broadcast_arrays(*places), axis=1)
 
 
@@ -78,15 +81,16 @@ def from_curve(
     parameters: tuple[np.ndarray, ...] = (),
     state: str = "elastic",
 ) -> NormalSegment:
-    """Return a segment from plain functions for load and contact area against displacement.
+    """Return a segment made from two plain functions: load and contact area against displacement.
 
-    It runs slower than a segment with formulas in a suitable coordinate, and its sums are accurate to 1e-8. Its coordinate is
-    the square root of the displacement beyond `start`, in which curves that begin like a half-integer power are smooth.
+    It runs slower than a segment with formulas in a suitable coordinate, and sums over it are accurate to 1e-8. Its coordinate
+    is the square root of the displacement beyond `start`, in which curves that begin like a half-integer power are smooth.
 
     Parameters
     ----------
     load, area : functions of (displacement, *parameters)
-        Functions of numbers, smooth between `start` and `end`; they may use `math`, `if`, `min` and `max`.
+        Load over K R^(1/2) sigma^(3/2) and contact area over pi R sigma at a displacement over sigma. Functions of numbers,
+        smooth between `start` and `end`; they may use `math`, `if`, `min` and `max`.
     start : array (n,)
         Displacement at which the segment starts, over sigma.
     end : array (n,) or float
@@ -95,6 +99,11 @@ def from_curve(
         Parameters, in the order in which both functions take them.
     state : str
         One of STATES.
+
+    Returns
+    -------
+    NormalSegment
+        The segment, for n contacts.
     """
     normal, coordinate = _curve(load, area)
     edges = np.sqrt(edges_at(0.0, end - start))
@@ -103,11 +112,11 @@ def from_curve(
 
 @cache
 def _curve(load: Callable, area: Callable) -> tuple[Callable, Callable]:
-    """Return two formulas for a law given by load and area against displacement w.
+    """Return the formulas `normal` and `coordinate` of a segment whose load and area are given against the displacement w.
 
-    `normal(u)` gives w, dw/du, load and area; `coordinate(w)` gives u, the square root of the displacement beyond the start.
-
-    The function is cached, so that the same functions give the same formulas and kernels are compiled once.
+    normal(u, start, *parameters) returns w = start + u^2, dw/du, load and area. coordinate(w, start, *parameters) returns
+    u = sqrt(w - start). The function is cached, so that the same `load` and `area` give the same formulas and kernels are
+    compiled once.
     """
     load, area = formula(load), formula(area)
 

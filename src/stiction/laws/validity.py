@@ -15,10 +15,11 @@ if TYPE_CHECKING:
 
 
 def warnings_about(subject: Subject, rules: Iterable[Validity], results: Mapping[str, Any]) -> list[ValidityWarning]:
-    """Return one warning for each validity range that the inputs or the results of a contact are outside of.
+    """Return one warning for each validity range that the inputs or the results of a contact leave.
 
-    results: normalised results by name; mean_separation is over sigma, None if missing. Other quantities are taken from the
-    contact.
+    rules: the validity ranges. results: dimensionless results by name; a result that is None is not checked. A quantity that
+    is not in `results` is taken from the contact, `subject`. A warning states the smallest and largest value outside, and how
+    many of all values are outside.
     """
     warnings = []
     for rule, values, outside in ranges_left(subject, rules, results):
@@ -31,9 +32,10 @@ def warnings_about(subject: Subject, rules: Iterable[Validity], results: Mapping
 def ranges_left(
     subject: Subject, rules: Iterable[Validity], results: Mapping[str, Any]
 ) -> Iterator[tuple[Validity, np.ndarray, np.ndarray]]:
-    """Yield each validity range that is violated, the values of its quantity, and a mask of the values outside.
+    """Yield each validity range that is left, with the values of its quantity and a mask of the values outside.
 
-    NaN counts as inside.
+    rules: the validity ranges. results: dimensionless results by name; a result that is None is not checked. A quantity that
+    is not in `results` is taken from the contact, `subject`. NaN counts as inside.
     """
     for rule in rules:
         value = results[rule.quantity] if rule.quantity in results else subject.known(rule.quantity)
@@ -46,25 +48,28 @@ def ranges_left(
 
 
 def with_warnings(data: "xarray.Dataset", more: Iterable[ValidityWarning]) -> "xarray.Dataset":
-    """Return a copy of a result with more validity warnings.
+    """Return a copy of a result with the validity warnings `more` added to those that it has.
 
-    They are stored as text in the attribute `outside_validity` and as JSON in `validity_warnings`.
+    Warnings are stored as text in the attribute `outside_validity` and as JSON in the attribute `validity_warnings`.
     """
     return data.assign_attrs(as_attributes([*warnings_of(data), *more]))
 
 
 def as_attributes(warnings: Iterable[ValidityWarning]) -> dict[str, str]:
-    """Return the attributes that store validity warnings in a result, and in netCDF files."""
+    """Return the two attributes that store validity warnings in a result and in netCDF files.
+
+    `outside_validity` holds them as text, `validity_warnings` as JSON.
+    """
     listed = tuple(warnings)
     data = json.dumps([warning.as_data() for warning in listed], ensure_ascii=False)
     return {"outside_validity": "; ".join(map(str, listed)), "validity_warnings": data}
 
 
 def warnings_of(data: "xarray.Dataset") -> list[ValidityWarning]:
-    """Return the validity warnings of a result."""
+    """Return the validity warnings that the attributes of a result store, or an empty list."""
     return read_warnings(data.attrs.get("validity_warnings", "[]"))
 
 
 def read_warnings(text: str) -> list[ValidityWarning]:
-    """Return the validity warnings stored as JSON by `as_attributes`."""
+    """Return the validity warnings in a JSON text, which is the attribute `validity_warnings` of a result."""
     return [ValidityWarning.from_data(row) for row in json.loads(text)]
