@@ -25,7 +25,7 @@ Load and area are continuous at first yield. *Limit* without yield: Hertz's area
 critical area is assumed to be
 $\pi R\omega_c$. The only check of both is the agreement with the [other elastic-plastic
 laws](#the-elastic-plastic-laws-side-by-side). *Trap*: a public implementation has $6.82-7.83(\ldots)$, without the $\nu$.
-*Coordinate*: $u=\sqrt w$.
+*Coordinate* of integration: $u=\sqrt w$.
 
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$ over $\pi R\sigma$ of one
 asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$ ($E^*$ contact modulus);
@@ -43,44 +43,47 @@ from stiction.laws.segment import NormalSegment, edges_at, root_of
 from stiction.records.registry import AsperityLaw, Limit, Validity
 from stiction.records.sources import Source
 
-# The ratios below were fitted for nu from here to 1/2; they have no meaning below (and no positive value below 0.117).
+# Least Poisson's ratio of the fit of both ratios below. Under it they have no meaning; the load's is negative under 0.117.
 LEAST_NU = 0.2
-# Where the sum is split, over the critical interference: the law leaves Hertz's as exp(-1/x) leaves zero.
+# Where the sum is split, over the displacement at first yield: near it the law departs from Hertz's as exp(-1/x) from 0.
 _SPLITS = (4.0,)
 
 
 def yield_coefficient(nu):
-    """Return C_nu = 1.234 + 1.256 nu for Poisson's ratio nu (any shape).
+    """Return C_nu = 1.234 + 1.256 nu, the largest pressure over the yield stress at first yield of a frictionless contact.
 
-    C_nu is the largest pressure over the yield stress at first yield of a frictionless contact.
+    nu: Poisson's ratio, a number or an array of any shape.
     """
     return 1.234 + 1.256 * nu
 
 
 def load_of_stick(nu):
-    """Return the ratio of two critical loads (at first yield), full stick over frictionless slip; nu: Poisson's ratio.
+    """Return the load at first yield in full stick over the load at first yield in frictionless slip.
 
-    The ratio is 8.88 nu - 10.13 (nu^2 + 0.089), constant below nu = 0.2. Any shape.
+    The ratio is 8.88 nu - 10.13 (nu^2 + 0.089), constant below nu = 0.2. nu: Poisson's ratio, a number or an array of any
+    shape.
     """
     nu = np.maximum(nu, LEAST_NU)
     return 8.88 * nu - 10.13 * (nu * nu + 0.089)
 
 
 def interference_of_stick(nu):
-    """Return the ratio of two critical interferences (at first yield), full stick over slip; nu: Poisson's ratio.
+    """Return the displacement at first yield in full stick over the displacement at first yield in frictionless slip.
 
-    The ratio is 6.82 nu - 7.83 (nu^2 + 0.0586), constant below nu = 0.2. Any shape.
+    The ratio is 6.82 nu - 7.83 (nu^2 + 0.0586), constant below nu = 0.2. nu: Poisson's ratio, a number or an array of any
+    shape.
     """
     nu = np.maximum(nu, LEAST_NU)
     return 6.82 * nu - 7.83 * (nu * nu + 0.0586)
 
 
 def critical_values(eta, nu, k):
-    """Return the interference delta_c and the load L_c at first yield in full stick (any shape).
+    """Return displacement and load of one asperity at first yield in full stick, over sigma and over K R^(1/2) sigma^(3/2).
 
-    In slip, delta_c = (pi C_nu (1 - nu^2) Y/(2 E))^2 R, which follows from Hertz's largest pressure C_nu Y. Here E/(1 - nu^2)
-    is the contact modulus E* of the pair and Y = H/k; over sigma this is ((2/3) C_nu eta/k)^2. Both slip values are multiplied
-    by the ratios for stick.
+    eta: hardness group pi H sqrt(R/sigma)/K with K = (4/3) E*. nu: Poisson's ratio. k: hardness over yield stress, H/Y. The
+    arguments may be arrays. The values are those in slip times ratios for stick. In slip, the displacement is (pi C_nu
+    (1 - nu^2) Y/(2 E))^2 R, from Hertz's largest pressure C_nu Y; with E/(1 - nu^2) = E* and Y = H/k this is ((2/3) C_nu
+    eta/k)^2 over sigma.
     """
     slip_limited = (2.0 / 3.0 * yield_coefficient(nu) * eta / k) ** 2
     return interference_of_stick(nu) * slip_limited, load_of_stick(nu) * slip_limited**1.5
@@ -88,25 +91,28 @@ def critical_values(eta, nu, k):
 
 @formula
 def elastic(u, stiffness):
-    """Return displacement w = u^2, dw/du, load and area of the elastic asperity.
+    """Return displacement w, dw/du, load and contact area of the elastic asperity in full stick, at the coordinate u = sqrt(w).
 
-    The load is L_c (delta/delta_c)^(3/2), the area pi R delta. stiffness: L_c/delta_c^(3/2) in units of Hertz's value.
+    w is over sigma, the load stiffness w^(3/2) over K R^(1/2) sigma^(3/2), the area w over pi R sigma. stiffness: load over
+    Hertz's load at the same displacement.
     """
     w = u * u
     return w, 2.0 * u, stiffness * w * u, w
 
 
-_LEAST = 1e-300  # of ln(delta/delta_c): its inverse is still a number
+_LEAST = 1e-300  # lower bound of ln(w/w_c), whose inverse is finite
 
 
 @formula
 def yielding(u, w_c, stiffness, load_power, area_power):
-    """Return displacement w = u^2, dw/du, load and area of an asperity in full stick beyond first yield.
+    """Return displacement w, dw/du, load and contact area of an asperity in full stick beyond first yield, at u = sqrt(w).
 
-    With r = delta/delta_c: P/L_c = r^1.5 (1 - exp(1/(1 - r^beta))) and A/A_c = r (1 + exp(1/(1 - r^alpha))).
+    With r = w/w_c the load is stiffness w^1.5 (1 - exp(1/(1 - r^beta))), the area w (1 + exp(1/(1 - r^alpha))). w is over
+    sigma, the load over K R^(1/2) sigma^(3/2), the area over pi R sigma. w_c: displacement at first yield. stiffness: elastic
+    load over Hertz's. load_power, area_power: beta and alpha.
     """
     w = u * u
-    growth = max(math.log(w / w_c), _LEAST)  # rounding may put the first point a little before delta_c
+    growth = max(math.log(w / w_c), _LEAST)  # rounding may put the first point a little below w_c
     load = -math.expm1(-1.0 / math.expm1(load_power * growth))
     area = 1.0 + math.exp(-1.0 / math.expm1(area_power * growth))
     return w, 2.0 * u, stiffness * w * u * load, w * area

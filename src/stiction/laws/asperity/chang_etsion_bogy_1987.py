@@ -32,24 +32,28 @@ from stiction.records.sources import Source
 def hardness_coefficient(nu):
     """Return K_H = 0.454 + 0.41 nu, the largest pressure at first yield over the hardness.
 
-    The authors gave this form in 1988; their 1987 paper has the constant 0.6. nu: array of any shape.
+    nu: Poisson's ratio, a number or an array of any shape. The authors gave this form in 1988; their 1987 paper has the
+    constant 0.6.
     """
     return 0.454 + 0.41 * nu
 
 
 def critical_interference(eta, K_H):
-    """Return the interference at first yield over sigma, ((2/3) K_H eta)^2.
+    """Return the displacement at first yield over sigma, ((2/3) K_H eta)^2.
 
-    It follows from omega_c = (pi K_H H / (2 E*))^2 R with eta = pi H sqrt(R/sigma)/K and K = (4/3) E*. Arrays of any shape.
+    It follows from omega_c = (pi K_H H / (2 E*))^2 R, with the hardness group eta = pi H sqrt(R/sigma)/K and K = (4/3) E*.
+    K_H: largest pressure at first yield over the hardness. The arguments may be arrays.
     """
     return (2.0 / 3.0 * K_H * eta) ** 2
 
 
 @formula
 def plastic(w, w_c, eta, K_H):
-    """Return displacement w, dw/du = 1, load and area of an asperity beyond first yield; the coordinate u is w itself.
+    """Return displacement w, dw/du = 1, load and contact area of an asperity beyond first yield; the coordinate u is w itself.
 
-    The area is pi R w (2 - w_c/w), the load is this area times K_H H.
+    The area is 2 w - w_c over pi R sigma. The pressure is K_H H, so that the load is eta K_H times this area, over
+    K R^(1/2) sigma^(3/2). w is over sigma. w_c: displacement at first yield. eta: hardness group. K_H: largest pressure at
+    first yield over the hardness.
     """
     area = 2.0 * w - w_c
     return w, 1.0, K_H * eta * area, area

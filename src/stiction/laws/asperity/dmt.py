@@ -29,9 +29,10 @@ from stiction.records.sources import Source
 
 @formula
 def normal(u, theta):
-    """Return displacement w = u^2, dw/du, load and area of a DMT asperity.
+    """Return displacement w, dw/du, load and contact area of a DMT asperity at the coordinate u = sqrt(w).
 
-    The load is w^(3/2) - 2 pi/theta over K R^(1/2) sigma^(3/2), the area is w over pi R sigma.
+    w is over sigma. The load is w^(3/2) - 2 pi/theta over K R^(1/2) sigma^(3/2), the area is w over pi R sigma. theta: elastic
+    adhesion index.
     """
     w = u * u
     return w, 2.0 * u, w * u - 2.0 * math.pi / theta, w

@@ -27,7 +27,7 @@ factor $\pi$, which Hertz's force does not have.
 
 *Limits*: at $e=0$ the area is exactly that of `jackson_green_2005`. The load is the same for blunt asperities only, because
 the limiting pressures differ if $a/R$ is not small. At $e\to1$ the area is Hertz's, and the load is $P_p$ plus 96 % of the
-difference between Hertz's load and $P_p$. *Coordinate*: $u=\sqrt w$.
+difference between Hertz's load and $P_p$. *Coordinate* of integration: $u=\sqrt w$.
 
 *Check*: contact radius and force agree with thirteen rows of an independent code's regression file to $10^{-12}$. Four of
 these rows, for two equal spheres ($E=192$ GPa, $\nu=0.3$, $Y=330$ MPa, effective radius 1.4 mm), each flattened against the
@@ -65,25 +65,26 @@ _area_ratio, _load_ratio, _elastic_to = unhardened.area_ratio, unhardened.load_r
 _SPLITS = (1e3, 1e5)
 # E of the asperity over (1 - nu^2) E*: E* = E/(2 (1 - nu^2)) between bodies alike, E/(1 - nu^2) against a rigid one.
 _BODIES = {"alike": 2.0, "rigid": 1.0}
-# How a = R is searched.
+# Number of steps in the search for a = R.
 _STEPS = 64
 
 
 def elastic_share(hardening):
-    """Return the weight of Hertz's load in the load of a hardening asperity, 1 - exp(-3.3 E_t/E) (eq 30, any shape).
+    """Return the weight of Hertz's load in the load of a hardening asperity, 1 - exp(-3.3 E_t/E) (eq 30).
 
-    hardening: tangent modulus over Young's modulus, E_t/E.
+    hardening: tangent modulus over Young's modulus, E_t/E, a number or an array.
     """
     return -np.expm1(-3.3 * hardening)
 
 
 def stiffening(hardening, modulus_over_yield):
-    """Return `front` and `rate` of Upsilon = -front exp(rate (omega - omega_c)/R) (eq 26, any shape).
+    """Return `front` and `rate` of Upsilon = -front exp(rate (omega - omega_c)/R), the exponent in the contact radius (eq 26).
 
-    With e = E_t/E and s = (E/S_y)^(1/2), Upsilon = -2 s e^(1 - (omega - omega_c)/R) / ((4 - 3 exp(-2 s e)) (1 - e)), as the
-    authors' code computes it. The printed equation, which the code calls wrong, has the opposite sign and omega in place of
-    omega - omega_c. With that sign the area would grow without bound for e -> 1 instead of tending to Hertz's. Upsilon is 0
-    for e = 0.
+    hardening: e = E_t/E, tangent modulus over Young's modulus. modulus_over_yield: E/S_y, Young's modulus over yield stress,
+    with s = (E/S_y)^(1/2). Both may be arrays. Upsilon = -2 s e^(1 - (omega - omega_c)/R) / ((4 - 3 exp(-2 s e)) (1 - e)), as
+    the authors' code computes it, and 0 for e = 0. The printed equation, which the code calls wrong, has the opposite sign and
+    omega in place of omega - omega_c. With that sign the area would grow without bound for e -> 1 instead of tending to
+    Hertz's.
     """
     s = np.sqrt(modulus_over_yield)
     front = 2.0 * s * hardening / ((4.0 - 3.0 * np.exp(-2.0 * s * hardening)) * (1.0 - hardening))
@@ -93,10 +94,11 @@ def stiffening(hardening, modulus_over_yield):
 
 @formula
 def radius(w, w_c, B, sharpness, front, rate):
-    """Return the contact radius over (R sigma)^(1/2): a = a_e + (a_p - a_e) exp(Upsilon) (eq 25).
+    """Return the contact radius over (R sigma)^(1/2) at the displacement w: a = a_e + (a_p - a_e) exp(Upsilon) (eq 25).
 
-    a_e is Hertz's radius (eq 1), a_p Jackson and Green's (eqs 23, 24). Upsilon is limited to stay finite beyond omega =
-    R.
+    a_e is Hertz's radius (eq 1), a_p Jackson and Green's (eqs 23, 24) with the exponent B. w, w_c: displacement and
+    displacement at first yield, over sigma. sharpness: sqrt(sigma/R). front, rate: of Upsilon, from `stiffening`. Upsilon is
+    limited, so that it stays finite for displacements beyond R.
     """
     elastic = math.sqrt(w)
     upsilon = -front * math.exp(min(rate * (w - w_c) * sharpness * sharpness, 300.0))
@@ -105,9 +107,10 @@ def radius(w, w_c, B, sharpness, front, rate):
 
 @formula
 def hardness(radius):
-    """Return the limiting hardness H_G/S_y = 2.84 - 0.92 (1 - cos(pi a/R)) for radius = a/R (eq 28).
+    """Return the limiting pressure over the yield stress, H_G/S_y = 2.84 - 0.92 (1 - cos(pi a/R)) (eq 28).
 
-    It falls from 2.84 to 1 at a = R and stays 1 beyond, where the formula has no meaning.
+    radius: contact radius over sphere radius, a/R. H_G/S_y falls from 2.84 to 1 at a = R and stays 1 beyond, where the formula
+    has no meaning.
     """
     return 2.84 - 0.92 * (1.0 - math.cos(math.pi * min(radius, 1.0)))
 
@@ -117,11 +120,13 @@ _radius, _hardness = radius, hardness
 
 @formula
 def yielding(u, *row):
-    """Return displacement, its slope, load and area beyond 1.9 omega_c.
+    """Return displacement w, dw/du, load and contact area of a hardening asperity beyond 1.9 omega_c, at u = sqrt(w).
 
-    The load is F_p + (F_e - F_p) share (eq 30): F_p is Jackson and Green's load (eqs 27, 29), F_e is Hertz's (eq 31, without
-    its printed factor pi, which Hertz's force does not have). row: w_c, C, B, sharpness, front and rate (see `stiffening`),
-    share (see `elastic_share`), and the displacement `wide` beyond which the hardness stays at S_y.
+    omega_c is the displacement at first yield. The load is F_p + (F_e - F_p) share (eq 30): F_p is Jackson and Green's load
+    (eqs 27, 29), F_e is Hertz's (eq 31, without its printed factor pi, which Hertz's force does not have). row:
+    w_c = omega_c/sigma; C, largest pressure over yield stress at w_c; B, exponent of the area; sharpness, sqrt(sigma/R); front
+    and rate, from `stiffening`; share, from `elastic_share`; the displacement `wide` beyond which the limiting pressure stays
+    at S_y.
     """
     w_c, C, B, sharpness, front, rate, share, wide = row
     w = u * u
@@ -133,7 +138,10 @@ def yielding(u, *row):
 
 @formula
 def _is_narrow(w, parameters):
-    """Return whether the contact radius at the displacement w is smaller than the radius R of the sphere."""
+    """Return whether the contact radius at the displacement w over sigma is smaller than the radius R of the sphere.
+
+    parameters: w_c, B, sharpness, front and rate, as `radius` takes them.
+    """
     w_c, B, sharpness, front, rate = parameters
     return _radius(w, w_c, B, sharpness, front, rate) * sharpness < 1.0
 
@@ -143,9 +151,10 @@ _halve = halving(_is_narrow)
 
 @lazy_kernel(worth=300)
 def _wide_as_high(w_c, B, sharpness, front, rate, out):
-    """Fill `out` with the first displacement, at least 1.9 omega_c, at which the contact radius reaches R.
+    """Fill `out` (n,) with the first displacement over sigma, at least 1.9 w_c, at which the contact radius reaches R.
 
-    With little hardening the radius may fall below R again before omega = R. The search therefore takes small steps.
+    The other arguments are arrays (n,) of the parameters of `radius`. With little hardening the contact radius may fall below
+    R again before the displacement equals R. The search therefore takes small steps.
     """
     for i in range(out.size):
         parameters = w_c[i], B[i], sharpness[i], front[i], rate[i]
@@ -158,9 +167,11 @@ def _wide_as_high(w_c, B, sharpness, front, rate, out):
 
 
 def _edges(w_c, sharpness, front, rate, wide):
-    """Return the displacements at which the yielded part of the law begins, is split for the integration, and ends.
+    """Return the displacements over sigma (n, m) at which the law beyond 1.9 w_c begins, is split for integration, and ends.
 
-    It is split where the contact radius reaches R and where Upsilon = -1, near which the area may change quickly.
+    It is split where the contact radius reaches R (`wide`), where Upsilon = -1, near which the area may change quickly, and at
+    fixed multiples of w_c. w_c: displacement at first yield. sharpness: sqrt(sigma/R). front, rate: from `stiffening`. All
+    arguments are arrays (n,).
     """
     start = _elastic_to * w_c
     hardens = (front > 0.0) & (rate > 0.0)

@@ -7,7 +7,8 @@ P=w^{3/2},\qquad A=w
 $$
 
 In SI $P=\tfrac43E^*R^{1/2}\omega^{3/2}$, $a^2=R\omega$, largest pressure
-$p_0=\tfrac32P/(\pi a^2)=(2E^*/\pi)\sqrt{\omega/R}$. *Coordinate*: $u=\sqrt w$, in which load and area are polynomials.
+$p_0=\tfrac32P/(\pi a^2)=(2E^*/\pi)\sqrt{\omega/R}$. *Coordinate* of integration: $u=\sqrt w$, in which load and area are
+polynomials.
 
 **First yield.** Without shear, a Hertz contact first yields (von Mises, yield stress $Y$) on its axis, at a depth $z$ below
 the surface ([johnson_1985], eq. 3.45 for the stresses). The table compares the exact $p_0/Y$, from `first_yield`, with the
@@ -47,21 +48,24 @@ from stiction.records.sources import Source
 
 @formula
 def load(w):
-    """Return Hertz's load w^(3/2) over K R^(1/2) sigma^(3/2), K = (4/3) E*, at the displacement w over sigma."""
+    """Return Hertz's load w^(3/2) over K R^(1/2) sigma^(3/2), with K = (4/3) E*, at the displacement w over sigma."""
     return w * math.sqrt(w)
 
 
 @formula
 def normal(u):
-    """Return displacement w = u^2, dw/du, load w^(3/2) and area w (over pi R sigma) of a Hertz contact."""
+    """Return displacement w, dw/du, load and contact area of a Hertz contact at the coordinate u = sqrt(w).
+
+    w is over sigma, the load w^(3/2) over K R^(1/2) sigma^(3/2) with K = (4/3) E*, the area w over pi R sigma.
+    """
     w = u * u
     return w, 2.0 * u, w * u, w
 
 
 def elastic(last: np.ndarray) -> NormalSegment:
-    """Return Hertz's law as a NormalSegment, from first touch to the displacements `last` (n,).
+    """Return Hertz's law as a NormalSegment, from first touch to the displacements `last` (n,), over sigma.
 
-    Another law describes the asperity beyond `last`.
+    Asperity laws with yield use it for their elastic part.
     """
     return NormalSegment(normal, root_of, (), edges_at(0.0, np.sqrt(last)), "elastic")
 
@@ -71,18 +75,19 @@ def segments(groups: Groups) -> list[NormalSegment]:
 
 
 def first_yield(nu: float) -> tuple[float, float]:
-    """Return the pressure and the place at which a frictionless Hertz contact first yields (von Mises).
+    """Return largest pressure p0/Y and depth z/a at which a frictionless Hertz contact first yields (von Mises).
 
-    nu: Poisson's ratio, 0 <= nu < 0.5. Returns the largest pressure over the yield stress, p0/Y, and the depth below the
-    centre of the contact over the contact radius. Source: stresses on the axis as in Johnson, Contact Mechanics (1985), eq.
-    3.45, over p0 at the depth z a: sigma_r = -(1 + nu)(1 - z arctan(1/z)) + 1/(2 (1 + z^2)), sigma_z = -1/(1 + z^2).
+    nu: Poisson's ratio, 0 <= nu < 0.5. p0/Y: largest contact pressure over the yield stress. z/a: depth of first yield below
+    the centre of the contact, over the contact radius. Source: stresses on the axis as in Johnson, Contact Mechanics (1985),
+    eq. 3.45, over p0 and with z over a: sigma_r = -(1 + nu)(1 - z arctan(1/z)) + 1/(2 (1 + z^2)), sigma_z = -1/(1 + z^2).
     """
     from scipy.optimize import brentq
 
     def slope(z):
-        """Return d(sigma_r - sigma_z)/dz, the derivative of the radial minus the axial stress along the axis.
+        """Return d(sigma_r - sigma_z)/dz, the derivative of radial minus axial stress along the axis, at the depth z.
 
-        It falls from (1 + nu) pi/2 at the surface to below zero at z = 1.
+        Stresses are over the largest pressure, z is over the contact radius. The derivative falls from (1 + nu) pi/2 at the
+        surface to below zero at z = 1.
         """
         return (1.0 + nu) * (math.atan2(1.0, z) - z / (1.0 + z * z)) - 3.0 * z / (1.0 + z * z) ** 2
 

@@ -21,8 +21,8 @@ $$
 The yield stress is $Y=H/k$. In SI $\omega_c=(\pi CY/(2E^*))^2R$ and $P_c=\tfrac43(R/E^*)^2(\tfrac12C\pi Y)^3$; the source's
 argument of $H_G$, $\tfrac\pi2C(Y/E^*)\sqrt{r(r/1.9)^B}$, is this $a/R$. *Jump*: at $r=1.9$ the load of blunt asperities is
 multiplied by 1.0047 at $\nu=0.3$, 1.075 at $\nu=0$, 0.966 at $\nu=\tfrac12$; the area is continuous. The exponent $B$ is
-fitted to metals and becomes very large if $Y/E^*$ is not small; here it is constant beyond $Y/E^*=0.1$. *Coordinate*:
-$u=\sqrt w$.
+fitted to metals and becomes very large if $Y/E^*$ is not small; here it is constant beyond $Y/E^*=0.1$. *Coordinate*
+of integration: $u=\sqrt w$.
 
 *Check*: $H_G/Y=2.6137$ at $a/R=0.2$ and 2.0905 at 0.5. The table is from an independent code of the later law for hardening
 materials ([ghaednia_2019]), run without hardening on two equal spheres ($E=192$ GPa, $\nu=0.3$, $Y=330$ MPa, effective radius
@@ -63,46 +63,57 @@ _SPLITS = (1e3, 1e5)
 
 
 def yield_coefficient(nu):
-    """Return C = 1.295 exp(0.736 nu), the largest pressure over the yield stress at first yield (any shape)."""
+    """Return C = 1.295 exp(0.736 nu), the largest pressure over the yield stress at first yield.
+
+    nu: Poisson's ratio, a number or an array of any shape.
+    """
     return 1.295 * np.exp(0.736 * nu)
 
 
 def critical_interference(eta, C, k):
-    """Return the interference at first yield over sigma, ((2/3) C eta/k)^2 (any shape).
+    """Return the displacement at first yield over sigma, ((2/3) C eta/k)^2.
 
-    It follows from omega_c = (pi C S_y/(2 E*))^2 R with S_y = H/k.
+    It follows from omega_c = (pi C S_y/(2 E*))^2 R with the yield stress S_y = H/k and the hardness group eta = pi H
+    sqrt(R/sigma)/K, K = (4/3) E*. C: largest pressure over the yield stress, from `yield_coefficient`. k: hardness over yield
+    stress. The arguments may be arrays.
     """
     return (2.0 / 3.0 * C * eta / k) ** 2
 
 
 def area_power(yield_strain):
-    """Return the exponent of the area, B = 0.14 exp(23 S_y/E*) (any shape).
+    """Return the exponent of the contact area, B = 0.14 exp(23 S_y/E*).
 
-    yield_strain: S_y/E*, limited to 0.1, because the exponential is fitted to metals.
+    yield_strain: S_y/E*, yield stress over contact modulus, a number or an array; it is limited to 0.1, because the
+    exponential is fitted to metals.
     """
     return 0.14 * np.exp(23.0 * np.minimum(yield_strain, _MOST_STRAIN))
 
 
 @formula
 def area_ratio(ratio, B):
-    """Return the contact area over pi R omega, (omega/(1.9 omega_c))^B; ratio: omega/omega_c.
+    """Return the contact area over pi R omega, which is (omega/(1.9 omega_c))^B, or 1 below 1.9 omega_c.
 
-    The result is 1 below 1.9 omega_c, where rounding may put the first point.
+    ratio: displacement over displacement at first yield, omega/omega_c. B: exponent, from `area_power`.
     """
     return math.exp(min(B * max(math.log(ratio / ELASTIC_TO), 0.0), 600.0))
 
 
 @formula
 def hardness(radius):
-    """Return the limiting hardness H_G/S_y = 2.84 (1 - exp(-0.82 (a/R)^(-0.7))) for radius = a/R."""
+    """Return the limiting pressure over the yield stress, H_G/S_y = 2.84 (1 - exp(-0.82 (a/R)^(-0.7))).
+
+    radius: contact radius over asperity radius, a/R.
+    """
     return -2.84 * math.expm1(-0.82 * radius**-0.7)
 
 
 @formula
 def load_ratio(ratio, C, H):
-    """Return the load over the critical load, P/P_c; ratio: omega/omega_c, H: H_G/S_y.
+    """Return the load over the load at first yield, P/P_c.
 
-    P/P_c = exp(-ratio^(5/12)/4) ratio^(3/2) + (4 H/C) (1 - exp(-ratio^(5/9)/25)) ratio.
+    P/P_c = exp(-ratio^(5/12)/4) ratio^(3/2) + (4 H/C) (1 - exp(-ratio^(5/9)/25)) ratio. ratio: displacement over displacement
+    at first yield. C: largest pressure over the yield stress at first yield. H: limiting pressure over the yield stress,
+    H_G/S_y.
     """
     elastic = math.exp(-0.25 * ratio ** (5.0 / 12.0)) * math.sqrt(ratio)
     return ratio * (elastic - 4.0 * H / C * math.expm1(-(ratio ** (5.0 / 9.0)) / 25.0))
@@ -110,10 +121,12 @@ def load_ratio(ratio, C, H):
 
 @formula
 def yielding(u, w_c, C, B, sharpness):
-    """Return displacement w = u^2, dw/du, load and area beyond 1.9 omega_c.
+    """Return displacement w, dw/du, load and contact area of an asperity beyond 1.9 w_c, at the coordinate u = sqrt(w).
 
-    The critical load P_c = (4/3) (R/E*)^2 (C pi S_y/2)^3 is Hertz's load at omega_c. The contact radius over R is
-    sqrt(area sigma/R).
+    w is over sigma, the load over K R^(1/2) sigma^(3/2), the area over pi R sigma. w_c: displacement at first yield. C:
+    largest pressure over the yield stress there. B: exponent of the area. sharpness: sqrt(sigma/R), with which the contact
+    radius over R is sqrt(area) sharpness. The load at first yield, P_c = (4/3) (R/E*)^2 (C pi S_y/2)^3, is Hertz's load at
+    w_c.
     """
     w = u * u
     ratio = w / w_c

@@ -45,7 +45,7 @@ from stiction.records.sources import Source
 
 @formula
 def adhesion(theta):
-    """Return S = sqrt(6 pi / theta), the strength of adhesion in JKR's formulas.
+    """Return S = sqrt(6 pi / theta), the strength of adhesion in JKR's formulas; theta: elastic adhesion index.
 
     It is the 4.34 / theta^(1/2) of eqs (1) and (2) of the 2015 paper.
     """
@@ -54,26 +54,29 @@ def adhesion(theta):
 
 @formula
 def displacement(u, S):
-    """Return the displacement of a JKR contact over sigma, w = x - (2/3) S x^(1/4).
+    """Return the displacement of a JKR contact over sigma, w = u^4 - (2/3) S u.
 
-    x = u^4 = a^2/(R sigma), with the contact radius a. S: strength of adhesion, from `adhesion`. Source: eq (4) of the 2015
-    paper.
+    u^4 = a^2/(R sigma), with the contact radius a. S: strength of adhesion, from `adhesion`. Source: eq (4) of the 2015 paper,
+    with x = u^4.
     """
     return u * (u * u * u - 2.0 / 3.0 * S)
 
 
 @formula
 def stretch(u, S):
-    """Return dw/du, the derivative of the displacement of a JKR contact by the coordinate u = x^(1/4)."""
+    """Return dw/du = 4 u^3 - (2/3) S, the derivative of the displacement w of a JKR contact by its coordinate u.
+
+    u^4 = a^2/(R sigma), with the contact radius a. S: strength of adhesion, from `adhesion`.
+    """
     return 4.0 * u * u * u - 2.0 / 3.0 * S
 
 
 @formula
 def load(u, S):
-    """Return the load of a JKR contact over K R^(1/2) sigma^(3/2), P = x^(3/2) - S x^(3/4).
+    """Return the load of a JKR contact over K R^(1/2) sigma^(3/2), P = u^6 - S u^3.
 
-    x = u^4 = a^2/(R sigma), with the contact radius a. S: strength of adhesion, from `adhesion`. Source: integrand of eq (1)
-    of the 2015 paper.
+    u^4 = a^2/(R sigma), with the contact radius a. S: strength of adhesion, from `adhesion`. Source: integrand of eq (1) of
+    the 2015 paper, with x = u^4.
     """
     u3 = u * u * u
     return u3 * (u3 - S)
@@ -81,21 +84,21 @@ def load(u, S):
 
 @formula
 def area(u):
-    """Return the contact area over pi R sigma, x = u^4 = a^2 / (R sigma)."""
+    """Return the contact area of a JKR contact over pi R sigma, which is u^4 = a^2/(R sigma) with the contact radius a."""
     return u * u * u * u
 
 
 @formula
 def coordinate(w, S):
-    """Return the coordinate u >= 0 at the displacement w on the stable branch, dw/du >= 0.
+    """Return the coordinate u = (a^2/(R sigma))^(1/4) of a JKR contact at the displacement w over sigma; a: contact radius.
 
-    Below the smallest displacement of this branch, u of its end is returned. The equation is solved by Newton's method from
-    above; the polynomial is convex.
+    S: strength of adhesion, from `adhesion`. u is on the stable branch, where w grows with u. Below the smallest displacement
+    of this branch, u of its end is returned. Newton's method from above solves w = u^4 - (2/3) S u, a convex polynomial.
     """
     if w == math.inf:
         return math.inf
     s = 2.0 / 3.0 * S
-    if w <= -0.75 * s * (0.25 * s) ** (1.0 / 3.0):  # the displacement at which dw/du vanishes, and less
+    if w <= -0.75 * s * (0.25 * s) ** (1.0 / 3.0):  # at or below the displacement at which dw/du vanishes
         return (0.25 * s) ** (1.0 / 3.0)
     u = max((2.0 * max(w, 0.0)) ** 0.25, (2.0 * s) ** (1.0 / 3.0))
     for _ in range(60):
@@ -109,7 +112,11 @@ def coordinate(w, S):
 
 @formula
 def normal(u, theta):
-    """Return displacement, its derivative by u, load and area of a JKR contact at u."""
+    """Return displacement w, dw/du, load and contact area of a JKR contact at the coordinate u = (a^2/(R sigma))^(1/4).
+
+    a: contact radius. theta: elastic adhesion index. w is over sigma, the load over K R^(1/2) sigma^(3/2), the area over
+    pi R sigma.
+    """
     S = adhesion(theta)
     return displacement(u, S), stretch(u, S), load(u, S), area(u)
 
@@ -122,8 +129,9 @@ def normal_coordinate(w, theta):
 def first_contact(theta: np.ndarray, branch: str) -> np.ndarray:
     """Return the coordinate u (n,) at which a JKR contact begins in loading, or ends in unloading.
 
-    branch: "loading" or "unloading". With s = (2/3) sqrt(6 pi/theta): in loading the displacement is zero there (u^3 = s), in
-    unloading dw/du is zero (4 u^3 = s).
+    u^4 = a^2/(R sigma), with the contact radius a. theta (n,): elastic adhesion index. branch: "loading" or "unloading". With
+    s = (2/3) sqrt(6 pi/theta): in loading the displacement is zero there (u^3 = s), in unloading its derivative by u is zero
+    (4 u^3 = s).
     """
     s = 2.0 / 3.0 * np.sqrt(6.0 * math.pi / theta)
     return np.cbrt(s if branch == "loading" else s / 4.0)
@@ -132,7 +140,8 @@ def first_contact(theta: np.ndarray, branch: str) -> np.ndarray:
 def elastic(theta: np.ndarray, branch: str, last: np.ndarray) -> NormalSegment:
     """Return the JKR law as a NormalSegment, from the smallest stable contact to the coordinates `last` (n,).
 
-    Another law describes the asperity beyond `last`.
+    theta (n,): elastic adhesion index. branch: "loading" or "unloading", which sets the smallest contact. Asperity laws with
+    yield use the segment for their elastic part.
     """
     first = first_contact(theta, branch)
     lowest = 0.0 if branch == "loading" else float(np.min(-3.0 * first**4, initial=0.0))  # w = u (u^3 - s), s = 4 u^3

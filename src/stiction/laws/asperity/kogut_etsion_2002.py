@@ -18,7 +18,7 @@ $$
 
 *Jumps*: load +3 % and area −7 % at $r=1$; load +1.7 % and area +2.9 % at $r=6$. At $r=110$ the load is multiplied by
 $0.647/K_H$ (+8 % at $\nu=0.3$, from 530.2 to 571.9 $P_c$; +37 % at $\nu=0$, −5 % near $\nu=\tfrac12$) and the area by 1.071.
-*Trap*: a public implementation divides by $R$ in $\omega_c$ where it should multiply. *Coordinate*: $u=\sqrt w$.
+*Trap*: a public implementation divides by $R$ in $\omega_c$ where it should multiply. *Coordinate* of integration: $u=\sqrt w$.
 
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$ over $\pi R\sigma$ of one
 asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$ ($E^*$ contact modulus);
@@ -47,9 +47,10 @@ FULLY_PLASTIC = 110.0  # omega over omega_c
 
 @formula
 def power_law(u, load_factor, load_power, area_factor, area_power):
-    """Return displacement w = u^2, dw/du, load and area of an asperity in one of the fitted ranges of displacement.
+    """Return displacement w, dw/du, load and contact area of an asperity in one fitted range of displacement, at u = sqrt(w).
 
-    Load and area are each a factor times a power of w.
+    Load and area are each a factor times a power of w. w is over sigma, the load over K R^(1/2) sigma^(3/2), the area over
+    pi R sigma.
     """
     w = u * u
     return w, 2.0 * u, load_factor * w**load_power, area_factor * w**area_power
@@ -57,9 +58,10 @@ def power_law(u, load_factor, load_power, area_factor, area_power):
 
 @formula
 def flow(u, eta):
-    """Return displacement w = u^2, dw/du, load and area of a fully plastic asperity.
+    """Return displacement w, dw/du, load and contact area of a fully plastic asperity, at the coordinate u = sqrt(w).
 
-    The area is 2 pi R omega and the mean pressure is the hardness H.
+    The area is 2 w over pi R sigma; the mean pressure is the hardness, so that the load is 2 eta w over K R^(1/2) sigma^(3/2).
+    eta: hardness group. w is over sigma.
     """
     w = u * u
     return w, 2.0 * u, 2.0 * eta * w, 2.0 * w

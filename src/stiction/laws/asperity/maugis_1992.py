@@ -66,20 +66,20 @@ from stiction.records.sources import Source
 # sigma_0 = 16 gamma/(9 sqrt(3) epsilon), the largest between two Lennard-Jones half-spaces: 1.1570. K = (4/3) E*.
 LAMBDA_OVER_TABOR = 32.0 / (9.0 * math.sqrt(3.0)) * (9.0 / (16.0 * math.pi)) ** (1.0 / 3.0)
 
-# The asperity is JKR's to one part in lambda_M^2, so that beyond this nothing changes but the range of a double.
+# Largest lambda_M. The asperity differs from JKR's by one part in lambda_M^2; a larger value would only risk overflow.
 _SOFTEST = 1e9
 
-# From here on F loses digits in closed form, and its series in 1/s takes over: 14 terms are good to the last digit.
+# From this s on the closed form of F loses digits. Its series in 1/s is used: 14 terms are exact to the last digit.
 _FAR = 4.0
 _TERMS = 14
 
 
 @formula
 def ring(s):
-    """Return F, -F'/s, G, -G'/s and arctan(1/s) at the coordinate s.
+    """Return F, -F'/s, G, -G'/s and arctan(1/s), functions of the shape s of the attracting ring around a contact.
 
-    F and G are functions of the module's equations that depend only on the shape of the attracting ring. Large s uses a
-    series.
+    s = a/sqrt(c^2 - a^2), with the contact radius a and the outer radius c of the ring. F = s + (1 - s^2) arctan(1/s),
+    G = arctan(1/s) - sqrt(1 + s^2) + s; a dash is the derivative by s. Large s uses a series.
     """
     turn = math.atan2(1.0, s)
     root = math.sqrt(1.0 + s * s)
@@ -100,9 +100,11 @@ def ring(s):
 
 @formula
 def _contact(s, lam):
-    """Return B = A/s, (dB/ds)/s and arctan(1/s), where A is the contact radius in Maugis's units.
+    """Return B = A/s, (dB/ds)/s and arctan(1/s), where A is the contact radius over (pi gamma R^2/K)^(1/3).
 
-    B solves the condition that the attraction ends at the outer edge of the ring.
+    B solves the condition that the gap at the outer edge of the ring equals the range of the attraction.
+    s = a/sqrt(c^2 - a^2), with the contact radius a and the outer radius c of the ring. lam: Maugis's parameter lambda_M of
+    the attraction.
     """
     F, F_falls, G, G_falls, turn = ring(s)
     square, linear = 0.5 * lam * F, 4.0 / 3.0 * lam * lam * G
@@ -113,9 +115,10 @@ def _contact(s, lam):
 
 @formula
 def stretch(s, lam):
-    """Return (dD/ds)/s, where D is the displacement in Maugis's units.
+    """Return (dD/ds)/s, where D is the displacement over (pi^2 gamma^2 R/K^2)^(1/3).
 
-    Its value at s = 0 is finite, and negative if the approach to contact is unstable.
+    s = a/sqrt(c^2 - a^2), with contact radius a and outer radius c of the attracting ring. lam: Maugis's parameter lambda_M of
+    the attraction. The value at s = 0 is finite; it is negative if the approach to contact is unstable.
     """
     B, B_grows, _ = _contact(s, lam)
     return 2.0 * B * (B + s * s * B_grows) - 4.0 / 3.0 * lam * B_grows
@@ -123,9 +126,11 @@ def stretch(s, lam):
 
 @formula
 def normal(s, g, lam):
-    """Return displacement, its derivative by s, load and area of Maugis's contact at the coordinate s.
+    """Return displacement w, dw/ds, load and contact area of Maugis's contact at the coordinate s.
 
-    g: (pi/theta)^(1/3), lam: lambda_M.
+    w is over sigma, the load over K R^(1/2) sigma^(3/2), the area over pi R sigma. s = a/sqrt(c^2 - a^2), with the contact
+    radius a and the outer radius c of the attracting ring. g: (pi/theta)^(1/3), with the elastic adhesion index theta. lam:
+    Maugis's parameter lambda_M of the attraction.
     """
     if s == math.inf:
         return math.inf, math.inf, math.inf, math.inf
@@ -139,9 +144,10 @@ def normal(s, g, lam):
 
 @formula
 def coordinate(w, g, lam):
-    """Return the coordinate s at the displacement w on the stable branch.
+    """Return the coordinate s of Maugis's contact at the displacement w over sigma, on the stable branch.
 
-    The equation is solved to machine precision by Newton's method from above; the function is convex.
+    s = a/sqrt(c^2 - a^2), with contact radius a and outer radius c of the attracting ring. g: (pi/theta)^(1/3). lam: Maugis's
+    parameter lambda_M. Newton's method from above solves the equation to machine precision; the function is convex.
     """
     if w == math.inf:
         return math.inf
@@ -186,9 +192,10 @@ def _fill_displacement(s, g, lam, out):
 
 
 def segments(groups: Groups, branch: str) -> list[NormalSegment]:
-    """Return the segments of the contact in loading (from w = 0) or in unloading (from dw/ds = 0).
+    """Return a list with the one segment of Maugis's contact, in loading (from w = 0) or in unloading (from dw/ds = 0).
 
-    An edge is placed at s = 4, because the functions of the ring vary on another scale beyond it.
+    w is the displacement, s the coordinate. groups: dimensionless groups of n contacts. branch: "loading" or "unloading". An
+    edge is placed at s = 4, because the functions of the attracting ring vary on another scale beyond it.
     """
     lam = np.minimum(LAMBDA_OVER_TABOR * groups.tabor_parameter, _SOFTEST)
     g = np.cbrt(math.pi / groups.theta)

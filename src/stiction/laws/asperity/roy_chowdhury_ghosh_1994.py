@@ -32,17 +32,17 @@ from stiction.laws.shared_claims import SHORT_RANGE
 from stiction.records.registry import AsperityLaw, Jump, Limit
 from stiction.records.sources import Source
 
-_STEPS = 7  # Newton's, from at most half above the root to the last digit
+_STEPS = 7  # Newton steps that are sufficient from a start at most 50 % above the root
 
 
 @formula
 def unit_root(a):
-    """Return the largest real root of v^3 + a v - 1 = 0, by Newton's method from above.
+    """Return the largest real root v of v^3 + a v - 1 = 0, by Newton's method from above.
 
     The number of steps is fixed and sufficient for every a: the compiler vectorises a loop whose elements all take the same
     steps.
     """
-    # With s^2 = -a > 0 the root is s + d, 2 s^2 d + 3 s d^2 + d^3 = 1. It is below each of these, and near one of them.
+    # For s^2 = -a > 0 the root is s + d with 2 s^2 d + 3 s d^2 + d^3 = 1. Both starts are upper bounds of it, and close.
     s = math.sqrt(max(-a, 0.0))
     v = s + 0.5 / max(s * s, 0.5) if a < 0.0 else 1.0 / max(a, 1.0)
     for _ in range(_STEPS):
@@ -52,7 +52,7 @@ def unit_root(a):
 
 @formula
 def largest_root(a, c):
-    """Return the largest real root of v^3 + a v - c = 0 with c > 0."""
+    """Return the largest real root v of v^3 + a v - c = 0 for c > 0."""
     scale = c ** (1.0 / 3.0)
     return scale * unit_root(a / (scale * scale))
 
@@ -64,16 +64,17 @@ def _fill_unit_roots(a, out):
 
 
 def unit_roots(a: np.ndarray) -> np.ndarray:
-    """Return `unit_root` of each element of an array (n,)."""
+    """Return the largest real root v (n,) of v^3 + a v - 1 = 0 for each element of the array a (n,)."""
     out = np.empty_like(a)
     _fill_unit_roots(a, out)
     return out
 
 
 def onset(groups: Groups) -> tuple[np.ndarray, np.ndarray]:
-    """Return coordinate u (n,) and displacement w (n,) at which the mean pressure reaches the hardness.
+    """Return coordinate u (n,) and displacement w (n,) over sigma at which a JKR contact reaches the hardness and yields.
 
-    There u^3 - eta u - S = 0 (eqs 2 and 4 of the 2015 paper).
+    The mean pressure equals the hardness where u^3 - eta u - S = 0 (eqs 2 and 4 of the 2015 paper), with u^4 = a^2/(R sigma),
+    the contact radius a, the hardness group eta and S = sqrt(6 pi/theta).
     """
     S = np.sqrt(6.0 * math.pi / groups.theta)
     scale = S ** (1.0 / 3.0)
@@ -83,16 +84,17 @@ def onset(groups: Groups) -> tuple[np.ndarray, np.ndarray]:
 
 @formula
 def plastic(w, theta, eta):
-    """Return displacement w, dw/du = 1, load and area of a fully plastic asperity; the coordinate u is w itself.
+    """Return displacement w, dw/du = 1, load and contact area of a fully plastic adhesive asperity; u is w itself.
 
-    The load is 2 eta w - 2 pi/theta: the hardness times twice the truncated area, minus the adhesion 2 pi gamma R (second
-    integrand of eq 1 of the 2015 paper).
+    The area is 2 w over pi R sigma. The load is 2 eta w - 2 pi/theta over K R^(1/2) sigma^(3/2): the hardness times this area,
+    minus the adhesion 2 pi gamma R (second integrand of eq 1 of the 2015 paper). w is over sigma. theta: elastic adhesion
+    index. eta: hardness group.
     """
     return w, 1.0, 2.0 * eta * w - 2.0 * math.pi / theta, 2.0 * w
 
 
 def flow(groups: Groups, first: np.ndarray) -> NormalSegment:
-    """Return the fully plastic part of the law as a NormalSegment, from the displacements `first` (n,) on."""
+    """Return the fully plastic part of the law as a NormalSegment, from the displacements `first` (n,) over sigma on."""
     edges = edges_at(first, np.inf)
     return NormalSegment(plastic, displaced, (groups.theta, groups.eta), edges, "plastic")
 

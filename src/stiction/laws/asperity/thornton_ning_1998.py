@@ -67,32 +67,42 @@ _coordinate, _largest_root = jkr.coordinate, roy_chowdhury_ghosh_1994.largest_ro
 
 @formula
 def onset(eta_y, S):
-    """Return the coordinate u_y of JKR's contact at which the central pressure reaches its limit (yield).
+    """Return the coordinate u_y of a JKR contact at which the pressure in its centre reaches the limit p_y (yield).
 
-    It is the largest root of 3 u^3 - 2 eta_y u - S = 0, with eta_y = eta p_y/H, the limiting pressure p_y, and
-    S = sqrt(6 pi/theta).
+    It is the largest root of 3 u^3 - 2 eta_y u - S = 0, with u^4 = a^2/(R sigma) and the contact radius a. eta_y: hardness
+    group times p_y over the hardness. S: strength of adhesion, sqrt(6 pi/theta).
     """
     return _largest_root(-2.0 / 3.0 * eta_y, S / 3.0)
 
 
 @formula
 def yielded_load(u, S, eta_y, u_y):
-    """Return the load at u >= u_y: the centre carries the limiting pressure, a ring around it JKR's pressure."""
+    """Return the load of a yielded asperity at the coordinate u >= u_y, over K R^(1/2) sigma^(3/2).
+
+    The centre of the contact carries the limiting pressure p_y, a ring around it JKR's pressure. u^4 = a^2/(R sigma), with the
+    contact radius a. u_y: u at yield. S: sqrt(6 pi/theta). eta_y: hardness group times p_y over the hardness.
+    """
     square = u_y * u_y
     return square * square * square - S * square * u + eta_y * (u * u * u * u - square * square)
 
 
 @formula
 def loading(u, S, eta_y, u_y):
-    """Return the load at the coordinate u in loading, before or after yield."""
+    """Return the load at the coordinate u in loading, before or after yield, over K R^(1/2) sigma^(3/2).
+
+    u^4 = a^2/(R sigma), with the contact radius a. u_y: u at yield. S: sqrt(6 pi/theta). eta_y: hardness group times limiting
+    pressure over hardness.
+    """
     return yielded_load(u, S, eta_y, u_y) if u > u_y else _load(u, S)
 
 
 @formula
 def normal(u, theta, eta_y, u_y):
-    """Return displacement, its derivative by u, load and area of the yielded asperity.
+    """Return displacement w, dw/du, load and contact area of the yielded asperity at the coordinate u, in loading.
 
-    Displacement and contact radius are related as in JKR's contact.
+    u^4 = a^2/(R sigma), with the contact radius a. Displacement and contact radius are related as in a JKR contact. w is over
+    sigma, the load over K R^(1/2) sigma^(3/2), the area over pi R sigma. theta: elastic adhesion index. eta_y: hardness group
+    times limiting pressure over hardness. u_y: u at yield.
     """
     S = _adhesion(theta)
     return _displacement(u, S), _stretch(u, S), yielded_load(u, S, eta_y, u_y), u * u * u * u
@@ -105,9 +115,10 @@ def coordinate(w, theta, eta_y, u_y):
 
 @formula
 def unloading_radius(u_max, P_max, S):
-    """Return the effective radius in unloading over R: R_p/R = P1/(P + 2 sqrt(Pc P1)), 1 or more.
+    """Return the effective radius of a yielded asperity in unloading, over its tip radius: R_p/R, 1 or more.
 
-    P1 = u^6 and Pc = S^2/4. With this radius JKR's load at the turning point equals the load P in loading.
+    It is P1/(P_max + 2 sqrt(Pc P1)) with P1 = u_max^6 and Pc = S^2/4. With this radius JKR's load at the turning point equals
+    the largest load P_max. u_max: coordinate at the turning point, u^4 = a^2/(R sigma). S: sqrt(6 pi/theta).
     """
     u3 = u_max * u_max * u_max
     return u3 * u3 / (P_max + S * u3)
@@ -115,18 +126,20 @@ def unloading_radius(u_max, P_max, S):
 
 @formula
 def residual(u_max, radius):
-    """Return the residual displacement, by which the unloading curve is shifted, over sigma.
+    """Return the residual displacement over sigma, by which the unloading curve of a yielded asperity is shifted.
 
-    With it, displacement at the turning point is the same in unloading and in loading.
+    With this shift the displacement at the turning point is the same in unloading and in loading. u_max: coordinate at the
+    turning point, u^4 = a^2/(R sigma) with the contact radius a. radius: R_p/R, from `unloading_radius`.
     """
     return u_max * u_max * u_max * u_max * (1.0 - 1.0 / radius)
 
 
 @formula
 def unloading(u, u_max, P_max, S):
-    """Return displacement, its derivative by u, load and area at the coordinate u in unloading.
+    """Return displacement w, dw/du, load and contact area of a yielded asperity in unloading, at the coordinate u.
 
-    The asperity was loaded up to u_max, where its load was P_max.
+    u^4 = a^2/(R sigma), with the contact radius a. u_max, P_max: coordinate and load at the turning point, where loading
+    ended. S: sqrt(6 pi/theta). w is over sigma, the load over K R^(1/2) sigma^(3/2), the area over pi R sigma.
     """
     radius = unloading_radius(u_max, P_max, S)
     u3 = u * u * u
@@ -136,9 +149,10 @@ def unloading(u, u_max, P_max, S):
 
 @formula
 def unloading_coordinate(w, u_max, P_max, S):
-    """Return the coordinate u at the displacement w in unloading.
+    """Return the coordinate u of a yielded asperity in unloading at the displacement w over sigma.
 
-    If w is below the displacement at which contact is lost, u at the loss of contact (dw/du = 0) is returned.
+    u^4 = a^2/(R sigma), with the contact radius a. If w is below the displacement at which contact is lost, u at the loss of
+    contact is returned. u_max, P_max: coordinate and load at the turning point, where loading ended. S: sqrt(6 pi/theta).
     """
     radius = unloading_radius(u_max, P_max, S)
     scale = math.sqrt(math.sqrt(radius))  # JKR's polynomial in u/scale
@@ -147,15 +161,20 @@ def unloading_coordinate(w, u_max, P_max, S):
 
 @formula
 def pull_off(u_max, P_max, S):
-    """Return the pull-off force in unloading, (3/2) pi gamma R_p, over K R^(1/2) sigma^(3/2)."""
+    """Return the pull-off force in unloading, (3/2) pi gamma R_p, over K R^(1/2) sigma^(3/2).
+
+    R_p is the effective radius in unloading. u_max, P_max: coordinate and load at the turning point, where loading ended. S:
+    sqrt(6 pi/theta).
+    """
     return 0.25 * S * S * unloading_radius(u_max, P_max, S)
 
 
 @formula
 def lost_displacement(u_max, P_max, S):
-    """Return the displacement at which contact is lost in unloading.
+    """Return the displacement over sigma at which a yielded asperity loses contact in unloading.
 
-    There dw/du = 0, which gives u^3 = (S/6) R_p/R.
+    There the derivative of the displacement by u is 0, which gives u^3 = (S/6) R_p/R. u_max, P_max: coordinate and load at the
+    turning point, where loading ended. S: sqrt(6 pi/theta).
     """
     radius = unloading_radius(u_max, P_max, S)
     u = (S * radius / 6.0) ** (1.0 / 3.0)
@@ -166,17 +185,19 @@ def lost_displacement(u_max, P_max, S):
 def recovery(U, S, eta_y, u_y):
     """Return the increase in separation, over sigma, after which an asperity that was loaded to U loses contact.
 
-    U >= u_y is the JKR coordinate at the end of loading; the increase grows with U.
+    U: coordinate at the end of loading, U^4 = a^2/(R sigma), at least its value u_y at yield. The increase grows with U. S:
+    sqrt(6 pi/theta). eta_y: hardness group times limiting pressure over hardness.
     """
     return _displacement(U, S) - lost_displacement(U, yielded_load(U, S, eta_y, u_y), S)
 
 
 @formula
 def released_normal(v, theta, eta_y, u_y, distance, origin):
-    """Return displacement, its derivative by v, load and area of a yielded asperity after an increase in separation.
+    """Return displacement w, dw/dv, load and contact area of a yielded asperity after the separation has increased.
 
-    The asperity was loaded to U = origin + v^2. At U = origin contact is just lost, and the radius grows like the square root
-    of U - origin.
+    v: coordinate; the asperity was loaded to U = origin + v^2, with U^4 = a^2/(R sigma). origin: U of the asperity that has
+    just lost contact; the contact radius grows like the square root of U - origin. distance: increase of the separation over
+    sigma. theta: elastic adhesion index. eta_y: hardness group times limiting pressure over hardness. u_y: U at yield.
     """
     S = _adhesion(theta)
     U = origin + v * v
@@ -202,10 +223,11 @@ _halve = halving(_is_lost)
 
 @lazy_kernel(worth=300)
 def _fill_origin(theta, eta_y, u_y, first, distance, out):
-    """Fill `out` with the coordinate U above which yielded asperities are still in contact.
+    """Fill `out` (n,) with the coordinate U above which yielded asperities are still in contact after the separation increased.
 
-    If all yielded asperities are in contact, U is extrapolated below the first of them, to 0.9 of its coordinate at most. The
-    square root of the distance to U then stays smooth.
+    U: coordinate at the end of loading, U^4 = a^2/(R sigma). first: U of the first yielded asperity. distance: increase of the
+    separation over sigma. If all yielded asperities are in contact, the result is below `first`, at 0.9 of it or more, so that
+    the square root of U minus the result is smooth.
     """
     for i in range(out.size):
         arguments = _adhesion(theta[i]), eta_y[i], u_y[i], distance[i]
@@ -219,7 +241,10 @@ def _fill_origin(theta, eta_y, u_y, first, distance, out):
 
 
 def _displacements(u: np.ndarray, theta: np.ndarray) -> np.ndarray:
-    """Return JKR's displacement (n,) at the coordinates u (n,), as `jkr.displacement` does for one."""
+    """Return the displacement (n,) of JKR contacts over sigma at the coordinates u (n,), u^4 - (2/3) sqrt(6 pi/theta) u.
+
+    theta (n,): elastic adhesion index.
+    """
     return u * (u * u * u - 2.0 / 3.0 * np.sqrt(6.0 * math.pi / theta))
 
 
@@ -230,7 +255,7 @@ def _fill_onset(theta, eta_y, out):
 
 
 def _first_yield(groups: Groups) -> np.ndarray:
-    """Return the limiting pressure over hardness (n,): the largest pressure of a Hertz contact at first yield (von Mises)."""
+    """Return the limiting pressure over hardness (n,) as the largest pressure of a Hertz contact at first yield (von Mises)."""
     each, which = np.unique(groups.nu, return_inverse=True)
     return np.array([hertz.first_yield(nu)[0] for nu in each])[which] / groups.hardness_to_yield
 
@@ -253,9 +278,10 @@ def segments(groups: Groups, limiting_pressure: str) -> list[NormalSegment]:
 
 
 def released(groups: Groups, distance: np.ndarray, limiting_pressure: str) -> list[NormalSegment]:
-    """Return the asperity segments after loading and an increase of the separation by `distance` (n,), over sigma.
+    """Return the segments of an asperity after loading and an increase of the separation by `distance` (n,), over sigma.
 
-    Asperities that did not yield follow JKR's unloading branch, if they touched before the increase (w + distance >= 0).
+    The first segment has the asperities that did not yield: they follow JKR's unloading branch if they touched before the
+    increase. The second has the yielded asperities. limiting_pressure: "first_yield" or "hardness", the pressure at yield.
     """
     elastic, yielded = segments(groups, limiting_pressure)
     first, last = elastic.edges.T

@@ -12,7 +12,7 @@ $$
 
 for $w_1<w<w_2$, and $A=2w$, $P=2\eta w$ above. In SI $\omega_1=(3\pi\cdot0.4H/(4E^*))^2R$. Load, area and the slope of the
 area are continuous. The authors give 54 as a lower bound of $\omega_2/\omega_1$; as usual, it is used as the ratio itself.
-*Coordinate*: $u=\sqrt w$.
+*Coordinate* of integration: $u=\sqrt w$.
 
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$ over $\pi R\sigma$ of one
 asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$ ($E^*$ contact modulus);
@@ -36,19 +36,21 @@ _LOG_SPAN = math.log(SPAN)
 
 
 def first_yield(eta):
-    """Return the displacement at first yield over sigma, (0.4 eta)^2 (any shape).
+    """Return the displacement at first yield over sigma, (0.4 eta)^2.
 
-    It follows from omega_1 = (3 pi k H/(4 E*))^2 R with k = 0.4 and eta = pi H sqrt(R/sigma)/K.
+    It follows from omega_1 = (3 pi k H/(4 E*))^2 R with k = 0.4 and the hardness group eta = pi H sqrt(R/sigma)/K, K = (4/3)
+    E*; eta may be an array.
     """
     return (FIRST_YIELD * eta) ** 2
 
 
 @formula
 def passing(u, w_1, eta):
-    """Return displacement w = u^2, dw/du, load and area between first yield and full plasticity.
+    """Return displacement w, dw/du, load and contact area between first yield and full plasticity, at u = sqrt(w).
 
-    With xi = (omega - omega_1)/(omega_2 - omega_1) the area is pi R omega (1 + 3 xi^2 - 2 xi^3). The mean pressure is
-    H (1 - (1 - k) ln(omega_2/omega)/ln(omega_2/omega_1)) with k = 0.4.
+    With xi = (omega - omega_1)/(omega_2 - omega_1) the area is pi R omega (1 + 3 xi^2 - 2 xi^3). The mean pressure is H
+    (1 - (1 - k) ln(omega_2/omega)/ln(omega_2/omega_1)) with k = 0.4 and omega_2 = 54 omega_1. w = omega/sigma; w_1: w at first
+    yield; the load is over K R^(1/2) sigma^(3/2), the area over pi R sigma. eta: hardness group.
     """
     w = u * u
     ratio = w / w_1
@@ -60,9 +62,10 @@ def passing(u, w_1, eta):
 
 @formula
 def flow(u, w_1, eta):
-    """Return displacement w = u^2, dw/du, load and area of a fully plastic asperity.
+    """Return displacement w, dw/du, load and contact area of a fully plastic asperity, at the coordinate u = sqrt(w).
 
-    The area is 2 pi R omega, and the mean pressure is H.
+    The area is 2 w over pi R sigma; the mean pressure is the hardness, so that the load is 2 eta w over K R^(1/2) sigma^(3/2).
+    eta: hardness group. w is over sigma; w_1 is not used.
     """
     w = u * u
     return w, 2.0 * u, 2.0 * eta * w, 2.0 * w

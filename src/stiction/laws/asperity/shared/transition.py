@@ -20,9 +20,9 @@ FULLY_PLASTIC = FULLY_PLASTIC_SQUARED**0.5  # p/H from which all of the asperity
 
 @formula
 def plastic_share(ratio):
-    """Return how far an asperity is on the way from elastic (0) to fully plastic (1), and the derivative by `ratio`.
+    """Return the plastic fraction of an asperity, from 0 (elastic) to 1 (fully plastic), and its derivative by `ratio`.
 
-    ratio: elastic mean pressure over hardness. The result is 0 up to ratio = 1, and 1 from FULLY_PLASTIC on.
+    ratio: elastic mean pressure over hardness. The fraction is 0 up to ratio = 1, and 1 from ratio = FULLY_PLASTIC = 2.94 on.
     """
     ratio = min(max(ratio, 1.0), FULLY_PLASTIC)
     done = min((ratio * ratio - 1.0) / (FULLY_PLASTIC_SQUARED - 1.0), 1.0)

@@ -37,10 +37,11 @@ from stiction.laws.segment import NormalSegment
 
 @formula
 def residual(w_max, load_max, area_max):
-    """Return the displacement that remains after unloading, omega_max - 3 P/(4 E* a) at the turning point.
+    """Return the displacement over sigma that remains after unloading of a yielded asperity, w_max - P/sqrt(A), at least 0.
 
-    It is limited to 0 or more. It would be negative where a published law lets the load jump up, or the area down, at yield;
-    the law of Kogut and Etsion does so up to 1.58 omega_c.
+    w_max, load_max, area_max: displacement, load and contact area at the turning point, where unloading begins. In SI the
+    formula is omega_max - 3 P/(4 E* a). It would be negative where a published law lets the load jump up, or the area down, at
+    yield; the law of Kogut and Etsion does so up to 1.58 omega_c.
     """
     if not area_max > 0.0:
         return 0.0
@@ -49,12 +50,12 @@ def residual(w_max, load_max, area_max):
 
 @formula
 def unloading_response(w, w_max, w_res, load_max, area_max):
-    """Return load and area at the displacement w <= w_max of an asperity in unloading; both are 0 below w_res.
+    """Return load and contact area of an asperity in unloading, at the displacement w <= w_max; both are 0 below w_res.
 
-    w_max, load_max, area_max: values at the turning point, where unloading begins. w_res: displacement that remains. With
-    s = (w - w_res)/(w_max - w_res) load and area are P_max s^(3/2) and A_max s, continuous with loading at w_max. If
-    `residual` is not limited, this is Hertz's law P = (4/3) E* R'^(1/2) (omega - omega_res)^(3/2) with the flattened radius
-    R' = 4 E* a_max^3/(3 P_max).
+    w_max, load_max, area_max: displacement, load and area at the turning point, where unloading begins. w_res: displacement
+    that remains at zero load. With s = (w - w_res)/(w_max - w_res) load and area are P_max s^(3/2) and A_max s, continuous
+    with loading at w_max. If `residual` is not limited to 0, this is Hertz's law P = (4/3) E* R'^(1/2)
+    (omega - omega_res)^(3/2) with the flattened radius R' = 4 E* a_max^3/(3 P_max).
     """
     if w <= w_res:
         return 0.0, 0.0
@@ -62,8 +63,8 @@ def unloading_response(w, w_max, w_res, load_max, area_max):
     return load_max * share * math.sqrt(share), area_max * share
 
 
-_STEP = 1e-6  # to the side, for a slope: the coordinates of segments are of the order of one, or of their own first value
-_FARTHEST = 1e6  # no asperity on an endless segment is pressed farther beyond its first coordinate
+_STEP = 1e-6  # for a numerical slope, relative: coordinates are of the order of one, or of the segment's first value
+_FARTHEST = 1e6  # the search on an endless segment ends this far beyond its first coordinate
 
 
 @formula
@@ -73,26 +74,29 @@ def _recovery(state):
 
 @formula
 def _overshoots(state):
-    """Return whether `residual` is limited to zero: elastic recovery would exceed the displacement.
+    """Return whether elastic recovery in unloading would exceed the displacement, so that `residual` is limited to 0.
 
-    state: displacement, its slope, load and area in loading. Differences within rounding are ignored.
+    state: displacement, its derivative by the coordinate, load and contact area in loading. Differences within rounding do not
+    count.
     """
     return state[3] > 0.0 and state[2] > (1.0 + 1e-12) * state[0] * math.sqrt(state[3])
 
 
 @cache
 def _unloading_formulas(normal: Callable, coordinate: Callable, parameters: int) -> tuple[Any, Any]:
-    """Return the formulas `normal` and `coordinate` of an asperity after unloading, built from those of its loading law.
+    """Return the formulas `normal` and `coordinate` of an asperity after unloading.
 
-    parameters: number of parameters of the loading law. Two parameters follow them: the increase in separation, and the
-    loading coordinate of the asperity that has just lost contact.
+    normal, coordinate: formulas of its loading law, with `parameters` parameters. The returned formulas take these parameters,
+    then the increase of the separation over sigma and the loading coordinate of the asperity that has just lost contact.
     """
 
     @formula
     def released(v, *row):
-        """Return displacement, its derivative, load and area of the asperity that was loaded to u = free + v^2.
+        """Return displacement w, dw/dv, load and contact area after unloading, of the asperity with the coordinate v.
 
-        The load starts like (u - free)^(3/2), which is smooth in v.
+        The asperity was loaded to the coordinate u = free + v^2 of the loading law; free: u of the asperity that has just lost
+        contact. The load starts like (u - free)^(3/2), which is smooth in v. row: parameters of the loading law, increase of
+        the separation, free.
         """
         w_max, stretch, load_max, area_max = normal(row[parameters + 1] + v * v, *row[:parameters])
         w = w_max - row[parameters]
@@ -117,10 +121,11 @@ def _contact_loss(normal: Callable, parameters: int) -> Any:
 
     @lazy_kernel(worth=300)
     def fill_free(distance, table, edges, out):
-        """Fill `out` with the loading coordinate of the asperity that has just lost contact after unloading.
+        """Fill `out` (n,) with the loading coordinate of the asperity that has just lost contact after unloading.
 
-        If even the first point of the segment is still in contact, the coordinate is extrapolated along a straight line. The
-        square root of the distance to it is then smooth on the segment.
+        distance (n,): increase of the separation over sigma. table, edges: parameters and edges of the loading segment. If the
+        first point of the segment is still in contact, the coordinate is extrapolated along a straight line, so that the
+        square root of the distance to it is smooth on the segment.
         """
         for i in range(distance.size):
             row = unpack(table[i], parameters)
@@ -150,9 +155,10 @@ def _residual_limit(normal: Callable, parameters: int) -> Any:
 
     @lazy_kernel(worth=300)
     def fill_clamped(table, edges, out):
-        """Fill `out` with the coordinate up to which the residual displacement is limited to zero (see `_overshoots`).
+        """Fill `out` (n,) with the coordinate up to which the residual displacement is limited to zero (see `_overshoots`).
 
-        It is the first coordinate of the segment if the residual is never limited.
+        It is the first coordinate of the segment if the residual is never limited. table, edges: parameters and edges of the
+        loading segment.
         """
         for i in range(out.size):
             low, last = edges[i, 0], edges[i, edges.shape[1] - 1]
@@ -163,10 +169,10 @@ def _residual_limit(normal: Callable, parameters: int) -> Any:
 
 
 def unloaded_segments(segments: list[NormalSegment], distance: np.ndarray) -> list[NormalSegment]:
-    """Return the asperity law after loading and an increase of the separation by `distance` (n,), over sigma.
+    """Return the segments of an asperity after loading and an increase of the separation by `distance` (n,), over sigma.
 
-    segments: the loading law of asperities without adhesion, a list of NormalSegment. Summed over heights at the separation
-    h, the returned segments give load and area of a surface that was first loaded to the separation h - distance.
+    segments: the loading law of an asperity without adhesion. Summed over heights at the separation h, the returned segments
+    give load and area of a surface that was first loaded to the separation h - distance.
     """
     far = np.ascontiguousarray(distance, dtype=float)
     unloaded = []
