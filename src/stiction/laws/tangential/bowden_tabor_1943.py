@@ -25,9 +25,10 @@ from stiction.records.sources import Source
 
 @formula
 def shear_force(area, eta, shear_strength):
-    """Return the tangential force T = tau_0 A; shear_strength: tau_0/H.
+    """Return the tangential force T = tau_0 A of a contact, over K R^(1/2) sigma^(3/2).
 
-    In these units a pressure H on the area A is the load eta A, so that T = (tau_0/H) eta A.
+    area: contact area A over pi R sigma. eta: hardness group; eta times the area is the load at which the mean pressure is the
+    hardness H. shear_strength: strength of the interface over the hardness, tau_0/H.
     """
     return shear_strength * eta * area
 
@@ -38,7 +39,7 @@ def resistance(u, w, load, area, eta, shear_strength):
 
 
 def tangential_resistance(segment: NormalSegment, groups: Groups) -> TangentialResistance:
-    """Return the resistance on a segment, elastic or plastic."""
+    """Return the tangential resistance on a segment: shear strength of the interface times contact area, elastic or plastic."""
     return TangentialResistance(resistance, (groups.eta, groups.shear_strength))
 
 

@@ -28,12 +28,19 @@ from stiction.records.sources import Source
 
 @formula
 def resistance(u, w, load, area, eta, shear_strength, pressure_coefficient):
-    """Return the slip-limited force T = tau_0 A + alpha P, without the last term under tension, and 0."""
+    """Return the slip-limited force T = tau_0 A + alpha max(P, 0) of one asperity, and 0, the yield-limited force.
+
+    u, w: not used. load, area: P over K R^(1/2) sigma^(3/2), also the unit of T, and A over pi R sigma. eta: hardness group.
+    shear_strength: tau_0/H, strength of the interface over the hardness. pressure_coefficient: alpha.
+    """
     return shear_force(area, eta, shear_strength) + pressure_coefficient * max(load, 0.0), 0.0
 
 
 def tangential_resistance(segment: NormalSegment, groups: Groups) -> TangentialResistance:
-    """Return the resistance on a segment; it has a kink at zero load, below which pressure adds no strength."""
+    """Return the tangential resistance on a segment, with a kink at zero load, below which pressure adds no strength.
+
+    groups: dimensionless groups of n contacts.
+    """
     turns = zero_load(segment)
     parameters = groups.eta, groups.shear_strength, groups.pressure_coefficient
     return TangentialResistance(resistance, parameters, None if turns is None else turns[:, None])

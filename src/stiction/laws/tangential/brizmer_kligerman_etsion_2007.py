@@ -36,36 +36,40 @@ from stiction.laws.tangential.shared.zero_load import zero_load
 from stiction.records.registry import TangentialLaw, Validity
 from stiction.records.sources import Source
 
-# Where the sum over a segment that begins under load is split, over the displacement there.
+# Where a segment that begins under load is split for the sum, over its first displacement.
 _SPLITS = (8.0, 64.0, 512.0, 4096.0)
 
 
 @formula
 def friction_coefficient(load_ratio):
-    """Return the friction coefficient of one asperity, 0.27 coth(0.27 (P/L_c)^0.35).
+    """Return the friction coefficient of one asperity in full stick, 0.27 coth(0.27 (P/L_c)^0.35).
 
-    load_ratio: P/L_c, with L_c the load at first yield in full stick. The coefficient is 1.0242 at L_c and tends to 0.27 for
-    heavy loads.
+    load_ratio: P/L_c, its load over the load at first yield in full stick. The coefficient is 1.0242 at L_c and tends to 0.27
+    for heavy loads.
     """
     return 0.27 / math.tanh(0.27 * load_ratio**0.35)
 
 
 @formula
 def resistance(u, w, load, area, L_c):
-    """Return the slip-limited force, 0, and the yield-limited force mu P, at which no tangential stiffness is left."""
+    """Return 0, the slip-limited force, and the yield-limited force mu P, at which no tangential stiffness is left.
+
+    Both are 0 under tension. load: P over K R^(1/2) sigma^(3/2), also the unit of the force. L_c: load at first yield in full
+    stick, in the same unit. u, w, area: not used.
+    """
     return 0.0, load * friction_coefficient(load / L_c) if load > 0.0 else 0.0
 
 
 def tangential_resistance(segment: NormalSegment, groups: Groups) -> TangentialResistance:
     L_c = critical_values(groups.eta, groups.nu, groups.hardness_to_yield)[1]
     first = np.ascontiguousarray(segment.edges[:, 0])
-    # T grows as P^0.65 from where the load begins to press, which is a broken power in any smooth coordinate: at first touch,
-    # or, of a plastic junction that adheres, where its tension ends.
+    # T grows as P^0.65 from zero load on, a broken power in any smooth coordinate. Zero load is at first touch or, for an
+    # adhesive plastic junction, where its tension ends.
     begins = zero_load(segment)
     begins = first if begins is None else begins
     at_first = normal_states(segment, first)
     touches = at_first[:, 2] <= 0.0
-    # Where a segment begins under load, that power begins before it, about as far off as the segment is from first touch.
+    # For a segment that begins under load, the power law begins before it, about as far away as first touch.
     near = [coordinates(segment, np.where(touches, -np.inf, at_first[:, 0] * factor)) for factor in _SPLITS]
     kinks = np.stack([begins, *(np.where(touches, begins, place) for place in near)], axis=1)
     return TangentialResistance(resistance, (L_c,), kinks, np.where(touches, begins, -np.inf))

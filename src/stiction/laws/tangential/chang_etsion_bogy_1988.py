@@ -57,9 +57,10 @@ _ON_AXIS, _AT_EDGE = 0.2045, 0.56
 
 @formula
 def axis_coefficient(nu):
-    """Return c1 = -1 + (3/2) z atan(1/z) - z^2 / (2 (1 + z^2)), the shear stress on the axis over the surface traction q0.
+    """Return c1, the shear stress on the axis of a sheared Hertz contact over the largest surface traction q0.
 
-    z = 0.48 is the depth of first yield over the contact radius for nu = 0.3; the authors use it for every nu.
+    c1 = -1 + (3/2) z atan(1/z) - z^2 / (2 (1 + z^2)), where z = 0.48 is the depth of first yield over the contact radius for
+    nu = 0.3. The authors use this depth for every Poisson's ratio nu.
     """
     z = 0.48
     return -1.0 + 1.5 * z * math.atan(1.0 / z) - z * z / (2.0 * (1.0 + z * z))
@@ -67,18 +68,21 @@ def axis_coefficient(nu):
 
 @formula
 def on_axis(w_ratio, nu, K_H):
-    """Return the ratio Q/P of tangential to normal force at which the axis yields.
+    """Return the friction coefficient, tangential over normal force, at which a Hertz contact yields on its axis.
 
-    The condition is (f p0)^2 + 3 (c1 q0)^2 = Y^2. w_ratio: omega/omega_c.
+    w_ratio: displacement over the displacement at first yield without shear. K_H: largest pressure at that yield over the
+    hardness. nu: Poisson's ratio. The condition is (f p0)^2 + 3 (c1 q0)^2 = Y^2, with the largest pressure p0, the largest
+    traction q0 and the von Mises stress f p0 on the axis without shear.
     """
     return _ON_AXIS / (K_H * abs(axis_coefficient(nu))) * math.sqrt(max(1.0 / w_ratio - 1.0, 0.0))
 
 
 @formula
 def at_edge(w_ratio, nu, K_H):
-    """Return the ratio Q/P of tangential to normal force at which the trailing edge yields.
+    """Return the friction coefficient, tangential over normal force, at which a Hertz contact yields at its trailing edge.
 
-    The condition is c3 mu^2 + c4 mu + c5 = 0. w_ratio: omega/omega_c.
+    It is the positive root mu of c3 mu^2 + c4 mu + c5 = 0. w_ratio: displacement over the displacement at first yield without
+    shear. K_H: largest pressure at that yield over the hardness. nu: Poisson's ratio.
     """
     c3 = 9.0 * math.pi * math.pi / 16.0 * (2.0 - nu / 2.0 + 7.0 / 8.0 * nu * nu)
     c4 = 9.0 * math.pi / 4.0 * (1.0 - 2.0 * nu) * (1.0 - nu / 2.0)
@@ -88,9 +92,11 @@ def at_edge(w_ratio, nu, K_H):
 
 @formula
 def friction_coefficient(w_ratio, nu, K_H):
-    """Return the ratio Q/P of one asperity at first yield under both forces.
+    """Return the friction coefficient, tangential over normal force, at which one asperity first yields under both forces.
 
-    It is 0 if the load alone causes yield (w_ratio = omega/omega_c >= 1).
+    It is the smaller of `on_axis` and `at_edge`, and 0 if the load alone causes yield (w_ratio >= 1). w_ratio: displacement
+    over the displacement at first yield without shear. K_H: largest pressure at that yield over the hardness. nu: Poisson's
+    ratio.
     """
     return min(on_axis(w_ratio, nu, K_H), at_edge(w_ratio, nu, K_H)) if w_ratio < 1.0 else 0.0
 
@@ -110,7 +116,11 @@ def _fill_first_on_axis(nu, K_H, out):
 
 
 def first_on_axis(nu: np.ndarray, K_H: np.ndarray) -> np.ndarray:
-    """Return omega/omega_c (n,) above which the axis yields before the edge, by bisection; it is 0.9512 for nu = 0.3."""
+    """Return the ratio (n,) of displacement to displacement at first yield, above which yield under shear begins on the axis.
+
+    Below, it begins at the trailing edge. nu, K_H (n,): Poisson's ratio, and largest pressure at first yield without shear
+    over the hardness. The ratio is found by bisection; it is 0.9512 for nu = 0.3.
+    """
     out = np.empty_like(nu)
     _fill_first_on_axis(nu, K_H, out)
     return out
@@ -118,22 +128,27 @@ def first_on_axis(nu: np.ndarray, K_H: np.ndarray) -> np.ndarray:
 
 @formula
 def resistance(u, w, load, area, w_c, nu, K_H):
-    """Return 0 and the yield-limited force mu P; both are 0 before first touch and from w_c on."""
+    """Return 0, the slip-limited force, and the yield-limited force mu P; both are 0 before first touch and from w_c on.
+
+    w: displacement over sigma. load: P over K R^(1/2) sigma^(3/2), also the unit of the force. w_c: displacement at first
+    yield without shear. nu: Poisson's ratio. K_H: largest pressure at that yield over the hardness. u, area: not used.
+    """
     return 0.0, load * friction_coefficient(w / w_c, nu, K_H) if 0.0 < w < w_c else 0.0
 
 
 def tangential_resistance(
     segment: NormalSegment, groups: Groups, plastic_junctions: str = NO_JUNCTIONS
 ) -> TangentialResistance | None:
-    """Return the resistance on a segment that is elastic at its start.
+    """Return the tangential resistance on a segment, or None for a plastic segment without resistance.
 
-    The stresses are Hertz's. Beyond first yield there is no resistance, unless `plastic_junctions` names another law.
+    Up to the displacement at first yield it is the force at which a Hertz contact yields under shear. Beyond, there is no
+    resistance, unless `plastic_junctions` is the key of another law, whose resistance is then used.
     """
     if segment.state == "plastic":
         return of_whole_segment(plastic_junctions, segment, groups)
     K_H = hardness_coefficient(groups.nu)
     w_c = critical_interference(groups.eta, K_H)
-    # The yielding place moves from the edge to the axis; there the resistance ends like a square root of w_c - w.
+    # Yield moves from the edge to the axis at the first kink; at the second the resistance ends like sqrt(w_c - w).
     kinks = [coordinates(segment, w) for w in (first_on_axis(groups.nu, K_H) * w_c, w_c)]
     published = TangentialResistance(resistance, (w_c, groups.nu, K_H), np.stack(kinks, axis=1), kinks[1][:, None])
     return beyond(plastic_junctions, w_c, published, segment, groups)

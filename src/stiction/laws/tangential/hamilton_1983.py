@@ -75,42 +75,54 @@ from stiction.laws.tangential.shared.hamilton_field import Stress, dragged, leas
 from stiction.records.registry import TangentialLaw
 from stiction.records.sources import Source
 
-# Terms of the series in s, and in nu from 0 to 0.5.
+# Numbers of terms of both series in s = p0/Y, and of their coefficients in Poisson's ratio from 0 to 0.5.
 INSIDE, BELOW, IN_NU = 14, 15, 20
 
 
 def inside_reach(nu):
-    """Return the value of (1 - 2 nu) p0/Y up to which the series for yield inside the contact is fitted.
+    """Return the value of (1 - 2 nu) p0/Y up to which the series for yield on the surface inside the contact is fitted.
 
-    The series is used up to a value that is 1 to 7 % smaller.
+    nu: Poisson's ratio. p0/Y: largest pressure over yield stress. The series is used up to a value that is 1 to 7 % smaller.
     """
     return 0.205 + 0.33 * nu
 
 
 def below_reach(nu):
-    """Return the reach of the series of yield below the surface.
+    """Return the relative width of the range of p0/Y over which the series for yield below the surface is fitted.
 
-    The series starts at p0/Y = (1 - reach) F, which is at most 2 % of F before it is used; F: p0/Y at yield by the load alone.
+    The range is (1 - width) F to F, with largest pressure over yield stress, p0/Y, and its value F at which the load alone
+    causes yield. nu: Poisson's ratio. The series is used from a p0/Y on that is larger than the start of the range by at most
+    0.02 F.
     """
     return 0.012 + 0.22 * nu
 
 
 def shear_at_yield(s, nu, x, z) -> np.ndarray:
-    """Return q0/Y at which the place (x, z), over the contact radius, yields under p0/Y = s; infinite if it never yields.
+    """Return the largest traction over the yield stress, q0/Y, at which one place of a sheared Hertz contact yields.
 
-    The squared von Mises stress is a quadratic form in s and q0/Y.
+    s: largest pressure over the yield stress, p0/Y. nu: Poisson's ratio. x, z: position in the direction of shear and depth of
+    the place, over the contact radius. The arguments are broadcast. The result is infinite if the place never yields. The
+    squared von Mises stress is a quadratic form in s and q0/Y.
     """
     return _root(s, *_forms(nu, x, z))
 
 
 def _forms(nu, x, z) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return the coefficients of s^2, 2 s q and q^2 in the squared von Mises stress over Y^2 at a place (x, z)."""
+    """Return the coefficients of s^2, 2 s q and q^2 in the squared von Mises stress over Y^2 at a place of a Hertz contact.
+
+    s, q: largest pressure and largest traction over the yield stress Y. nu: Poisson's ratio. x, z: position in the direction
+    of shear and depth of the place, over the contact radius.
+    """
     normal, tangential = pressed(x, 0.0, z, nu), dragged(x, 0.0, z, nu)
     return _product(normal, normal), _product(normal, tangential), _product(tangential, tangential)
 
 
 def _root(s, of_s, of_both, C) -> np.ndarray:
-    """Return the larger root q of the yield condition C q^2 + 2 B q + A = 0, without cancellation."""
+    """Return the larger root q of the yield condition C q^2 + 2 B q + A = 0, with A = s^2 of_s - 1 and B = s of_both.
+
+    s: largest pressure over the yield stress. of_s, of_both, C: coefficients from `_forms`. The root is computed without
+    cancellation; it is infinite for C = 0.
+    """
     A, B = s * s * of_s - 1.0, s * of_both
     root = np.sqrt(np.maximum(B * B - A * C, 0.0))
     with np.errstate(divide="ignore", invalid="ignore"):
@@ -118,7 +130,7 @@ def _root(s, of_s, of_both, C) -> np.ndarray:
 
 
 def _product(first: Stress, other: Stress) -> np.ndarray:
-    """Return 3/2 of the double contraction of the deviators of two stresses.
+    """Return 3/2 of the double contraction of the deviators of two stresses, each with the components (x, y, z, xy, yz, xz).
 
     For two equal stresses this is the squared von Mises stress.
     """
@@ -129,7 +141,10 @@ def _product(first: Stress, other: Stress) -> np.ndarray:
 
 @cache
 def first_yield_of_load() -> np.ndarray:
-    """Return F = p0/Y at which the load alone causes yield, as a Chebyshev series (IN_NU,) in 4 nu - 1."""
+    """Return F = p0/Y, at which the load alone causes yield, as a Chebyshev series (IN_NU,) in 4 nu - 1.
+
+    p0/Y: largest pressure over yield stress. nu: Poisson's ratio.
+    """
     nu = (1.0 + chebyshev.chebpts1(IN_NU)) / 4.0
     largest = least_over(lambda x, z: -von_mises(pressed(x, 0.0, z, nu[:, None])), np.zeros(IN_NU), 0.48, 0.0, 0.1)[2]
     return _fit(-1.0 / largest[None, :])[0]
@@ -137,21 +152,23 @@ def first_yield_of_load() -> np.ndarray:
 
 @cache
 def series_inside() -> np.ndarray:
-    """Return the Chebyshev series of q0/Y for yield inside the contact.
+    """Return the coefficients (INSIDE, IN_NU) of a Chebyshev series of q0/Y at yield on the surface inside the contact.
 
-    Coefficients (INSIDE, IN_NU) in 2 y - 1 and 4 nu - 1, with y = (1 - 2 nu) s / inside_reach(nu) and s = p0/Y.
+    The variables are 2 y - 1 and 4 nu - 1, with Poisson's ratio nu, y = (1 - 2 nu) s / inside_reach(nu) and s = p0/Y. q0 and
+    p0: largest traction and pressure; Y: yield stress.
     """
     y, nu = _nodes(INSIDE)
-    # At nu = 0.5 every y but 0 is beyond reach, yet the stresses on the surface know s only as (1 - 2 nu) s.
+    # At nu = 0.5 every y but 0 means an infinite s, but stresses on the surface depend on s only through (1 - 2 nu) s.
     s = y * inside_reach(nu) / (1.0 - 2.0 * nu)
     return _fit(_least(s, nu, np.linspace(-0.8, 0.1, 19), 0.0, 0.05, 0.0))
 
 
 @cache
 def series_below() -> np.ndarray:
-    """Return the Chebyshev series of (q0/Y)^2/y for yield below the surface.
+    """Return the coefficients (BELOW, IN_NU) of a Chebyshev series of (q0/Y)^2/y at yield below the surface.
 
-    Coefficients (BELOW, IN_NU) in 2 y - 1 and 4 nu - 1, with y = (1 - s/F) / below_reach(nu).
+    The variables are 2 y - 1 and 4 nu - 1, with Poisson's ratio nu, y = (1 - s/F) / below_reach(nu), s = p0/Y, and F the value
+    of s at which the load alone causes yield. q0 and p0: largest traction and pressure; Y: yield stress.
     """
     y, nu = _nodes(BELOW)
     s = chebyshev.chebval(4.0 * nu - 1.0, first_yield_of_load()) * (1.0 - y * below_reach(nu))
@@ -160,9 +177,10 @@ def series_below() -> np.ndarray:
 
 
 def _least(s, nu, x, z, reach_x: float, reach_z: float) -> np.ndarray:
-    """Return the smallest q0/Y at which any place yields, for arrays s and nu.
+    """Return the smallest largest traction, over the yield stress Y, at which any place of a Hertz contact yields.
 
-    The places (x, z) are tried first; then the neighbourhood of the best, reach_x by reach_z, is searched.
+    s: largest pressure over Y. nu: Poisson's ratio. Both are arrays of one shape, as is the result. The places (x, z), over
+    the contact radius, are tried first; then the neighbourhood of the best one, reach_x by reach_z, is searched.
     """
 
     def shear(x, z):
@@ -174,13 +192,19 @@ def _least(s, nu, x, z, reach_x: float, reach_z: float) -> np.ndarray:
 
 
 def _nodes(terms: int) -> tuple[np.ndarray, np.ndarray]:
-    """Return Chebyshev points y in [0, 1] and nu in [0, 0.5], both as arrays (terms, IN_NU)."""
+    """Return a grid of Chebyshev points: y from 0 to 1 along axis 0, Poisson's ratio nu from 0 to 0.5 along axis 1.
+
+    Both are arrays (terms, IN_NU).
+    """
     y, nu = (1.0 + chebyshev.chebpts1(terms)) / 2.0, (1.0 + chebyshev.chebpts1(IN_NU)) / 4.0
     return np.meshgrid(y, nu, indexing="ij")
 
 
 def _fit(values: np.ndarray) -> np.ndarray:
-    """Return the Chebyshev coefficients of a function with the given values at the nodes (y, nu)."""
+    """Return the Chebyshev coefficients of a function of y and Poisson's ratio from its values at the grid of `_nodes`.
+
+    Values and coefficients have the same shape, (terms, IN_NU).
+    """
     for axis in (0, 1):
         count = values.shape[axis]
         basis = chebyshev.chebvander(chebyshev.chebpts1(count), count - 1)
@@ -190,7 +214,7 @@ def _fit(values: np.ndarray) -> np.ndarray:
 
 @formula
 def _sum(y, series, first, terms):
-    """Return the sum of a Chebyshev series at y in [0, 1], by Clenshaw's method.
+    """Return the sum of a Chebyshev series in 2 y - 1 at y in [0, 1], by Clenshaw's method.
 
     The coefficients are series[first:first + terms].
     """
@@ -203,11 +227,13 @@ def _sum(y, series, first, terms):
 
 @formula
 def resistance(u, w, load, area, *row):
-    """Return 0 and the yield-limited force Q = (q0/p0) P of an elastic asperity.
+    """Return 0, the slip-limited force, and the yield-limited force Q = (q0/p0) P of an elastic asperity.
 
-    s = p0/Y = 1.5 k P/(eta A), because the mean pressure is H where P = eta A (theory.md) and H = k Y. row: eta, k, nu;
-    the values of s up to which yield is inside the contact, from which it is below the surface, and at which the load alone
-    causes yield; factors that turn s into the variable y of both series; coefficients of both series (`series_for`).
+    load, area: P over K R^(1/2) sigma^(3/2), also the unit of Q, and contact area over pi R sigma. u, w: not used. row:
+    hardness group eta; k = H/Y; Poisson's ratio; the values of s = p0/Y up to which yield is inside the contact, from which it
+    is below the surface, and at which the load alone causes yield; factors that turn s into the variable y of both series;
+    coefficients of both series (`series_for`). s = 1.5 k P/(eta A), because the mean pressure is H where P = eta A (theory.md)
+    and H = k Y.
     """
     eta, k, nu, inside_until, below_from, end, to_inside, to_below = row[:8]
     series = row[8:]
@@ -224,9 +250,11 @@ def resistance(u, w, load, area, *row):
 
 
 def series_for(nu: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the last five numbers (5, n) and the series coefficients (INSIDE + BELOW, n) that `resistance` takes.
+    """Return the numbers of `resistance` that depend on Poisson's ratio alone: (5, n) and coefficients (INSIDE + BELOW, n).
 
-    nu: Poisson's ratio of each law (n,).
+    The first are three values of s = p0/Y (yield is inside the contact up to the first, below the surface from the second, and
+    due to the load alone from the third), and two factors that turn s into the variables of the series. The second are the
+    coefficients of both series. nu: Poisson's ratio (n,).
     """
     known, which = np.unique(nu, return_inverse=True)
     steps, series = _series_for(known.tobytes())
@@ -249,7 +277,7 @@ def _series_for(nu_bytes: bytes) -> tuple[np.ndarray, np.ndarray]:
 
     at_edge = _forms(nu, -1.0, 0.0)
 
-    # Each of the three falls with s, that below the surface from above the others to zero, that at the edge least steeply.
+    # All three q fall with s. The one below the surface falls from above the others to zero, the one at the edge least steeply.
     first = end * (1.0 - below_reach(nu))
     reach = np.minimum(inside_reach(nu) / np.maximum(1.0 - 2.0 * nu, 1e-300), end)
     inside_until = _crossing(lambda s: q_inside(s) >= _root(s, *at_edge), np.zeros_like(nu), reach)
@@ -263,10 +291,10 @@ def _series_for(nu_bytes: bytes) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _crossing(passed, low: np.ndarray, high: np.ndarray) -> np.ndarray:
-    """Return the place between low and high (n,) at which `passed` turns True, or high if it never does.
+    """Return the value (n,) between low and high (n,) at which the condition `passed` becomes True, or high if it never does.
 
-    Bisection to 1e-10 of the range is enough: the resistance is continuous, so that a misplaced kink has a second-order
-    effect.
+    passed(values): a mask (n,). Bisection to 1e-10 of the range is enough: the resistance is continuous, so that a misplaced
+    kink has a second-order effect.
     """
     for _ in range(34):
         middle = 0.5 * (low + high)
@@ -276,13 +304,17 @@ def _crossing(passed, low: np.ndarray, high: np.ndarray) -> np.ndarray:
 
 
 def tangential_resistance(segment: NormalSegment, groups: Groups) -> TangentialResistance | None:
-    """Return the resistance on an elastic segment, the force at first yield; None for other segments, which resist nothing."""
+    """Return the tangential force at first yield along an elastic segment, or None for other segments.
+
+    groups: dimensionless groups of n contacts. The stresses are those of a Hertz contact. Yielded asperities have no
+    resistance.
+    """
     if segment.state != "elastic":
         return None
     eta, k = groups.eta, groups.hardness_to_yield
     steps, series = series_for(groups.nu)
     endless = replace(segment, edges=edges_at(segment.edges[:, 0], np.inf))
-    # Hertz: p0/Y = 1.5 k sqrt(w)/eta. A kink beyond the segment is left where it is: near its end it is still felt.
+    # Hertz: p0/Y = 1.5 k sqrt(w)/eta. A kink slightly beyond the segment is not moved, because it still affects the integrand.
     kinks = np.stack([coordinates(endless, (s * eta / (1.5 * k)) ** 2) for s in steps[:3]], axis=1)
     return TangentialResistance(resistance, (eta, k, groups.nu, *steps, *series), kinks, branch=kinks[:, 2:])
 

@@ -47,17 +47,21 @@ from stiction.laws.segment import NormalSegment, TangentialResistance
 from stiction.records.registry import TangentialLaw, Validity
 from stiction.records.sources import Source
 
-# Contact radius over Burgers vector at which slip as a whole ends, and from which on many dislocations glide; tau/G there.
+# Contact radius over Burgers vector up to which a contact slips as a whole, and from which on many dislocations glide;
+# strength over shear modulus in both cases.
 SMALL, LARGE = 28.0, 8e4
 STRONGEST, WEAKEST = 1.0 / 43.0, 1.0 / 1290.0
 EXPONENT = math.log(STRONGEST / WEAKEST) / math.log(LARGE / SMALL)
-# The force between the two sizes is a broken power of the area, which sums resolve in pieces of this ratio of radii.
+# Number of parts into which a segment is split between both sizes, because the force there is a broken power of the area.
 _PIECES = 6
 
 
 @formula
 def strength_over_modulus(radius):
-    """Return tau/G of a contact; radius: a/b, its radius over the Burgers vector."""
+    """Return the shear strength of a contact over its shear modulus, tau/G.
+
+    radius: contact radius over Burgers vector, a/b.
+    """
     return STRONGEST * (min(max(radius, SMALL), LARGE) / SMALL) ** -EXPONENT
 
 
@@ -67,7 +71,11 @@ def resistance(u, w, load, area, unit, size_over_burgers):
 
 
 def tangential_resistance(segment: NormalSegment, groups: Groups) -> TangentialResistance:
-    """Return the resistance on a segment, split at contact sizes between SMALL and LARGE, where the strength falls."""
+    """Return the tangential resistance on a segment, with kinks at the contact radii between which the strength falls.
+
+    groups: dimensionless groups of n contacts. The radii are 28 to 80 000 Burgers vectors, with five in between, because sums
+    resolve a broken power of the area only in parts.
+    """
     places = np.geomspace(SMALL, LARGE, _PIECES + 1)
     kinks = [coordinates_at_area(segment, (place / groups.size_over_burgers) ** 2) for place in places]
     unit = 0.75 * math.pi * (1.0 - groups.nu) / groups.sharpness

@@ -32,15 +32,16 @@ from stiction.laws.tangential.shared.plastic_junctions import LAWS, beyond
 from stiction.records.registry import NO_JUNCTIONS, TangentialLaw, Validity
 from stiction.records.sources import Source
 
-NONE_FROM = 6.0  # omega/omega_c from which the plastic zone reaches the surface, and no shear is withstood
+NONE_FROM = 6.0  # omega/omega_c from which on the plastic zone reaches the surface and there is no resistance to shear
 
 
 @formula
 def friction_coefficient(w_ratio):
-    """Return the friction coefficient Q/P of one asperity; w_ratio: omega/omega_c.
+    """Return the friction coefficient of one asperity, tangential force at failure over load, Q/P.
 
-    Up to 1 it follows from Q/P_c = 0.52 w^0.982 and P/P_c = w^1.5, from 1 to 6 it is a cubic, beyond it is 0. The cubic has
-    three decimals. The 2004 paper prints its product with 1.03 with two decimals, which is negative above 4.3.
+    w_ratio: displacement over displacement at first yield. Up to 1 the coefficient follows from Q/P_c = 0.52 w_ratio^0.982 and
+    P/P_c = w_ratio^1.5, from 1 to 6 it is a cubic, beyond it is 0. The cubic has three decimals. The 2004 paper prints its
+    product with 1.03 with two decimals, which is negative above 4.3.
     """
     if w_ratio <= 1.0:
         return 0.52 * w_ratio**-0.518
@@ -50,7 +51,11 @@ def friction_coefficient(w_ratio):
 
 @formula
 def resistance(u, w, load, area, w_c):
-    """Return the slip-limited force, which is 0 in this law, and the yield-limited force mu P."""
+    """Return 0, the slip-limited force, and the yield-limited force mu P of one asperity; it is 0 from 6 w_c on.
+
+    Before first touch it is 0, too. w, w_c: displacement and displacement at first yield, over sigma. load: P over
+    K R^(1/2) sigma^(3/2), also the unit of the force. u, area: not used.
+    """
     return 0.0, load * friction_coefficient(w / w_c) if w > 0.0 else 0.0
 
 

@@ -53,9 +53,11 @@ from stiction.records.sources import Source
 
 @formula
 def resistance(u, w, load, area, *row):
-    """Return 0 and the yield-limited force T = q A; both are 0 where the load alone causes yield.
+    """Return 0, the slip-limited force, and the yield-limited force T = q A; both are 0 where the load alone causes yield.
 
-    row: eta/k, the coordinate at which the load alone causes yield, and the parameters of `strength_at`.
+    q: mean traction at first yield of film or body. u: coordinate. area: contact area A over pi R sigma. w, load: not used.
+    row: eta/k, the load on a unit area at which the mean pressure is the yield stress of the body; the coordinate at which the
+    load alone causes yield; the parameters of `strength_at`.
     """
     if u >= row[1]:
         return 0.0, 0.0
@@ -63,7 +65,11 @@ def resistance(u, w, load, area, *row):
 
 
 def tangential_resistance(segment: NormalSegment, groups: Groups) -> TangentialResistance | None:
-    """Return the resistance on an elastic segment, the force at first yield; None for other segments, which resist nothing."""
+    """Return the tangential force at first yield along an elastic segment, or None for other segments.
+
+    groups: dimensionless groups of n contacts. Without a film the law `hamilton_1983` applies. Yielded asperities
+    have no resistance.
+    """
     if groups.n_E is None:
         return of_a_half_space(segment, groups)
     if segment.state != "elastic":

@@ -49,16 +49,17 @@ def resistance(u, w, load, area, *row):
 
 
 def tangential_resistance(segment: NormalSegment, groups: Groups) -> TangentialResistance | None:
-    """Return the tangential resistance of a JKR asperity in an elastic segment; None, which is no resistance, in others.
+    """Return the tangential force at which a JKR asperity peels along an elastic segment, or None for other segments.
 
-    The energy balance does not apply to plastic asperities.
+    groups: dimensionless groups of n contacts; without a film the law `savkoor_briggs_1977` applies. Plastic
+    asperities have no resistance, because the energy balance does not apply to them.
     """
     if groups.n_E is None:
         return of_a_half_space(segment, groups)
     if segment.state != "elastic":
         return None
     resolved = groups.resolved()
-    share_that_peels(resolved)  # or is refused
+    share_that_peels(resolved)  # raises InputError for zeta = 0
     own, vanishes = peeling_columns(segment, resolved)
     return TangentialResistance(resistance, own, vanishes)
 

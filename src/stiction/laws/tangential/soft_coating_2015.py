@@ -52,9 +52,11 @@ from stiction.records.sources import Source
 
 @formula
 def resistance(u, w, load, area, *row):
-    """Return the smaller of slip-limited and yield-limited force; the other is 0.
+    """Return slip-limited (peeling) and yield-limited force of an adhesive asperity, the larger of them replaced by 0.
 
-    row: theta, eta, K_beta (times the mode-mixity share), nu, k = H/Y.
+    load, area: over K R^(1/2) sigma^(3/2), also the unit of the forces, and over pi R sigma. u, w: not used. row: elastic
+    adhesion index theta, hardness group eta, K beta times the fraction of the tangential energy that peels, Poisson's ratio
+    nu, k = H/Y.
     """
     theta, eta, K_beta, nu, k = row
     slip_limited = slip_resistance(load, theta, K_beta)
@@ -63,7 +65,10 @@ def resistance(u, w, load, area, *row):
 
 @formula
 def resistance_printed(u, w, load, area, *row):
-    """Return the smaller of slip-limited and yield-limited force with eq (10) as printed; row: as in `resistance`."""
+    """Return the two forces of `resistance`, the larger replaced by 0, with the peeling force of eq (10) as printed.
+
+    area: contact area over pi R sigma, which eq (10) uses as x. load, row: as in `resistance`. u, w: not used.
+    """
     theta, eta, K_beta, nu, k = row
     slip_limited = slip_resistance_printed(area, theta, K_beta)
     return keep_smaller(slip_limited, yield_resistance(load, eta * area / (math.pi * k), nu))
@@ -72,10 +77,11 @@ def resistance_printed(u, w, load, area, *row):
 def tangential_resistance(
     segment: NormalSegment, groups: Groups, plastic_junctions: str = NO_JUNCTIONS
 ) -> TangentialResistance | None:
-    """Return the tangential force law of a segment of a JKR asperity; None if the segment has none.
+    """Return the tangential resistance on a segment of a JKR asperity, or None if the segment has none.
 
-    The coordinate is u = x^(1/4), with x = a^2/(R sigma) and a the contact radius. `plastic_junctions` selects the law of
-    plastic segments. If one solution describes film and body, the law uses the stiffness and stresses of both.
+    On an elastic segment it is the smaller of peeling force and force at yield of the trailing edge. On a plastic segment it
+    is the resistance of the law that `plastic_junctions` names, if any. If the film law solves film and body as one solid,
+    both forces use the stiffness and stresses of this solid.
     """
     if segment.state != "elastic":
         return of_whole_segment(plastic_junctions, segment, groups)
@@ -85,7 +91,7 @@ def tangential_resistance(
 
 
 def _on_a_film(segment: NormalSegment, groups: Groups) -> TangentialResistance:
-    # What a bare contact, and a film of half-spaces, do without, and is slow to import.
+    # Imported here because the modules load slowly, and contacts without a layered film do not need them.
     from stiction.laws.tangential.shared.coated_edge import edge_columns, edge_root
     from stiction.laws.tangential.shared.coated_peeling import peeling_columns, peeling_force
 
@@ -101,7 +107,7 @@ def grip_printed(segment: NormalSegment, groups: Groups) -> TangentialResistance
 def _grip(segment, groups, formula_of, printed: bool) -> TangentialResistance | None:
     if segment.state != "elastic":
         return None
-    # G_N + zeta G_T = gamma: the tangential compliance counts zeta times.
+    # In G_N + zeta G_T = gamma, zeta multiplies the tangential compliance.
     K_beta = groups.K_beta if groups.peeling is None else groups.K_beta * groups.peeling
     kinks, branch = kinks_of(groups, K_beta, segment.edges[:, -1], printed, unloading=segment.lowest < 0.0)
     return TangentialResistance(

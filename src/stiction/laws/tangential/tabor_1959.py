@@ -50,10 +50,11 @@ _ROUNDING = 1e-12
 
 @formula
 def grown_area(load, area, eta, share):
-    """Return the contact area at which the interface shears, or the initial area if the junction does not grow.
+    """Return the contact area over pi R sigma at which the interface of a junction shears, or `area` if it does not grow.
 
-    The area A follows from W^2 + alpha T^2 = H^2 A^2 with T = c H A/sqrt(alpha); share: c. A pressure H on the area A is the
-    load eta A; a larger load counts as eta A.
+    The area A follows from W^2 + alpha T^2 = H^2 A^2 with T = c H A/sqrt(alpha). load: W over K R^(1/2) sigma^(3/2). area:
+    over pi R sigma, before shear. eta: hardness group; a pressure H on the area A is the load eta A, and a larger load counts
+    as eta A. share: c, strength of the interface over strength of the bulk.
     """
     return max(area, min(load / eta, area) / math.sqrt((1.0 - share) * (1.0 + share)))
 
@@ -64,9 +65,10 @@ def resistance(u, w, load, area, eta, shear_strength, share):
 
 
 def tangential_resistance(segment: NormalSegment, groups: Groups, alpha: str) -> TangentialResistance:
-    """Return the resistance on a segment; it has kinks where growth begins and where the mean pressure reaches the hardness.
+    """Return the tangential resistance on a segment: strength of the interface times the area grown under shear.
 
-    Raises InputError if the interface is as strong as the bulk.
+    It has kinks where growth begins and where the mean pressure reaches the hardness. groups: dimensionless groups of n
+    contacts. alpha: key of ALPHA, "von_mises" or "9". Raises InputError if the interface is as strong as the bulk.
     """
     share = share_of_bulk(groups, alpha)
     endless = share >= 1.0 - _ROUNDING

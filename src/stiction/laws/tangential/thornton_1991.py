@@ -29,19 +29,21 @@ from stiction.records.sources import Source
 
 @formula
 def peeling_force(load, pull_off, stiffness_ratio):
-    """Return the peeling force T = 4 sqrt((P P_c + P_c^2) G*/E*).
+    """Return the tangential force at which a JKR contact peels, T = 4 sqrt((P P_c + P_c^2) G*/E*), in the unit of the load.
 
-    pull_off: P_c = (3/2) pi gamma R. stiffness_ratio: G*/E*, with 1/G* = (2 - nu_1)/G_1 + (2 - nu_2)/G_2. The radicand is not
-    negative, because a contact is lost at P = -P_c; only rounding can make it so.
+    load: P. pull_off: P_c = (3/2) pi gamma R, in the same unit. stiffness_ratio: G*/E*, with
+    1/G* = (2 - nu_1)/G_1 + (2 - nu_2)/G_2. The radicand is not negative, because a contact is lost at P = -P_c; only rounding
+    can make it so.
     """
     return 4.0 * math.sqrt(max((load + pull_off) * pull_off * stiffness_ratio, 0.0))
 
 
 @formula
 def resistance(u, w, load, area, theta, K_beta):
-    """Return the slip-limited force, which is the peeling force, and the yield-limited force, 0.
+    """Return the slip-limited force, at which a JKR contact peels, and 0, the yield-limited force.
 
-    G* = 1/beta and K = (4/3) E* give G*/E* = (4/3)/(K beta).
+    load: over K R^(1/2) sigma^(3/2), also the unit of the force. theta: elastic adhesion index. K_beta: K times the tangential
+    compliance beta of the pair. G* = 1/beta and K = (4/3) E* give G*/E* = (4/3)/(K beta). u, w, area: not used.
     """
     return peeling_force(load, 1.5 * math.pi / theta, 4.0 / (3.0 * K_beta)), 0.0
 

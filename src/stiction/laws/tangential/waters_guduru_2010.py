@@ -53,13 +53,17 @@ from stiction.laws.tangential.savkoor_briggs_1977 import no_resistance, share_th
 from stiction.records.registry import Limit, TangentialLaw
 from stiction.records.sources import Source
 
-# An angle that is off by this changes its largest force by the square of it.
+# Error of the angle at which the search ends; the largest force has an error of its square.
 _NEAR = 1e-9
 
 
 @formula
 def _grows(psi, p, kappa):
-    """Return a number with the sign of the derivative of the force by the phase angle psi; it is finite and continuous."""
+    """Return a number with the sign of the derivative of the peeling force by the phase angle; it is finite and continuous.
+
+    psi: phase angle of shear against opening. p: load over pull-off force. kappa: 1 - zeta, with `peeling` zeta of the
+    contact.
+    """
     sine, cosine = math.sin(psi), math.cos(psi)
     narrow, shared = math.cos(kappa * psi), kappa * sine * math.tan(kappa * psi)
     opening = cosine / narrow
@@ -69,7 +73,10 @@ def _grows(psi, p, kappa):
 
 @formula
 def _phase(p, kappa):
-    """Return the phase angle with the largest force, at most pi/2, by regula falsi (Illinois variant)."""
+    """Return the phase angle, at most pi/2, at which the peeling force is largest, by regula falsi (Illinois variant).
+
+    p: load over pull-off force. kappa: 1 - zeta, with `peeling` zeta of the contact.
+    """
     low, high = 0.0, 0.5 * math.pi
     at_low, at_high = _grows(low, p, kappa), _grows(high, p, kappa)
     if at_high >= 0.0:
@@ -96,9 +103,10 @@ def _phase(p, kappa):
 
 @formula
 def peeling_force(p, kappa):
-    """Return the largest (sqrt(g) + sqrt(g + p)) sqrt(q) over the phase angle, at the load p P_c.
+    """Return the largest (sqrt(g) + sqrt(g + p)) sqrt(q) over the phase angle psi, the dimensionless peeling force.
 
-    It is sqrt(1 + p) for kappa = 0.
+    p: load over pull-off force. kappa: 1 - zeta, with `peeling` zeta of the contact. g = cos^2(psi)/cos^2(kappa psi),
+    q = sin^2(psi)/cos^2(kappa psi). The result is sqrt(1 + p) for kappa = 0.
     """
     p = max(p, -1.0)
     psi = _phase(p, kappa)
@@ -114,7 +122,10 @@ def resistance(u, w, load, area, theta, K_beta, kappa):
 
 
 def tangential_resistance(segment: NormalSegment, groups: Groups) -> TangentialResistance | None:
-    """Return the resistance on an elastic segment of a JKR asperity; None for other segments, which resist nothing."""
+    """Return the tangential force at which a JKR asperity peels along an elastic segment, or None for other segments.
+
+    groups: dimensionless groups of n contacts. Plastic asperities have no resistance.
+    """
     if segment.state != "elastic":
         return None
     share = share_that_peels(groups)
@@ -124,7 +135,11 @@ def tangential_resistance(segment: NormalSegment, groups: Groups) -> TangentialR
 
 
 def _to_hertz(segment: NormalSegment, groups: Groups, kappa: np.ndarray) -> np.ndarray:
-    """Return the coordinate u (n,) beyond which shear shrinks the contact to Hertz's area before it slides."""
+    """Return the coordinate u (n,) of a JKR contact beyond which shear shrinks it to Hertz's area before it slides.
+
+    kappa (n,): 1 - zeta, with `peeling` zeta of the contact. The result is limited to the ends of the segment; for kappa = 0
+    it is the last end.
+    """
     with np.errstate(divide="ignore"):
         p = 1.0 / (kappa * np.sin(0.5 * math.pi * kappa)) ** 2
     S = np.sqrt(6.0 * math.pi / groups.theta)

@@ -1,4 +1,7 @@
-"""Compute the tangential force at which a coated contact yields at its trailing edge, from `solvers.layered.edge`."""
+"""Compute the tangential force at which a coated contact yields at its trailing edge (von Mises).
+
+The stresses there come from `solvers.layered.edge`.
+"""
 
 import math
 
@@ -11,7 +14,7 @@ from stiction.solvers.layered.bodies import bodies_of, per_root
 from stiction.solvers.layered.edge import EDGE_TERMS, FORMS, edge_curves
 
 _WIDTH = 2 + EDGE_TERMS
-# Where ln D, A and B begin and end in a row.
+# Positions in a row at which the curves of ln D, A and B begin, and at which the last one ends.
 _D, _A, _B, _END = (2 + at * _WIDTH for at in range(FORMS + 1))
 
 
@@ -25,10 +28,11 @@ def _curve(z, row):
 
 @formula
 def edge_root(u, load, area, row):
-    """Return the discriminant and the larger root T of D (A P^2 + 2 B P T + T^2) = S^2.
+    """Return the discriminant and the larger root T of D (A P^2 + 2 B P T + T^2) = S^2, yield at the edge of a coated contact.
 
-    S: yield stress times contact area. The force T is valid if both numbers are positive, as `Force` requires. row: parameters
-    from `edge_columns`.
+    P: load. T: tangential force, valid if both returned numbers are positive. S: yield stress times contact area. A, B, D:
+    functions of contact radius over film thickness. u: coordinate, u^4 = a^2/(R sigma) with the contact radius a. load, area:
+    over K R^(1/2) sigma^(3/2), also the unit of T, and over pi R sigma. row: parameters from `edge_columns`.
     """
     z = 1.0 - 2.0 / (row[1] * u + 1.0)
     A, B = _curve(z, row[_A:_B]), _curve(z, row[_B:_END])
@@ -39,9 +43,10 @@ def edge_root(u, load, area, row):
 
 
 def edge_columns(groups: Groups) -> tuple[np.ndarray, ...]:
-    """Return the parameters (n,) of `edge_root`, for yield at the edge of a contact with a film.
+    """Return the parameters of `edge_root`, each an array (n,), for yield at the trailing edge of a contact with a film.
 
-    groups: complete groups, from `Groups.resolved`. For contacts without a film the parameters describe the body.
+    groups: dimensionless groups of n contacts with all defaults filled in, from `Groups.resolved`. If the film has no
+    thickness, the parameters are those of the body.
     """
     laws = len(groups)
     different, which = bodies_of(groups)
@@ -53,7 +58,10 @@ def edge_columns(groups: Groups) -> tuple[np.ndarray, ...]:
 
 
 def _of_half_space(nu: np.ndarray) -> np.ndarray:
-    """Return the curves of ln D, A and B (n, FORMS, ...) for half-spaces with Poisson's ratios nu (n,)."""
+    """Return the curves of ln D, A and B (n, FORMS, 2 + EDGE_TERMS) for uniform half-spaces with Poisson's ratios nu (n,).
+
+    A, B, D: coefficients of the squared von Mises stress at the trailing edge, as in `edge_root`. The curves are constant.
+    """
     n, p, q = coefficients(nu)
     d = p * p + q * q - p * q
     curves = np.zeros((len(nu), FORMS, _WIDTH))

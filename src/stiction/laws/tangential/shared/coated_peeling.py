@@ -26,20 +26,21 @@ from stiction.solvers.layered.bodies import bodies_of, per_root
 from stiction.solvers.layered.curves import TERMS
 from stiction.solvers.layered.shear import shear_curve
 
-# The logarithm of u over its first value that lies halfway along the knots.
+# ln(u over its first value) at the middle of the knots.
 _HALFWAY = 2.0
 _GOLDEN, _NARROWING = 0.5 * (math.sqrt(5.0) - 1.0), 16
 _MOST_STEPS = 60
-# The least share of the tangential energy, in place of none.
+# Replaces a mode-mixity share of 0, which would make the force infinite.
 _LEAST_SHARE = 1e-200
 
 
 @formula
 def _softness(u, root, curve):
-    """Return the normal-tangential stiffness product K beta at the coordinate u, and 1 - e.
+    """Return the normal-tangential stiffness product K beta of a coated contact, and 1 - e with e = d ln(K beta)/d ln a.
 
-    e = d ln(K beta)/d ln a with the contact radius a. curve: logarithms of K beta for the film and for the bodies, and
-    coefficients of the curve between them.
+    K = (4/3) E*; beta: tangential compliance; a: contact radius. u: coordinate, u^4 = a^2/(R sigma). root: factor from u to
+    sqrt(a/t), with the thickness t of one film. curve: logarithms of K beta for the film and for the bodies, then coefficients
+    of the curve between them.
     """
     rest = 1.0 / (root * u + 1.0)
     z, by_radius = 1.0 - 2.0 * rest, rest * (1.0 - rest)  # dz/d ln a
@@ -54,9 +55,11 @@ def _softness(u, root, curve):
 
 @formula
 def _narrower(start, c, load, row):
-    """Return the largest u at which P_H - c L equals the load; negative if there is none.
+    """Return the largest coordinate u at which P_H - c L equals the load, or a negative number if there is none.
 
-    The secant method starts from a wider contact.
+    P_H: load of a contact of this radius without adhesion. L: adhesive force of JKR's contact of this radius. c: number from 0
+    to 1. row: parameters of the coated JKR asperity. start: coordinate of a wider contact, from which the secant method
+    starts.
     """
     u = start
     before = before_u = slope = 0.0
@@ -77,7 +80,13 @@ def _narrower(start, c, load, row):
 
 @formula
 def _largest(start, load, row, root, curve):
-    """Return the largest T^2 theta zeta/(32 pi n_g) over c from 0 to 1, by golden section search; there is one maximum."""
+    """Return the largest value of T^2 theta zeta/(32 pi n_g) for which the contact is in equilibrium; T: tangential force.
+
+    theta: adhesion index. zeta: weight of the tangential energy release. n_g: work of adhesion of the film over the
+    substrate's. The maximum is over c from 0 to 1, the fraction of JKR's adhesive force that acts, by golden section search;
+    there is one maximum. start: coordinate of a wider contact. load: normal load. row: parameters of the coated JKR asperity.
+    root, curve: as in `_softness`.
+    """
     low, high = 0.0, 1.0
     at_first, at_second, best = -1.0, -1.0, 0.0
     for _ in range(_NARROWING):
@@ -103,9 +112,12 @@ def _largest(start, load, row, root, curve):
 
 @lazy_kernel(worth=300)
 def _fill(rows, root, curves, first, out):
-    """Fill out[i] with sqrt(T^2 theta zeta/(32 pi n_g))/u^3 at the knots from first[i] on.
+    """Fill out[i] with sqrt(T^2 theta zeta/(32 pi n_g))/u^3 at the knots of a spline along the asperity of contact i.
 
-    It is negative for contacts that a constant load would pull off, because wider contacts carry the same load.
+    T: peeling force. theta: adhesion index. zeta: weight of the tangential energy release. n_g: work of adhesion of the film
+    over the substrate's. u: coordinate. rows: parameters of the coated JKR asperities. root, curves: as in `_softness`. first
+    (n,): u at the first knot. The values are negative for contacts that a constant load would pull off, because wider contacts
+    carry the same load.
     """
     for i in range(root.size):
         row = unpack(rows[i], EDGED)
@@ -125,10 +137,11 @@ def _fill(rows, root, curves, first, out):
 
 
 def peeling_columns(segment: NormalSegment, groups: Groups) -> tuple[tuple[np.ndarray, ...], np.ndarray | None]:
-    """Return the parameters (n,) of `peeling_force` and, in unloading, the coordinate (n, 1) at which the force vanishes.
+    """Return the parameters of `peeling_force`, each an array (n,), and the coordinate (n, 1) at which the force vanishes.
 
-    In loading the coordinate is None. The segment is a JKR asperity of a film law that solves film and body together. groups:
-    complete groups of contacts with a film. If `peeling` is 0, the force is practically infinite.
+    The force vanishes in unloading only; for a segment in loading the coordinate is None. segment: JKR asperity of a film law
+    that solves film and body as one solid. groups: dimensionless groups of n contacts with a film, with all defaults filled
+    in. If `peeling` is 0, the force is practically infinite.
     """
     share = np.maximum(1.0 if groups.peeling is None else groups.peeling, _LEAST_SHARE)
     scale = np.broadcast_to(np.sqrt(32.0 * math.pi * groups.n_g / (groups.theta * share)), len(groups))
@@ -137,14 +150,15 @@ def peeling_columns(segment: NormalSegment, groups: Groups) -> tuple[tuple[np.nd
 
 
 def _curves(segment: NormalSegment, groups: Groups) -> tuple[tuple[np.ndarray, ...], np.ndarray]:
-    """Return start and spline coefficients (n,) of the curve, and the coordinate (n,) at which the force vanishes.
+    """Return the spline of the peeling force along a segment, and the coordinate (n,) at which the force vanishes.
 
-    The coordinate is the start of the curve if the force vanishes nowhere.
+    The spline is a tuple of arrays (n,): the coordinate at its start, then its coefficients. If the force vanishes nowhere,
+    the second result is the start as well. segment, groups: as in `peeling_columns`.
     """
     laws, first = len(groups), np.ascontiguousarray(segment.edges[:, 0])
     different, which = bodies_of(groups)
     shapes = np.array([shear_curve(value) for value in different])[which]
-    # K beta of film and bodies are the contact's own; what lies between them is solved.
+    # K beta of film and of bodies are groups of the contact; only the curve between both is solved.
     film = np.where(groups.film_aspect > 0.0, groups.film_K_beta / groups.n_E, groups.K_beta)
     ends = [np.broadcast_to(np.log(value), laws) for value in (film, groups.K_beta)]
     values = np.empty((laws, SEGMENTS + 1))
@@ -153,7 +167,11 @@ def _curves(segment: NormalSegment, groups: Groups) -> tuple[tuple[np.ndarray, .
 
 
 def _vanishes(first: np.ndarray, values: np.ndarray) -> np.ndarray:
-    """Return the coordinate (n,) at which the values at the knots change sign, by linear interpolation; else `first`."""
+    """Return the coordinate (n,) at which the values at the knots change sign, by linear interpolation.
+
+    values (n, SEGMENTS + 1): at the knots, negative before the sign change. first (n,): coordinate u at the first knot, which
+    is returned if the first value is not negative.
+    """
     crossing = np.maximum((values < 0.0).sum(axis=1), 1)
     below, above = (np.take_along_axis(values, index[:, None], axis=1)[:, 0] for index in (crossing - 1, crossing))
     y = (crossing - np.clip(above / (above - below), 0.0, 1.0)) / SEGMENTS
@@ -162,9 +180,10 @@ def _vanishes(first: np.ndarray, values: np.ndarray) -> np.ndarray:
 
 @formula
 def peeling_force(u, load, area, row):
-    """Return the peeling force T at the coordinate u.
+    """Return the tangential force at which a coated JKR asperity peels, over K R^(1/2) sigma^(3/2).
 
-    row: sqrt(32 pi n_g/(theta zeta)), start of the curve, spline coefficients.
+    u: coordinate, u^4 = a^2/(R sigma) with the contact radius a. load, area: not used. row: sqrt(32 pi n_g/(theta zeta)), u at
+    the start of the spline, spline coefficients.
     """
     y = 1.0
     if u < 1e100:

@@ -22,7 +22,7 @@ from stiction.laws.tangential.shared.even_spline import SEGMENTS, spline, to_coe
 from stiction.solvers.layered.bodies import Bodies, bodies_of, per_root
 from stiction.solvers.layered.first_yield import ANGLES, PLACES, table_of_norms
 
-# To this part of its end the knots are as dense as there.
+# Largest p at the end of the spline, so that the knots stay dense near the end.
 _FARTHEST = 50.0
 _PER_PLACE = (PLACES.size - 1) / 2.0
 _ANGLES, _COS, _SIN = ANGLES.size, np.cos(ANGLES), np.sin(ANGLES)
@@ -32,10 +32,12 @@ _STEP, _LEAST, _MOST = 1.06, 1e-9, 1e30
 
 @formula
 def _norms_at(p, table, angle, film_strength, film):
-    """Return the von Mises stress over the yield stress of the body at p = (a/t)^(1/2), the larger one of film and body.
+    """Return the von Mises stress over the yield stress of the same material, for film or body, whichever is larger.
 
-    angle: index of a ratio of traction to pressure in ANGLES. film_strength: film yield stress over the body's. film: 1, or 0
-    without a film.
+    It belongs to a mean pressure s and a mean traction q with s^2 + q^2 = 1 in units of the body's yield stress. p:
+    (a/t)^(1/2), with the contact radius a and the film thickness t. table: largest stresses in film and body over p and angle.
+    angle: index of a ratio q/s in ANGLES. film_strength: yield stress of the film over the body's. film: 1, or 0 without a
+    film.
     """
     place = min((1.0 + (p - 1.0) / (p + 1.0)) * _PER_PLACE, 2.0 * _PER_PLACE - 1e-9) if p < 1e15 else 2.0 * _PER_PLACE - 1e-9
     knot = int(place)
@@ -47,7 +49,11 @@ def _norms_at(p, table, angle, film_strength, film):
 
 @formula
 def _traction(p, s, table, film_strength, film):
-    """Return the squared mean traction at yield under the mean pressure s, both over the body's yield stress."""
+    """Return the squared mean traction at first yield of film or body under a mean pressure.
+
+    The traction, and the pressure s, are over the body's yield stress. p, table, film_strength, film: as in `_norms_at`. The
+    result is 0 if the pressure alone causes yield.
+    """
     before_s = before_q = 0.0
     for angle in range(_ANGLES):
         norm = _norms_at(p, table, angle, film_strength, film)
@@ -64,7 +70,10 @@ def _traction(p, s, table, film_strength, film):
 def _filling(normal: Callable, parameters: int) -> Any:
     @formula
     def holds(u, arguments):
-        """Return whether the mean pressure at u is too small to cause yield alone."""
+        """Return whether the mean pressure of the asperity at the coordinate u is too small to cause yield without traction.
+
+        arguments: parameters of the asperity, and the arguments of `_norms_at`.
+        """
         row, scale, root, table, film_strength, film = arguments
         _, _, load, area = normal(u, *row)
         return load / (scale * area) * _norms_at(root * area**0.25, table, 0, film_strength, film) < 1.0
@@ -73,9 +82,12 @@ def _filling(normal: Callable, parameters: int) -> Any:
 
     @lazy_kernel(worth=300)
     def fill(rows, scale, root, film_strength, film, which, tables, place, out):
-        """Fill out[i] with the squared traction at the knots, and place[i] with the coordinate that they use.
+        """Fill out[i] with the squared mean traction at yield at the knots of contact i, over the body's squared yield stress.
 
-        place[i]: u where the load alone causes yield, factor from u to p, and 1 over ln(1 + p) at this u.
+        place[i] is filled with three numbers of its coordinate: u at which the load alone causes yield, the factor from u to
+        p, and 1 over ln(1 + p) at this u. rows: parameters of the elastic segments. scale: eta/k, which turns load over area
+        into mean pressure over yield stress. root: factor from area^(1/4) to (a/t)^(1/2). which: index of the contact's table
+        in `tables`. film_strength, film: as in `_norms_at`.
         """
         for i in range(scale.size):
             row, table = unpack(rows[i], parameters), tables[which[i]]
@@ -99,9 +111,11 @@ def _filling(normal: Callable, parameters: int) -> Any:
 
 
 def _bends(place: np.ndarray, values: np.ndarray) -> np.ndarray:
-    """Return the coordinates (n, _BENDS) of the knots with the largest second difference.
+    """Return the coordinates (n, _BENDS) of the knots at which the squared traction at yield bends most.
 
-    There the place that yields first changes.
+    The bend is measured by the second difference; there the place of first yield changes. place (n, 3): coordinate at which
+    the load alone causes yield, factor from coordinate to p, and 1/ln(1 + p) there. values (n, SEGMENTS + 1): squared traction
+    at the knots.
     """
     bent = np.abs(np.diff(values, n=2, axis=1))
     knots = 1 + np.sort(np.argpartition(bent, -_BENDS, axis=1)[:, -_BENDS:], axis=1)
@@ -110,11 +124,11 @@ def _bends(place: np.ndarray, values: np.ndarray) -> np.ndarray:
 
 
 def strengths(segment: NormalSegment, groups: Groups) -> tuple[tuple[np.ndarray, ...], np.ndarray]:
-    """Return the squared mean traction at which film or body yields along an elastic segment, and where its curve bends.
+    """Return the squared mean traction at first yield along an elastic segment as a spline, and where its curve bends.
 
-    The first is the arguments of `strength_at` as columns (n,): u where the load alone causes yield, factor and scale of the
-    coordinate, spline coefficients. The second is coordinates (n, k). The segment belongs to a film law that solves film and
-    body together. groups: complete groups of contacts with a film.
+    The spline is a tuple of arrays (n,): u where the load alone causes yield, then factor and scale of the coordinate and the
+    spline coefficients, as `strength_at` takes them. The bends are coordinates (n, k). segment: asperity of a film law that
+    solves film and body as one solid. groups: dimensionless groups of n contacts with a film, with all defaults filled in.
     """
     laws = len(groups)
     different, which = bodies_of(groups)
@@ -134,6 +148,10 @@ def _table(bodies: Bodies) -> np.ndarray:
 
 @formula
 def strength_at(u, unit, scale, coefficients):
-    """Return the squared mean traction at yield at the coordinate u, or 0 if the spline is slightly negative near its end."""
+    """Return the squared mean traction at first yield at the coordinate u, over the body's squared yield stress.
+
+    unit, scale: factors that turn u into the variable of the spline. coefficients: of the spline. The result is 0 where the
+    spline is slightly negative near its end.
+    """
     y = 1.0 - max(1.0 - np.log1p(unit * u) * scale, 0.0) ** 0.5
     return max(spline(y, coefficients), 0.0)

@@ -12,18 +12,20 @@ from stiction.engine.compiled import formula
 
 @formula
 def coefficients(nu):
-    """Return n, p, q of the stresses at the edge (docs/explanation/theory.md, yield at the edge).
+    """Return n = (1-2nu)/(2 pi), p = 3(4+nu)/16 and q = 9nu/16 of the stresses at the trailing edge of a Hertz contact.
 
-    n = (1-2nu)/(2 pi), p = 3(4+nu)/16, q = 9nu/16.
+    nu: Poisson's ratio. The stresses are derived in docs/explanation/theory.md, yield at the edge.
     """
     return (1.0 - 2.0 * nu) / (2.0 * math.pi), 3.0 * (4.0 + nu) / 16.0, 9.0 * nu / 16.0
 
 
 @formula
 def yield_resistance(load, strength, nu):
-    """Return the larger root T of 3n^2 P^2 + 3n(p-q) P T + (p^2+q^2-pq) T^2 = strength^2, or 0 if it is not real and positive.
+    """Return the tangential force T at which the trailing edge of a Hertz contact yields, or 0 if T is not real and positive.
 
-    strength: yield stress times contact area over pi, eta x / (pi k), in the unit of the load.
+    T is the larger root of 3n^2 P^2 + 3n(p-q) P T + (p^2+q^2-pq) T^2 = strength^2, with n, p and q from `coefficients`. load:
+    P, also the unit of T. strength: yield stress times contact area over pi, eta x / (pi k), in the same unit. nu: Poisson's
+    ratio.
     """
     n, p, q = coefficients(nu)
     d = p * p + q * q - p * q
@@ -36,6 +38,6 @@ def yield_resistance(load, strength, nu):
 
 @formula
 def keep_smaller(slip_limited, yield_limited):
-    """Return both forces with the larger one set to zero, so that only the smaller, decisive one remains."""
+    """Return both forces with the larger one replaced by 0, because the smaller one decides; equal forces count as slip."""
     slips = slip_limited <= yield_limited
     return slip_limited if slips else 0.0, 0.0 if slips else yield_limited

@@ -11,7 +11,7 @@ SEGMENTS = 56
 
 @lru_cache(maxsize=1)
 def to_coefficients() -> np.ndarray:
-    """Return the matrix that turns SEGMENTS + 1 values at the knots into SEGMENTS + 3 B-spline coefficients.
+    """Return the matrix (SEGMENTS + 3, SEGMENTS + 1) that turns values at the knots into coefficients of a cubic B-spline.
 
     Both ends are not-a-knot.
     """
@@ -26,7 +26,7 @@ def to_coefficients() -> np.ndarray:
 
 @formula
 def spline(y, coefficients):
-    """Return the value of the spline at y, 0 to 1."""
+    """Return the value at y, 0 to 1, of the cubic B-spline with the given coefficients (SEGMENTS + 3)."""
     place = min(y * SEGMENTS, SEGMENTS - 1e-9)
     knot = int(place)
     t = place - knot

@@ -21,9 +21,10 @@ Stress = tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, np.ndarray, np.nd
 def stress(x: ArrayLike, y: ArrayLike, z: ArrayLike, mu: ArrayLike, nu: ArrayLike) -> Stress:
     """Return the six stresses (x, y, z, xy, yz, xz) over p0 below a Hertz contact under normal and tangential force.
 
-    The contact carries the pressure p0 sqrt(1 - r^2) and, in the direction +x, mu times this as traction. x, y, z: place over
-    a, z >= 0 into the half-space. mu: tangential over normal force, any sign. nu: Poisson's ratio, 0 to 0.5. All arguments are
-    broadcast. Tension is positive. Source: Hamilton (1983); `pressed` and `dragged` are the two parts.
+    The contact carries the pressure p0 sqrt(1 - r^2) and, in the direction +x, mu times this as traction; r: distance from the
+    axis over the contact radius a. x, y, z: place over a, with the depth z >= 0. mu: tangential over normal force, any sign.
+    nu: Poisson's ratio, 0 to 0.5. All arguments are broadcast. Tension is positive. Source: Hamilton (1983); `pressed` and
+    `dragged` are the two parts.
     """
     normal, tangential = pressed(x, y, z, nu), dragged(x, y, z, nu)
     xx, yy, zz, xy, yz, xz = (normal_part + mu * other for normal_part, other in zip(normal, tangential, strict=True))
@@ -31,9 +32,11 @@ def stress(x: ArrayLike, y: ArrayLike, z: ArrayLike, mu: ArrayLike, nu: ArrayLik
 
 
 def pressed(x: ArrayLike, y: ArrayLike, z: ArrayLike, nu: ArrayLike) -> Stress:
-    """Return the six stresses over p0 under the pressure p0 sqrt(1 - r^2) alone; arguments and order as in `stress`.
+    """Return the six stresses (x, y, z, xy, yz, xz) over p0 in a half-space under the pressure p0 sqrt(1 - r^2) alone.
 
-    Source: Hamilton (1983), the stresses of the normal load. In r, theta and z they are those of Huber (1904).
+    x, y, z: place over the contact radius a, with the depth z >= 0; r: distance from the axis over a. nu: Poisson's ratio. All
+    arguments are broadcast. Tension is positive. Source: Hamilton (1983), the stresses of the normal load. In r, theta and z
+    they are those of Huber (1904).
     """
     x, y, z, nu = np.broadcast_arrays(*(np.asarray(value, dtype=float) for value in (x, y, z, nu)))
     M, N, S, phi, cos, sin = _spheroidal(x, y, z)
@@ -54,9 +57,10 @@ def pressed(x: ArrayLike, y: ArrayLike, z: ArrayLike, nu: ArrayLike) -> Stress:
 
 
 def dragged(x: ArrayLike, y: ArrayLike, z: ArrayLike, nu: ArrayLike) -> Stress:
-    """Return the six stresses over q0 under the traction q0 sqrt(1 - r^2) in the direction +x.
+    """Return the six stresses (x, y, z, xy, yz, xz) over q0 in a half-space under the traction q0 sqrt(1 - r^2) along +x.
 
-    Arguments and order are as in `stress`. Source: Hamilton (1983), the stresses of the tangential load.
+    x, y, z: place over the contact radius a, with the depth z >= 0; r: distance from the axis over a. nu: Poisson's ratio. All
+    arguments are broadcast. Tension is positive. Source: Hamilton (1983), the stresses of the tangential load.
     """
     x, y, z, nu = np.broadcast_arrays(*(np.asarray(value, dtype=float) for value in (x, y, z, nu)))
     M, N, S, phi, cos, sin = _spheroidal(x, y, z)
@@ -83,21 +87,22 @@ def dragged(x: ArrayLike, y: ArrayLike, z: ArrayLike, nu: ArrayLike) -> Stress:
 
 
 def von_mises(stress: Stress) -> np.ndarray:
-    """Return the von Mises stress of six stresses in the order of `stress`.
+    """Return the von Mises stress, which equals the yield stress of a tensile test at yield.
 
-    At yield it equals the yield stress of a tensile test.
+    stress: the six components (x, y, z, xy, yz, xz); the result has their unit and shape.
     """
     x, y, z, xy, yz, xz = stress
     return np.sqrt(0.5 * ((x - y) ** 2 + (y - z) ** 2 + (z - x) ** 2) + 3.0 * (xy * xy + yz * yz + xz * xz))
 
 
 def first_yield(mu: float, nu: float) -> tuple[float, tuple[float, float]]:
-    """Return p0/Y at which a sheared Hertz contact first yields (von Mises), and the place (x, z) over a.
+    """Return p0/Y at which a sheared Hertz contact first yields (von Mises), and the place (x, z) over the contact radius.
 
-    mu: tangential over normal force, 0 or more. nu: Poisson's ratio, 0 to 0.5. The place is in the plane y = 0, where the
-    stress is always largest; x < 0 is the trailing side. p0/Y is accurate to 1e-12.
+    p0: largest pressure; Y: yield stress. mu: tangential over normal force, 0 or more. nu: Poisson's ratio, 0 to 0.5. x < 0 is
+    the trailing side, z the depth. The place is in the plane y = 0, where the stress is always largest. p0/Y is accurate to
+    1e-12.
     """
-    # The trailing edge, a cusp, is a place of this grid; so is the axis.
+    # The grid includes the trailing edge, where the stress has a cusp, and the axis.
     x, z = np.linspace(-1.1, 1.1, 221), np.linspace(0.0, 0.8, 81)
     coarse = von_mises(stress(x[:, None], 0.0, z, mu, nu))
     index = np.unravel_index(coarse.argmax(), coarse.shape)
@@ -110,10 +115,11 @@ def first_yield(mu: float, nu: float) -> tuple[float, tuple[float, float]]:
 def least_over(
     function: Callable, x: ArrayLike, z: ArrayLike, reach_x: float, reach_z: float
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return the minimum of function(x, z) near each of the places x, z, as (x, z, value).
+    """Return the minimum of function(x, z) near each of the places x, z, as arrays (x, z, value).
 
-    x, z: arrays that are broadcast; z stays >= 0. Grids around the best place are refined, starting with the size reach_x by
-    reach_z. The place is accurate to 1e-7 at best, the value to the square of this.
+    function: takes arrays and returns an array of their shape. x, z: arrays that are broadcast; z stays >= 0. Grids around the
+    best place are refined, starting with the size reach_x by reach_z. The place is accurate to 1e-7 at best, the value to the
+    square of this.
     """
     x, z = np.broadcast_arrays(np.asarray(x, dtype=float), np.asarray(z, dtype=float))
     step_x, step_z = (steps.ravel() for steps in np.meshgrid((-1.0, 0.0, 1.0), (-1.0, 0.0, 1.0)))
@@ -126,7 +132,11 @@ def least_over(
 
 
 def _spheroidal(x, y, z):
-    """Return M, N, S = M^2 + N^2, arctan(1/M), and cosine and sine of the angle around the axis (1 and 0 on the axis)."""
+    """Return M, N, S = M^2 + N^2, arctan(1/M), and cosine and sine of the angle around the axis (1 and 0 on the axis).
+
+    M and N are the oblate spheroidal coordinates of the place x, y, z, with z = M N and r^2 = (1 + M^2)(1 - N^2); r: distance
+    from the axis. Lengths are over the contact radius. At the edge of the contact S is returned as 1, not 0.
+    """
     r = np.hypot(x, y)
     A = (r - 1.0) * (r + 1.0) + z * z
     S = np.hypot(A, 2.0 * z)
@@ -135,5 +145,5 @@ def _spheroidal(x, y, z):
     M, N = np.where(A >= 0.0, larger, smaller), np.where(A >= 0.0, smaller, larger)
     cos = np.divide(x, r, out=np.ones_like(r), where=r > 0.0)
     sin = np.divide(y, r, out=np.zeros_like(r), where=r > 0.0)
-    # At the edge itself M = N = S = 0 and all that is divided by S vanishes.
+    # At the edge M = N = S = 0. Every term that is divided by S vanishes there, so that S = 1 gives the right value.
     return M, N, np.where(S > 0.0, S, 1.0), np.arctan2(1.0, M), cos, sin

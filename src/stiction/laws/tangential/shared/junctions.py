@@ -17,16 +17,19 @@ from stiction.engine.regime import columns
 from stiction.laws.joining import coordinates
 from stiction.laws.segment import NormalSegment
 
-# alpha: of a bulk that shears at Y/sqrt(3) (von Mises), 3 (H/Y)^2; or the 9 that is quoted from Tabor's experiments.
+# alpha is 3 (H/Y)^2 for a bulk that shears at Y/sqrt(3) (von Mises), or the 9 that is quoted from Tabor's experiments.
 ALPHA: dict[str, Callable[[np.ndarray], np.ndarray]] = {"von_mises": lambda k: 3.0 * k * k, "9": lambda k: 9.0 + 0.0 * k}
-_DEEPEST = 100.0  # over sigma: no asperity that counts is pressed so far
-_ROUNDING = 1e-13  # a plastic segment is at its pressure everywhere, to rounding: that is no crossing
-_SAMPLES = 12  # pressures rise, and fall slowly if they do
-_MOST = 2  # on a segment: where the pressure rises above, and where a hardness that falls brings it back
+_DEEPEST = 100.0  # displacement over sigma beyond which no asperity contributes
+_ROUNDING = 1e-13  # a fully plastic segment has this pressure everywhere; rounding must not count as a crossing
+_SAMPLES = 12  # few are enough, because pressures rise or fall slowly
+_MOST = 2  # crossings on a segment: the pressure rises above the value, and a falling limiting pressure may bring it back
 
 
 def share_of_bulk(groups: Groups, alpha: str) -> np.ndarray:
-    """Return c = sqrt(alpha) tau_0/H (n,), the shear strength of the interface over that of the bulk; alpha: key of ALPHA."""
+    """Return c = sqrt(alpha) tau_0/H (n,), the shear strength of the interface over the shear strength of the bulk.
+
+    alpha: key of ALPHA, the factor in the yield criterion p^2 + alpha tau^2 = H^2 of a plastic junction.
+    """
     return np.sqrt(ALPHA[alpha](groups.hardness_to_yield)) * groups.shear_strength
 
 
@@ -43,7 +46,8 @@ def _above(normal: Callable, parameters: int) -> Any:
 def where_pressure_is(segment: NormalSegment, pressure: np.ndarray) -> np.ndarray:
     """Return the coordinates (n, 2) at which the mean pressure of a segment equals `pressure` (n,).
 
-    Unused entries are the first coordinate.
+    pressure: load over K R^(1/2) sigma^(3/2) per area over pi R sigma; the hardness is eta in this unit. Unused entries are
+    the first coordinate of the segment.
     """
     last = np.minimum(segment.edges[:, -1], coordinates(segment, _DEEPEST))
     edges = np.ascontiguousarray(np.minimum(segment.edges, last[:, None]))

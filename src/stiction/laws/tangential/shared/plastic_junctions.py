@@ -15,12 +15,15 @@ from stiction.engine.compiled import formula
 from stiction.laws.segment import NormalSegment, TangentialResistance
 from stiction.records.registry import NO_JUNCTIONS, TangentialLaw, find, resolve_options
 
-# From a weak interface to full stick.
+# In the order from a weak interface to full stick.
 LAWS = ("bowden_tabor_1943", "tabor_1959", "junction_growth", "brizmer_kligerman_etsion_2007")
 
 
 def of_whole_segment(plastic_junctions: str, segment: NormalSegment, groups: Groups) -> TangentialResistance | None:
-    """Return the resistance of the law named by `plastic_junctions` on a whole segment, or None if no law is named."""
+    """Return the tangential resistance on a whole segment by the law with the key `plastic_junctions`; None for the key "none".
+
+    groups: dimensionless groups of n contacts.
+    """
     if plastic_junctions == NO_JUNCTIONS:
         return None
     law = find(plastic_junctions, TangentialLaw)
@@ -43,9 +46,10 @@ def _from_there_on(published: Callable, own: int, junction: Callable, more: int)
 def beyond(
     plastic_junctions: str, start: np.ndarray, published: TangentialResistance, segment: NormalSegment, groups: Groups
 ) -> TangentialResistance:
-    """Return the published resistance up to the displacement `start` (n,), and that of the law `plastic_junctions` beyond.
+    """Return the published resistance up to the displacement `start`, and the resistance of another law beyond.
 
-    `start` must be one of the kinks of the published resistance.
+    start (n,): displacement over sigma; it must be one of the kinks of the published resistance. plastic_junctions: key of a
+    tangential law, or "none", which returns `published` unchanged. groups: dimensionless groups of n contacts.
     """
     other = of_whole_segment(plastic_junctions, segment, groups)
     if other is None:

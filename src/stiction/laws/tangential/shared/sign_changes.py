@@ -11,7 +11,7 @@ from stiction.engine.compiled import formula, lazy_kernel, unpack
 from stiction.engine.regime import columns
 from stiction.laws.segment import NormalSegment
 
-# Number of steps in ln u, and the end of the search over the first coordinate.
+# Number of steps in ln u, and the largest ratio of the last coordinate of the search to the first.
 _STEPS, _FARTHEST = 200, 1e5
 
 
@@ -51,10 +51,10 @@ def _finding(signed: Callable, parameters: int) -> Any:
 def sign_changes(
     signed: Callable, segment: NormalSegment, parameters: tuple[np.ndarray, ...], numbers: int, most: int
 ) -> np.ndarray:
-    """Return the coordinates (n, numbers, most) at which numbers change sign along a segment.
+    """Return the coordinates (n, numbers, most) at which functions of u change sign along a segment.
 
-    signed(u, row) returns these numbers; row: parameters of the segment, followed by `parameters` (n,). numbers: how many there
-    are. most: largest number of sign changes of each. Unused entries are the first coordinate.
+    signed(u, row) returns `numbers` values, one of each function; row: parameters of the segment, followed by `parameters`,
+    arrays (n,). most: largest number of sign changes of each function. Unused entries are the first coordinate of the segment.
     """
     laws = len(segment.edges)
     all_parameters, out = (*segment.parameters, *parameters), np.empty((laws, numbers, most))

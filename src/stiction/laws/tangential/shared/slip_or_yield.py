@@ -21,7 +21,7 @@ from stiction.engine.compiled import formula, lazy_kernel
 from stiction.laws.asperity.roy_chowdhury_ghosh_1994 import unit_roots
 from stiction.laws.tangential.shared.edge_yield import coefficients
 
-# An elastic asperity without end ends here, in v: y^(8/3) still has all its digits.
+# Largest v of an endless elastic asperity, for which y^(8/3) does not overflow.
 _FARTHEST = 1e12
 # y where loading starts (w = 0), where the slip resistance vanishes, and where unloading ends (dw/du = 0).
 _TOUCH, _NO_SLIP, _LOST = 2.0 / 3.0, 1.0 / 2.0, 1.0 / 6.0
@@ -29,9 +29,11 @@ _TOUCH, _NO_SLIP, _LOST = 2.0 / 3.0, 1.0 / 2.0, 1.0 / 6.0
 
 @formula
 def _shape(nu, K_beta):
-    """Return the three coefficients of the function G of the module that depend on Poisson's ratio nu and on K beta.
+    """Return the three coefficients of the function G of the module, of r^2, r y (y-1) and y^2 (y-1)^2 in its numerator.
 
-    They multiply r^2, r y (y-1) and y^2 (y-1)^2 in the numerator of G. g, s and y: as in the module; r = s/g.
+    Slip and yield resistance of an asperity are equal where G(y) equals a level. y = (u/S^(1/3))^3, with the coordinate u and
+    the strength of adhesion S; r: slip resistance over a constant. nu: Poisson's ratio. K_beta: K times the tangential
+    compliance.
     """
     n, p, q = coefficients(nu)
     g = 4.0 / math.sqrt(3.0 * K_beta)
@@ -40,7 +42,12 @@ def _shape(nu, K_beta):
 
 @formula
 def _numerator(y, shape, printed):
-    """Return G(y) y^(8/3) and its derivative by y; printed: whether the slip resistance is that of the printed eq (10)."""
+    """Return G(y) y^(8/3) and its derivative by y, with the function G of the module.
+
+    Slip and yield resistance of an asperity are equal where G(y) equals a level. y = (u/S^(1/3))^3, with the coordinate u and
+    the strength of adhesion S. shape: coefficients from `_shape`. printed: whether the slip resistance is that of eq (10) of
+    the 2015 paper as printed.
+    """
     a, b, c = shape
     if printed:
         r = math.sqrt(y * y - 0.25)
@@ -54,17 +61,22 @@ def _numerator(y, shape, printed):
 
 @formula
 def _steepness(y, shape, printed):
-    """Return the logarithmic slope of G, d ln G / d ln y."""
+    """Return the logarithmic slope d ln G / d ln y of the function G of the module.
+
+    Slip and yield resistance of an asperity are equal where G(y) equals a level. shape: coefficients from `_shape`. printed:
+    whether the slip resistance is that of eq (10) of the 2015 paper as printed.
+    """
     value, slope = _numerator(y, shape, printed)
     return y * slope / value - 8.0 / 3.0
 
 
 @formula
 def _turning_point(low, high, shape, printed):
-    """Return a turning point of G between low and high, by regula falsi (Illinois variant); `high` if there is none.
+    """Return a turning point y of the function G of the module between low and high, or `high` if there is none.
 
-    An accuracy of 1e-8 is enough: G is flat at a turning point, so that a crossing this close to it is a touching point within
-    1e-16.
+    Slip and yield resistance of an asperity are equal where G(y) equals a level. shape, printed: as in `_numerator`. The
+    search is regula falsi (Illinois variant). An accuracy of 1e-8 is enough: G is flat at a turning point, so that a crossing
+    this close to it is a touching point within 1e-16.
     """
     at_low, at_high = _steepness(low, shape, printed), _steepness(high, shape, printed)
     if (at_low < 0.0) == (at_high < 0.0):
@@ -86,19 +98,20 @@ def _turning_point(low, high, shape, printed):
 
 @formula
 def _dip(nu, shape, printed):
-    """Return the two y between which the function G of the module falls; y of first touch twice if G only rises.
+    """Return the two y between which the function G of the module falls, or y of first touch twice if G only rises.
 
-    d ln G/d ln y falls from first touch to a single lowest value, then rises to 4/3.
+    Slip and yield resistance of an asperity are equal where G(y) equals a level. nu: Poisson's ratio. shape, printed: as in
+    `_numerator`. d ln G/d ln y falls from first touch to a single lowest value, then rises to 4/3.
     """
     lowest, least, ratio = _TOUCH, 0.1, 1.4
     y = _TOUCH
     while y < 8.0 / (1.0 - 2.0 * nu):
         y *= ratio
         value, slope = _numerator(y, shape, printed)
-        excess = y * slope - 8.0 / 3.0 * value  # the steepness times G y^(8/3): mostly this is enough to know
+        excess = y * slope - 8.0 / 3.0 * value  # steepness times G y^(8/3); its sign is mostly sufficient
         if excess < least * value:
             lowest, least = y, excess / value
-    if 0.0 <= least < 0.1:  # near enough to zero for the true lowest value, between the samples, to be below
+    if 0.0 <= least < 0.1:  # the true minimum, between the samples, may be negative
         low, high = lowest / ratio, lowest * ratio
         for _ in range(20):
             third = (high - low) / 3.0
@@ -116,9 +129,11 @@ def _dip(nu, shape, printed):
 
 @formula
 def _crossing(low, high, level, shape, printed):
-    """Return the v between low and high with G(v^3) = level, or `high` if there is none; G must be monotonic there.
+    """Return v between low and high at which slip and yield resistance are equal, G(v^3) = level, or `high` if there is none.
 
-    Bracketed Newton's method is applied to the fourth root of G, which is almost linear for large v.
+    v: coordinate u over S^(1/3), with the strength of adhesion S. G: function of the module, which must be monotonic between
+    low and high. shape, printed: as in `_numerator`. Bracketed Newton's method is applied to the fourth root of G, which is
+    almost linear for large v.
     """
     if not high > low:
         return high
@@ -143,9 +158,11 @@ def _crossing(low, high, level, shape, printed):
 
 @formula
 def _unloading_kinks(out, level, shape):
-    """Fill out[0:6] with the kinks below the touching point, which unloading reaches.
+    """Fill out[0:6] with the kinks v of the resistance up to first touch, which only unloading reaches.
 
-    The slip resistance vanishes at y = 1/2, and G has one turning point on either side.
+    v: coordinate u over S^(1/3), with the strength of adhesion S. level: value of the function G of the module at which slip
+    and yield resistance are equal. shape: coefficients from `_shape`. The slip resistance vanishes at v^3 = 1/2, and G has one
+    turning point on either side.
     """
     lost, none, touch = _LOST ** (1.0 / 3.0), _NO_SLIP ** (1.0 / 3.0), _TOUCH ** (1.0 / 3.0)
     left = _turning_point(_LOST, _NO_SLIP - 1e-9, shape, False) ** (1.0 / 3.0)
@@ -160,7 +177,12 @@ def _unloading_kinks(out, level, shape):
 
 @lazy_kernel(worth=3_000)
 def _fill_kinks(level, end, nu, K_beta, printed, unloading, kinks):
-    """Fill `kinks` (n, 3 or 9) with the v at which slip and yield resistance are equal, up to `end` (n,)."""
+    """Fill `kinks` (n, 3 or 9) with the v up to `end` (n,) at which slip and yield resistance are equal.
+
+    v: coordinate u over S^(1/3), with the strength of adhesion S. level (n,): value of the function G of the module there. nu,
+    K_beta (n,): Poisson's ratio and K beta. printed: as in `_numerator`. unloading: whether the segment reaches below first
+    touch, which adds six columns.
+    """
     touch = _TOUCH ** (1.0 / 3.0)
     down, up, shape = touch, touch, (0.0, 0.0, 0.0)
     for i in range(level.size):
@@ -179,16 +201,18 @@ def _fill_kinks(level, end, nu, K_beta, printed, unloading, kinks):
 def kinks_of(
     groups: Groups, K_beta: np.ndarray, last: np.ndarray, printed: bool, unloading: bool
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Return the kinks (n, 5 or 11) in u of the resistance, and the branch point (n,) of the yield resistance.
+    """Return the kinks (n, 5 or 11) of the smaller of slip and yield resistance, and the branch point (n,) of the latter.
 
-    K_beta (n,): K beta times the mode-mixity share. last (n,): end of the elastic asperity. printed: use eq (10) of the 2015
-    paper as printed. unloading: start at the smallest stable contact, not at first touch. A kink that does not exist is placed
-    at an end or outside the segment.
+    They are values of the coordinate u of an adhesive elastic asperity. K_beta (n,): K beta times the mode-mixity share. last
+    (n,): u at the end of the elastic asperity. printed: use eq (10) of the 2015 paper as printed. unloading: start at the
+    smallest stable contact instead of first touch; this adds six kinks. A kink that does not exist is placed at an end or
+    outside the segment.
     """
     scale = np.sqrt(6.0 * math.pi / groups.theta) ** (1.0 / 3.0)
     e = groups.eta / (scale * scale)
     n, p, q = coefficients(groups.nu)
-    # The yield condition has a real root from here on, and a positive one up to there.
+    # Coefficients of e for the first two kinks: the yield condition has a real root from the first kink on, and a positive
+    # root up to the second.
     positive = 1.0 / (math.sqrt(3.0) * n * math.pi * groups.hardness_to_yield)
     real = 2.0 * np.sqrt(p * p + q * q - p * q) / (p + q) * positive
     kinks = np.empty((len(e), 5 + 6 * unloading))

@@ -11,15 +11,15 @@ from stiction.laws.segment import NormalSegment, TangentialResistance
 from stiction.laws.tangential.shared.edge_yield import keep_smaller
 from stiction.laws.tangential.shared.sign_changes import sign_changes
 
-# Turns of each number that are looked for.
+# Sign changes of each number that are searched.
 _MOST = 5
 
 
 class Force(NamedTuple):
-    """Store a formula of (u, load, area, row) and the columns (n,) of its row.
+    """Store a formula of (u, load, area, row) and its parameters as columns, arrays (n,); row has one value of each column.
 
-    A formula for peeling returns the force. A formula for yield returns a number that is 0 or more if its force is real, and
-    the force, which counts if it is positive.
+    A formula for peeling returns the force. A formula for yield returns two numbers: one that is negative if the force is not
+    real, and the force. A force that is not real or is negative counts as 0.
     """
 
     formula: Callable
@@ -38,10 +38,11 @@ def _resistance(peels: Callable, width: int, yields: Callable) -> Any:
 
 @cache
 def _signed(peels: Callable, width: int, yields: Callable, normal: Callable, parameters: int) -> Any:
-    """Return a formula of two numbers that change sign at the kinks of the smaller force.
+    """Return a formula (u, row) of two numbers that change sign at the kinks of the smaller of peeling force and yield force.
 
     The first changes sign where the forces cross or the yield force vanishes, the second where the yield force stops being
-    real.
+    real. peels, yields: formulas of the forces; `peels` has `width` parameters. normal: formula of the segment, with
+    `parameters` parameters. row: parameters of segment, peeling and yield.
     """
     of_yield = parameters + width
 
@@ -59,9 +60,10 @@ def _signed(peels: Callable, width: int, yields: Callable, normal: Callable, par
 def smaller_force(
     segment: NormalSegment, peeling: Force, yielding: Force, kinks: np.ndarray | None = None
 ) -> TangentialResistance:
-    """Return the smaller of both forces on the elastic segment of an adhesive asperity.
+    """Return the tangential resistance of an adhesive asperity on an elastic segment, the smaller of peeling and yield force.
 
-    kinks (n, k): coordinates u at which one of the forces has a kink of its own.
+    peeling, yielding: formulas with their parameters. kinks (n, k): coordinates u at which one of the forces has a kink of its
+    own, or None.
     """
     width, own = len(peeling.columns), (*peeling.columns, *yielding.columns)
     signed = _signed(peeling.formula, width, yielding.formula, segment.normal, len(segment.parameters))

@@ -11,7 +11,7 @@ from stiction.engine.compiled import formula, lazy_kernel, unpack
 from stiction.engine.regime import columns
 from stiction.laws.segment import NormalSegment
 
-_STEPS = 400  # doublings: from a billionth of the first coordinate to beyond any number
+_STEPS = 400  # steps that double, from 1e-9 of the first coordinate to beyond any number
 
 
 @cache
@@ -24,10 +24,11 @@ def _zeros(normal: Callable, parameters: int) -> Any:
 
     @lazy_kernel(worth=300)
     def fill_zeros(table, edges, out):
-        """Fill out[i] with the coordinate at which the load of law i becomes positive.
+        """Fill out[i] with the coordinate at which the load of contact i becomes positive.
 
-        It is the first coordinate if the load is not negative there, and the last if the load stays negative. The search
-        doubles its steps and then bisects; the load must change sign at most once.
+        table, edges: parameters and edges of the segment. The result is the first coordinate if the load is not negative
+        there, and the last if the load stays negative. The search doubles its steps and then bisects; the load must change
+        sign at most once.
         """
         for i in range(out.size):
             row = unpack(table[i], parameters)
@@ -51,7 +52,7 @@ def _zeros(normal: Callable, parameters: int) -> Any:
 def zero_load(segment: NormalSegment) -> np.ndarray | None:
     """Return the coordinates (n,) at which the load changes from tension to compression, limited to the ends of the segment.
 
-    Returns None for a segment without length.
+    Returns None for a segment that has only one edge.
     """
     laws, count = segment.edges.shape
     if count < 2:
