@@ -41,10 +41,10 @@ from stiction.records.sources import Source
 
 @formula
 def film_alone(w, hardness, pull):
-    """Return displacement w, dw/du = 1, load and area of an asperity that touches only the plastic film; u is w itself.
+    """Return displacement w, dw/du = 1, load and contact area of an asperity that touches only the plastic film; u is w itself.
 
-    The area is 2 pi R omega; the load is the film hardness times this area, minus the adhesive force `pull`. hardness: film
-    hardness in these units, eta n_H.
+    The area is 2 w over pi R sigma; the load is hardness times this area, minus `pull`. w is over sigma. hardness: film
+    hardness over the substrate's, times the hardness group eta. pull: adhesive force, in the unit of the load.
     """
     return w, 1.0, 2.0 * hardness * w - pull, 2.0 * w
 
@@ -53,9 +53,11 @@ def film_alone(w, hardness, pull):
 def _rim(normal: Callable, coordinate: Callable, parameters: int) -> tuple[Any, Any]:
     @formula
     def rim(u, *row):
-        """Return displacement, its slope, load and area of the ring of film around the contact with the substrate.
+        """Return displacement, its derivative by u, load and area of the ring of film around the contact with the substrate.
 
-        The area of the ring is 2 pi R omega minus the contact area of the substrate.
+        The area of the ring is 2 pi R omega, with the displacement omega, minus the contact area of the substrate. u:
+        coordinate of the substrate's segment. row: parameters of this segment, film thickness over sigma, film hardness and
+        adhesive force, in the units of load over area and of load.
         """
         w, stretch, _, inner = normal(u, *row[:parameters])
         tau, hardness, pull = row[parameters:]
@@ -70,8 +72,9 @@ def _rim(normal: Callable, coordinate: Callable, parameters: int) -> tuple[Any, 
 
 
 def plastic_film(groups: Groups, law, pull: np.ndarray) -> list[Regime]:
-    """Return the regimes of a surface with a plastic film, in units of the substrate.
+    """Return the regimes of a surface with a plastic film, in the units of the substrate.
 
+    groups: dimensionless groups of n coated contacts. law: asperity law and tangential law of the substrate (a joining.Law).
     pull (n,): adhesive force on each touching asperity. The film resists shear only if the tangential law describes the
     interface.
     """
@@ -93,13 +96,16 @@ def plastic_film(groups: Groups, law, pull: np.ndarray) -> list[Regime]:
 
 
 def regimes(groups: Groups, law) -> list[Regime]:
-    """Return the regimes of a coated surface, in units of the substrate."""
+    """Return the regimes of a surface with a plastic film without adhesion, in the units of the substrate.
+
+    groups: dimensionless groups of n coated contacts. law: asperity law and tangential law of the substrate (a joining.Law).
+    """
     return plastic_film(groups, law, np.zeros(len(groups)))
 
 
 NO_ADHESION = {"no adhesion": "it needs an asperity law without adhesion"}
 
-# Where it is not what it has to be: as a film of no thickness, and where all of the film is not plastic.
+# Ranges outside which the law fails: for a film of no thickness, and if not all of the film is plastic.
 FLOWING = (
     Validity("tau", 0.1, math.inf, "the law keeps a rim of film around the contact, however thin the film"),
     Validity("film_plasticity_index", 8.0, math.inf, "the film is modelled as plastic from first touch"),

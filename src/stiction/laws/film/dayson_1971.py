@@ -54,17 +54,19 @@ RIM_PRESSURE = ("film_hardness", "substrate_hardness")
 
 @formula
 def rim(w, pressure, tau):
-    """Return displacement w, dw/du = 1, load and area of the ring of film around the contact with the substrate.
+    """Return displacement w, dw/du = 1, load and area of the ring of film around the contact with the substrate; u is w itself.
 
-    The area no longer changes after the film is penetrated at w = tau (film thickness over sigma). pressure: of the film.
+    After the film is penetrated, at w = tau, both load and area are constant. tau: film thickness over sigma. pressure: on the
+    film, over the substrate's hardness, times the hardness group eta.
     """
     return w, 1.0, 2.0 * pressure * tau, 2.0 * tau
 
 
 def regimes(groups: Groups, law: Law, rim_pressure: str) -> list[Regime]:
-    """Return the regimes of a coated surface.
+    """Return the regimes of a surface with a plastic film that asperities penetrate, in the units of the substrate.
 
-    law: only its tangential law is used, which must describe the interface: it gives the shear of the film.
+    groups: dimensionless groups of n coated contacts. law: only its tangential law is used, which must describe the interface;
+    it gives the shear of the film. rim_pressure: "film_hardness" or "substrate_hardness", the pressure on the film.
     """
     laws = len(groups)
     tau, none = np.broadcast_to(groups.tau, laws), np.zeros(laws)

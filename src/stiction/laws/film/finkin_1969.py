@@ -47,7 +47,7 @@ from stiction.records.registry import Departure, FilmLaw, Validity
 from stiction.records.sources import Source
 
 _PI = math.pi
-# k of an incompressible layer; power of the depth that the load goes with, and the contact area over the depth.
+# Factor q of an incompressible layer, power of the displacement in the load, and contact area over displacement.
 BOUNDS = {
     "compressible": (0.0, 2.0, 2.0),
     "incompressible": (12.0, 3.0, 4.0),
@@ -57,15 +57,18 @@ BOUNDS = {
 
 @formula
 def normal(w, stiffness, power, widening):
-    """Return displacement, its slope 1, load stiffness w^power (power 2 or 3) and area widening w."""
+    """Return displacement w, dw/du = 1, load stiffness w^power and contact area widening w; the coordinate u is w itself.
+
+    w is over sigma, the load over K R^(1/2) sigma^(3/2), the area over pi R sigma. power: 2 or 3.
+    """
     return w, 1.0, stiffness * w * w * (w if power == 3.0 else 1.0), widening * w
 
 
 def stiffness(groups: Groups, bound: str) -> np.ndarray:
-    """Return the load over w^power (n,), with the displacement w and the power of this bound.
+    """Return the load of one asperity over w^power (n,), with the displacement w over sigma and the power 2 or 3 of this bound.
 
-    bound: key of BOUNDS. It takes the film's modulus M = E'_f (1 - nu)^2/(1 - 2 nu) or G = E'_f (1 - nu)/2, over K, with
-    E'_f = E_f/(1 - nu^2).
+    bound: key of BOUNDS. The load is in units of K R^(1/2) sigma^(3/2). It uses the film's modulus M = E'_f
+    (1 - nu)^2/(1 - 2 nu) if the bound is "compressible", else G = E'_f (1 - nu)/2, with E'_f = E_f/(1 - nu^2).
     """
     resolved = groups.resolved()
     nu, film = resolved.layer_nu, 0.75 * resolved.film_modulus
@@ -76,9 +79,10 @@ def stiffness(groups: Groups, bound: str) -> np.ndarray:
 
 
 def regimes(groups: Groups, law, bound: str) -> list[Regime]:
-    """Return the regimes of a coated surface under the tangential law of `law`, which must describe the interface.
+    """Return the regimes of a surface with a thin elastic layer on a rigid substrate.
 
-    bound: key of BOUNDS.
+    groups: dimensionless groups of n coated contacts. law: only its tangential law is used, which must describe the interface.
+    bound: key of BOUNDS. Asperities with a contact radius below the film thickness have a regime of their own.
     """
     laws = len(groups)
     _, power, widening = BOUNDS[bound]
@@ -104,7 +108,7 @@ RECORD = FilmLaw(
     ),
     regimes=regimes,
     tangential="interface",
-    accuracy=2e-10,  # of its loads far out of touch, where the sums over many separations lose digits
+    accuracy=2e-10,  # of loads at large separations, where sums over many separations lose digits
     own_asperity=True,
     own_options={"bound": tuple(BOUNDS)},
     departures=(

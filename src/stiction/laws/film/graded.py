@@ -39,12 +39,12 @@ from stiction.records.sources import Source
 def fading_rates(
     n_E: np.ndarray, n_H: np.ndarray, n_Y: np.ndarray, tau: np.ndarray, m_soft: int = 2, m_hard: int = 1
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Return the rates (n,) at which the influence of the film on the hardness fades with depth (S5.13, S5.14).
+    """Return the two rates (n,) at which the influence of the film on the hardness fades with depth (S5.13, S5.14).
 
-    They are the factors of w and w^2 in the exponent, with the displacement w over sigma: (c/tau, 0) for the exponent m = 1,
-    (0, c/tau^2) for m = 2. n_E, n_H, n_Y: modulus, hardness and yield stress of the film over the substrate's. tau: film
-    thickness over sigma. m_soft, m_hard: m for n_H < 1 and for n_H > 1 (sources disagree). Raises InputError for another
-    exponent.
+    They are the factors of w and of w^2 in the exponent, with the displacement w over sigma: (c/tau, 0) for the exponent
+    m = 1, (0, c/tau^2) for m = 2. n_E, n_H, n_Y: modulus, hardness and yield stress of the film over the substrate's. tau:
+    film thickness over sigma. m_soft, m_hard: m for n_H < 1 and for n_H > 1, 1 or 2 (sources disagree). Raises InputError for
+    another m.
     """
     for name, exponent in (("m_soft", m_soft), ("m_hard", m_hard)):
         if exponent not in (1, 2):
@@ -55,7 +55,7 @@ def fading_rates(
     return np.where(m == 1, c / thickness, 0.0), np.where(m == 2, c / thickness / thickness, 0.0)
 
 
-# Which part of the asperity law a segment belongs to: state, body.
+# State and body of each part of the asperity law, in the order of their numbers.
 PARTS = (("elastic", "film"), ("plastic", "film"), ("elastic", "substrate"), ("plastic", "substrate"))
 
 
@@ -69,16 +69,16 @@ def graded_regimes(
     n_g: np.ndarray | float = 1.0,
     exponents: tuple[int, int] = (2, 1),
 ) -> list[Regime]:
-    """Return the regimes of a graded film on one body against a rigid body, in units of the substrate.
+    """Return the regimes of a graded film on one body against a rigid body, in the units of the substrate.
 
     A regime is the part of the asperity law in which the asperity is elastic or plastic and counts as film or as substrate
-    (PARTS). substrate, film: groups with their own Poisson's ratio, K beta and hardness over yield stress; the adhesion indices
-    are taken from the substrate and scaled by n_E, n_H and n_g. n_E, n_H, n_g (n,): modulus, hardness and work of adhesion of
-    the film over the substrate's. tau = t/sigma and film_aspect = t/sqrt(R sigma): 0 to infinity, (n,). exponents: m of
-    (S5.13), 1 or 2, for a film that is softer and for one that is harder than the substrate.
+    (PARTS). An asperity counts as film while its displacement over sigma is below tau, and as plastic if its elastic mean
+    pressure exceeds the hardness at its depth.
 
-    An asperity counts as film while its displacement over sigma is below tau, and as plastic if its elastic mean pressure
-    exceeds the hardness at its depth.
+    substrate, film: groups with the Poisson's ratio, K beta and hardness over yield stress of each; adhesion indices are taken
+    from `substrate` and scaled by n_E, n_H and n_g. n_E, n_H, n_g (n,): modulus, hardness and work of adhesion of the film
+    over the substrate's. tau, film_aspect (n,): film thickness t over sigma and over sqrt(R sigma), 0 to infinity. exponents:
+    m of (S5.13), 1 or 2, for a film that is softer and for one that is harder than the substrate.
     """
     laws = len(substrate.theta)
     n_E, n_H, tau, film_aspect, n_g = (
@@ -98,11 +98,11 @@ def _film_regimes(
     n_g: np.ndarray,
     exponents: tuple[int, int],
 ) -> list[Regime]:
-    """Return the regimes of the module's law for a film on one or both bodies.
+    """Return the regimes of a graded film on one or on both bodies, in the units of the substrate.
 
-    bodies: elastic constants. Other arguments: as in `graded_regimes`.
+    bodies: elastic constants of film and bodies. The other arguments are those of `graded_regimes`.
     """
-    bodies = bodies.without_film(film_aspect > 0.0)  # no thickness, no film
+    bodies = bodies.without_film(film_aspect > 0.0)  # a film of zero thickness does not count
     n_E = bodies.film_over_bodies
     n_H = np.where(tau > 0.0, n_H, 1.0)
     n_Y = n_H * substrate.hardness_to_yield / film.hardness_to_yield
@@ -113,9 +113,9 @@ def _film_regimes(
 
 
 def bare_regimes_with_transition(asperity: Groups) -> list[Regime]:
-    """Return the regimes of a bare surface with a gradual transition to plastic contact.
+    """Return the elastic and the plastic regime of a bare surface whose asperities become plastic gradually.
 
-    The transition replaces the load jump of (S2.9).
+    asperity: dimensionless groups of n contacts. The transition replaces the load jump of (S2.9).
     """
     ones, never = np.ones(len(asperity.theta)), np.full(len(asperity.theta), np.inf)
     bodies = TwoBodies.against_rigid(ones, asperity.nu, asperity.nu)
@@ -126,8 +126,9 @@ def bare_regimes_with_transition(asperity: Groups) -> list[Regime]:
 def _parameters(substrate, film, film_k, bodies, n_H, film_aspect, n_g, rates) -> np.ndarray:
     """Return the parameters (n, PARAMETERS) of the graded law, in the order in which `graded_law.along` takes them.
 
-    film_k: hardness over yield stress of the film. rates: fading of the hardness, from `fading_rates`. If both bodies are
-    coated, each has half of the thickness.
+    substrate, film: groups of each. film_k: hardness over yield stress of the film. bodies: elastic constants. n_H, n_g:
+    hardness and work of adhesion of the film over the substrate's. film_aspect: film thickness over sqrt(R sigma); if both
+    bodies are coated, each has half of it. rates: fading of the hardness, from `fading_rates`.
     """
     first, second, share, films, nu, nu_first, nu_second = bodies.columns()
     columns = (
@@ -154,9 +155,10 @@ def _parameters(substrate, film, film_k, bodies, n_H, film_aspect, n_g, rates) -
 
 
 def _regimes(parameters, tau, parts) -> list[Regime]:
-    """Return one regime for each part, such as ("elastic", "film").
+    """Return one regime for each part of the graded law, in the order of `parts`.
 
-    parameters: (n, PARAMETERS) of the graded law. tau (n,): film thickness over sigma.
+    parameters: (n, PARAMETERS) of the graded law. tau (n,): film thickness over sigma. parts: state and body of each part,
+    such as ("elastic", "film").
     """
     edges, part, levels, branch = find_kinks(parameters, tau)
     columns = (*parameters.T, *levels.T)
@@ -176,7 +178,10 @@ def _regimes(parameters, tau, parts) -> list[Regime]:
 
 
 def regimes(groups: Groups, law: Law) -> list[Regime]:
-    """Return the regimes of a coated surface; `law` is not used, because the film has its own asperity law."""
+    """Return the regimes of a surface with a graded film, in the units of the substrate.
+
+    groups: dimensionless groups of n coated contacts. `law` is not used, because this film law has its own asperity law.
+    """
     bodies = TwoBodies.of(groups)
     return _film_regimes(
         groups.substrate(), groups.film(), bodies, groups.n_H, groups.tau, groups.film_aspect, groups.n_g, (2, 1)

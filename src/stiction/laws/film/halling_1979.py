@@ -44,25 +44,28 @@ from stiction.laws.segment import NormalSegment, displaced, root_of
 from stiction.records.registry import FilmLaw, Limit, composites_of
 from stiction.records.sources import Source
 
-_THINNEST = 1e-100  # film over sigma, of one that is not there
+_THINNEST = 1e-100  # replaces a film thickness of 0, over sigma
 
 CELLS = 256
-ELASTIC = 15  # parameters before the displacement at which it flows
-BODIES = 8  # of these, the place of the two bodies
+ELASTIC = 15  # number of parameters before the displacement at yield
+BODIES = 8  # position of the constants of the two bodies among these
 
 
 @cache
 def _formulas(modulus_key: str, hardness_key: str) -> tuple[Any, Any, Any]:
-    """Return the formulas of the elastic asperity, of the plastic asperity, and of the condition for yield.
+    """Return three formulas: response of the elastic asperity, response of the plastic asperity, and whether it yields.
 
-    modulus_key, hardness_key: names of the composites. row: the ELASTIC parameters listed in `segments`, followed by the
-    displacement of the transition, which the condition does not use.
+    modulus_key, hardness_key: keys of the composite laws for modulus and hardness. The formulas take 15 parameters, in the
+    order of `segments`; those of the responses also take the displacement at yield.
     """
     modulus, hardness = composites_of("modulus")[modulus_key].value, composites_of("hardness")[hardness_key].value
 
     @formula
     def stiffened(u, row):
-        """Return the factor by which the film changes Hertz's load of the uncoated bodies."""
+        """Return the factor of Hertz's load: modulus of film and bodies together over the bare bodies' modulus.
+
+        u: contact radius over sqrt(R sigma). row: the parameters of `_formulas`.
+        """
         xi = row[4] / u
         first, second, share, films, nu, nu_first, nu_second = row[BODIES:ELASTIC]
         g = modulus(first, xi, nu, nu_first)
@@ -71,13 +74,19 @@ def _formulas(modulus_key: str, hardness_key: str) -> tuple[Any, Any, Any]:
 
     @formula
     def hardened(w, row):
-        """Return the hardness at the displacement w, in the unit of load over area."""
+        """Return the hardness of film and substrate together at the displacement w over sigma, in the unit of load over area.
+
+        row: the parameters of `_formulas`.
+        """
         n_H, eta, tau, constant, exponent = row[2], row[3], row[5], row[6], row[7]
         return eta * hardness(n_H, w / tau, constant, exponent)
 
     @formula
     def elastic(u, *row):
-        """Return displacement w = u^2, dw/du, load and area of the elastic asperity; u is also a/sqrt(R sigma)."""
+        """Return displacement w, dw/du, load and contact area of the elastic asperity at the coordinate u = sqrt(w).
+
+        u is also the contact radius over sqrt(R sigma). row: the parameters of `_formulas` and the displacement at yield.
+        """
         w = u * u
         return w, 2.0 * u, stiffened(u, row) * w * u, w
 
@@ -88,7 +97,7 @@ def _formulas(modulus_key: str, hardness_key: str) -> tuple[Any, Any, Any]:
 
     @formula
     def flows(u, row):
-        """Return whether the mean pressure of the elastic asperity at u has reached the hardness."""
+        """Return whether the mean pressure of the elastic asperity at the coordinate u = sqrt(w) has reached the hardness."""
         return stiffened(u, row) * u >= hardened(u * u, row)
 
     return elastic, plastic, flows
@@ -96,7 +105,10 @@ def _formulas(modulus_key: str, hardness_key: str) -> tuple[Any, Any, Any]:
 
 @cache
 def _onset(flows: Any) -> Any:
-    """Return the kernel that finds where an asperity turns plastic."""
+    """Return a kernel that finds the coordinate u = sqrt(w) at which asperities become plastic; w: displacement over sigma.
+
+    flows(u, row): formula that returns whether the mean pressure has reached the hardness.
+    """
 
     @formula
     def holds(u, row):
@@ -106,10 +118,10 @@ def _onset(flows: Any) -> Any:
 
     @lazy_kernel(worth=300)
     def onset(table, out):
-        """Fill `out` with the smallest u = sqrt(w) at which the mean pressure reaches the hardness.
+        """Fill `out` (n,) with the smallest u = sqrt(w) at which the mean pressure reaches the hardness.
 
-        There (E'/E'_s) u = eta H/H_s. The root is bracketed by the largest modulus with the smallest hardness and the reverse.
-        The bracket is scanned in steps, then bisected.
+        w: displacement over sigma. table: parameters of each contact. There (E'/E'_s) u = eta H/H_s. The root is bracketed by
+        the largest modulus with the smallest hardness and the reverse. The bracket is scanned in steps, then bisected.
         """
         for i in range(out.size):
             row = unpack(table[i], ELASTIC)
@@ -130,7 +142,7 @@ def _onset(flows: Any) -> Any:
 def _between(low: np.ndarray, high: np.ndarray, inside: np.ndarray) -> np.ndarray:
     """Return the sorted edges (n, m + 2) of a range: its ends low and high (n,), and the inner points (n, m) clipped to it.
 
-    If high < low, all edges are low and the segments between them are empty.
+    inside: the inner points. If high < low, all edges are low and the segments between them are empty.
     """
     high = np.maximum(low, high)
     inside = np.minimum(np.maximum(inside, low[:, None]), high[:, None])
@@ -138,16 +150,17 @@ def _between(low: np.ndarray, high: np.ndarray, inside: np.ndarray) -> np.ndarra
 
 
 def segments(groups: Groups, modulus: str, hardness: str, soft_film_exponent: str) -> list[tuple[NormalSegment, str]]:
-    """Return the segments of the elastic and the plastic asperity, each with its body.
+    """Return the segments of the elastic and of the plastic asperity, each with the name of the body that it counts for.
 
-    Up to a displacement equal to the film thickness the body is "film", beyond it "substrate".
+    Up to a displacement equal to the film thickness the name is "film", beyond it "substrate". modulus, hardness: keys of the
+    composite laws. soft_film_exponent: exponent m for a soft film, "1" or "2"; a hard film has 3 - m.
     """
     laws = len(groups)
     tau = np.broadcast_to(groups.tau, laws)
     there = tau > 0.0
     tau, n_H = np.where(there, tau, _THINNEST), np.where(there, groups.n_H, 1.0)
     bodies, aspect = TwoBodies.of(groups).without_film(there), np.where(there, groups.film_aspect, 1.0)
-    aspect = aspect / bodies.films  # each body that is coated has its part of the thickness
+    aspect = aspect / bodies.films  # two coated bodies have half of the thickness each
     soft = float(soft_film_exponent)
     exponent = np.where(n_H < 1.0, soft, 3.0 - soft)
     film_hardness: Any = composites_of("hardness")[hardness]
@@ -160,7 +173,7 @@ def segments(groups: Groups, modulus: str, hardness: str, soft_film_exponent: st
     parameters = (*known, u_c * u_c)
     widths = aspect[:, None] * np.array(
         [0.1, 0.3, 1.0, 3.0, 10.0, 40.0, 200.0, 1e3, 6e3]
-    )  # where the modulus passes from film to substrate
+    )  # contact radii over which the modulus changes from the film's to the substrate's
     depths = tau[:, None] * film_hardness.landmarks(constant, exponent)
     none, all_u, all_w = np.zeros(laws), np.sqrt(tau), np.full(laws, np.inf)
     parts = (
@@ -177,9 +190,11 @@ def segments(groups: Groups, modulus: str, hardness: str, soft_film_exponent: st
 
 
 def regimes(groups: Groups, law, modulus: str, hardness: str, soft_film_exponent: str) -> list[Regime]:
-    """Return the regimes of a coated surface.
+    """Return the regimes of a coated surface with an effective modulus and hardness, in the units of the substrate.
 
-    law: only its tangential law is used, which must describe the interface.
+    groups: dimensionless groups of n coated contacts. law: only its tangential law is used, which must describe the interface.
+    modulus, hardness: keys of the composite laws. soft_film_exponent: exponent m for a soft film, "1" or "2"; a hard film has
+    3 - m.
     """
     return [law.join(segment, groups, body=body) for segment, body in segments(groups, modulus, hardness, soft_film_exponent)]
 

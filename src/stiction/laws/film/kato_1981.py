@@ -57,14 +57,14 @@ from stiction.laws.shared_claims import PLASTIC_FILM, SOFT_FILM, THIN_LAYER
 from stiction.records.registry import Departure, FilmLaw
 from stiction.records.sources import Source
 
-_THINNEST = 1e-200  # film over sigma, of one that is not there
-_FLATTEST = 1e-100  # hill over the hardness of the substrate, of a film that is a half-space
+_THINNEST = 1e-200  # replaces a film thickness of 0, over sigma
+_FLATTEST = 1e-100  # least `hill` over eta, for a film so thick that it acts as a half-space
 _SLOPE = 0.1  # below this angle tan x - x is summed as a series, below 2.5 times this sin x - x cos x
 
 
 @formula
 def arc_excess(x):
-    """Return sin x - x cos x without loss of digits at small x."""
+    """Return sin x - x cos x for x >= 0, without loss of digits at small x."""
     y = x * x
     if x > 2.5 * _SLOPE:
         return math.sin(x) - x * math.cos(x)
@@ -73,7 +73,7 @@ def arc_excess(x):
 
 @formula
 def tan_excess(x):
-    """Return tan x - x without loss of digits at small x."""
+    """Return tan x - x for 0 <= x < pi/2, without loss of digits at small x."""
     y = x * x
     if x > _SLOPE:
         return math.tan(x) - x
@@ -83,10 +83,11 @@ def tan_excess(x):
 
 @formula
 def squeezed(u, *row):
-    """Return displacement, its derivative, load and area while only the film flows, at w = tau sin(u)^2.
+    """Return displacement w, dw/du, load and contact area while only the film flows, at the coordinate u: w = tau sin(u)^2.
 
-    The radii a and b are sqrt(2 tau) times sin(u) and cos(u). row: tau, hill = 4 k_f sqrt(R/sigma), bound = m, edge = H_f and
-    more = H - H_f, stresses in the unit of load over area.
+    With lengths over sqrt(R sigma), the contact radius a is sqrt(2 tau) sin(u), and b = sqrt(2 tau) cos(u). row: tau, film
+    thickness over sigma; hill = 4 k_f sqrt(R/sigma), with the shear stress k_f on the film; bound = m = more/hill; edge = H_f
+    and more = H - H_f, hardness of the film and of the substrate minus the film's. Stresses are in the unit of load over area.
     """
     tau, hill, _, edge, _ = row
     sine = math.sin(u)
@@ -96,9 +97,10 @@ def squeezed(u, *row):
 
 @formula
 def bounded(u, *row):
-    """Return displacement, its derivative, load and area while the substrate limits the pressure in the centre.
+    """Return displacement w, dw/du, load and contact area while the substrate limits the pressure in the centre.
 
-    The pressure is the substrate's hardness within the radius c = b tan(u - m b).
+    The coordinate u gives w = tau sin(u)^2. Within the radius c = b tan(u - m b) the pressure is the substrate's hardness,
+    with b = sqrt(2 tau) cos(u) and lengths over sqrt(R sigma). row: tau, hill, bound = m, edge and more, as in `squeezed`.
     """
     tau, hill, bound, edge, _ = row
     width, sine, cosine = math.sqrt(2.0 * tau), math.sin(u), math.cos(u)
@@ -117,16 +119,17 @@ def angle(w, *row):
 
 @formula
 def pressed_through(v, *row):
-    """Return displacement, its derivative, load and area beyond the film thickness, at w = tau + v^2.
+    """Return displacement w, dw/dv, load and contact area beyond the film thickness, at the coordinate v: w = tau + v^2.
 
-    The pressure is the substrate's hardness within the radius c = g coth(y).
+    Within the radius c = g coth(y) the pressure is the substrate's hardness, with g = sqrt(2) v, y = arsinh(v/sqrt(tau)) + m g
+    and lengths over sqrt(R sigma). row: tau, hill, bound = m, edge and more, as in `squeezed`.
     """
     tau, hill, bound, edge, more = row
     if v == math.inf:
         return math.inf, math.inf, math.inf, math.inf
     w, g = tau + v * v, math.sqrt(2.0) * v
     a, y = math.sqrt(2.0 * w), math.asinh(v / math.sqrt(tau)) + bound * g
-    if y > 1.0:  # a - g less c - g: nothing is lost where both are far out
+    if y > 1.0:  # as (a - g) - (c - g), which loses no digits if all three are large
         ring = 2.0 * tau / (a + g) - (2.0 * g / math.expm1(2.0 * y) if y < 300.0 else 0.0)
     else:
         ring = a - (g / math.tanh(y) if y > 0.0 else 1.0 / (1.0 / a + bound))
@@ -139,7 +142,12 @@ def depth_beyond(w, *row):
 
 
 def parameters(groups: Groups) -> tuple[np.ndarray, ...]:
-    """Return tau, hill, bound, edge and more (n,), the parameters of the formulas (see `squeezed`)."""
+    """Return the five parameters (n,) of the formulas: tau, hill, bound, edge and more.
+
+    They are the film thickness over sigma; 4 sqrt(R/sigma) times the shear stress on the film; `more` over `hill`; the
+    hardness of the film; and the hardness of the substrate minus the film's. Stresses are in the unit of load over area. A
+    film harder than its substrate counts as equally hard. groups: dimensionless groups of n coated contacts.
+    """
     laws = len(groups)
     n_H, aspect = np.broadcast_to(np.minimum(groups.n_H, 1.0), laws), np.broadcast_to(groups.film_aspect, laws)
     steepness = np.divide(groups.tau, aspect, where=aspect > 0.0, out=np.zeros(laws))  # sqrt(R/sigma)
@@ -150,10 +158,10 @@ def parameters(groups: Groups) -> tuple[np.ndarray, ...]:
 
 
 def onset(tau: np.ndarray, bound: np.ndarray) -> np.ndarray:
-    """Return the angle u (n,) with u = bound sqrt(2 tau) cos u, above which the substrate limits the pressure.
+    """Return the coordinate u (n,), an angle, from which on the substrate limits the pressure: u = bound sqrt(2 tau) cos u.
 
-    tau: film thickness over sigma. Newton's method starts above the root, where the function is convex, so that no step
-    passes it.
+    tau: film thickness over sigma. bound: parameter m of the formulas. Newton's method starts above the root, where the
+    function is convex, so that no step passes it.
     """
     steep = bound * np.sqrt(2.0 * tau)
     u = np.minimum(steep, 0.5 * math.pi)
@@ -163,9 +171,10 @@ def onset(tau: np.ndarray, bound: np.ndarray) -> np.ndarray:
 
 
 def segments(groups: Groups) -> list[tuple[NormalSegment, str]]:
-    """Return the segments, each with the body that limits the pressure.
+    """Return the segments of an asperity on a squeezed film, each with the name of the body that limits the pressure.
 
-    With growing displacement the film is squeezed, then the substrate limits the pressure, then the film is pressed through.
+    With growing displacement the film is squeezed ("film"), then the substrate limits the pressure in the centre
+    ("substrate"), then the film is pressed through ("substrate"). groups: dimensionless groups of n coated contacts.
     """
     row = parameters(groups)
     tau, _, bound, _, _ = row
@@ -182,9 +191,9 @@ def segments(groups: Groups) -> list[tuple[NormalSegment, str]]:
 
 
 def regimes(groups: Groups, law: Law) -> list[Regime]:
-    """Return the regimes of a coated surface.
+    """Return the regimes of a surface with a squeezed plastic film, in the units of the substrate.
 
-    law: only its tangential law is used, which must describe the interface.
+    groups: dimensionless groups of n coated contacts. law: only its tangential law is used, which must describe the interface.
     """
     tau = parameters(groups)[0]
     as_wide = 0.5 * groups.film_aspect**2  # a = t
@@ -209,7 +218,7 @@ RECORD = FilmLaw(
     regimes=regimes,
     tangential="interface",
     own_asperity=True,
-    departures=(Departure("thick", "load", -0.98, 0.0),),  # of a film harder than its substrate
+    departures=(Departure("thick", "load", -0.98, 0.0),),  # for a film harder than its substrate
     confined=True,
     verified="independent integration of the pressure; limits of the film alone and of the substrate alone; trends of the "
     "abstracts",

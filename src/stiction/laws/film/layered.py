@@ -65,7 +65,7 @@ from stiction.solvers.layered.asperity import (
     touch,
 )
 
-# Between film and substrate the elastic asperity is smooth, but over decades of a/t: it is cut at these u, over that at a = t.
+# Ratios of u to its value at a = t at which the elastic segment is split, because it changes over decades of a/t.
 _CUTS = np.array([20.0, 400.0, 8000.0])
 
 
@@ -81,9 +81,10 @@ def _first(unloading: bool) -> Any:
 
 
 def elastic(groups: Groups, law: Law) -> NormalSegment:
-    """Return the segment of the elastic asperity on the film, with the adhesion (none, DMT or JKR) of the asperity law.
+    """Return the segment of the elastic asperity on a bonded film, with the adhesion (none, DMT or JKR) of the asperity law.
 
-    groups: complete groups, from `Groups.resolved`.
+    groups: dimensionless groups of n coated contacts with all defaults filled in, from `Groups.resolved`. law: asperity law
+    and options; only its kind of adhesion and the option "branch" are used.
     """
     laws, traits = len(groups), law.asperity.traits
     lowest = 0.0
@@ -105,7 +106,11 @@ def elastic(groups: Groups, law: Law) -> NormalSegment:
 
 
 def regimes(groups: Groups, law: Law, hardness: str, soft_film_exponent: str) -> list[Regime]:
-    """Return the regimes of a coated surface; film and substrate deform together, and all load is counted as the film's."""
+    """Return the regimes of a surface with a bonded film, in the units of the substrate; all load counts as the film's.
+
+    groups: dimensionless groups of n coated contacts. law: asperity law and tangential law. hardness: key of the composite law
+    for the hardness. soft_film_exponent: its exponent for a soft film, "1" or "2".
+    """
     resolved = groups.resolved()
     record: Any = composites_of("hardness")[hardness]
     pull = np.zeros(len(resolved)) if "no adhesion" in law.asperity.traits else outer_pull(resolved)

@@ -26,7 +26,10 @@ from stiction.records.sources import Source
 
 
 def regimes(groups: Groups, law) -> list[Regime]:
-    """Return the regimes of the bare substrate, with the tangential law of the interface."""
+    """Return the regimes of the bare substrate; the tangential law of `law`, one of the interface, gives the shear of the film.
+
+    groups: dimensionless groups of n coated contacts; modulus, hardness and thickness of the film are not used.
+    """
     return law.regimes(groups, body="substrate")
 
 

@@ -50,7 +50,11 @@ _adhesion, _load = jkr.adhesion, jkr.load
 
 @formula
 def normal(u, theta):
-    """Return displacement x = u^4, dx/du, JKR's load and area; the printed eq (1) uses x as the displacement."""
+    """Return displacement x = u^4, dx/du, JKR's load and contact area of an elastic asperity by the printed eq (1).
+
+    The print uses x = a^2/(R sigma), with the contact radius a, as the displacement over sigma. theta: elastic adhesion index.
+    The load is over K R^(1/2) sigma^(3/2), the area x over pi R sigma.
+    """
     x = u * u * u * u
     return x, 4.0 * u * u * u, _load(u, _adhesion(theta)), x
 
@@ -74,23 +78,28 @@ LAW = Law(
 
 
 def bare_regimes(groups: Groups) -> list[Regime]:
-    """Return the elastic and the plastic regime of a surface without film."""
+    """Return the elastic and the plastic regime of a surface without film, by the equations as printed.
+
+    groups: dimensionless groups of n contacts.
+    """
     return LAW.regimes(groups, Weights(friction=_GRIP))
 
 
 def _film_weights(segment: NormalSegment) -> tuple[Weights, Weights]:
-    """Return the weights of a film segment before and after the film is pressed through (x = tau).
+    """Return the weights of a film segment before and after the film is pressed through (x = tau), by the equations as printed.
 
-    Beyond tau the printed equations keep the elastic load and drop the plastic load (departures D5, D9).
+    x: displacement over sigma. tau: film thickness over sigma. Beyond tau the printed equations keep the elastic load and drop
+    the plastic load (departures D5, D9).
     """
     return Weights(friction=_GRIP), Weights(friction=0.0) if segment.state == "elastic" else Weights(load=0.0)
 
 
 def regimes(groups: Groups, law: Law) -> list[Regime]:
-    """Return the regimes of a coated surface; `law`, the corrected law, is not used.
+    """Return the regimes of a coated surface by the equations as printed; `law`, the corrected law, is not used.
 
-    If its limits cross, an integral is empty (D9). In the film only asperities with x < tau resist shear (D10). The contact
-    area, which is not printed, is the film's.
+    groups: dimensionless groups of n coated contacts. An integral whose limits cross is empty (D9). In the film only
+    asperities with a displacement below the film thickness resist shear (D10). The contact area, which the paper does not
+    define, is the film's.
     """
     tau = groups.tau
     film_part = film_regimes(LAW, groups, tau, _film_weights)

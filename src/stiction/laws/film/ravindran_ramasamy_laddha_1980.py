@@ -52,23 +52,24 @@ from stiction.laws.shared_claims import PLASTIC_FILM, SOFT_FILM
 from stiction.records.registry import Departure, FilmLaw
 from stiction.records.sources import Source
 
-_THINNEST = 1e-200  # film over sigma, of one that is not there
+_THINNEST = 1e-200  # replaces a film thickness of 0, over sigma
 
 
 @formula
 def shared(u, stiffness):
-    """Return displacement w = u^2, dw/du, load and area while film and substrate share the load.
+    """Return displacement w, dw/du, load and contact area while film and substrate share the load, at u = sqrt(w).
 
-    The area is 2 w, the pressure (stiffness/2) u.
+    w is over sigma, the area 2 w over pi R sigma. The mean pressure is (stiffness/2) u, in the unit of load over area.
     """
     w = u * u
     return w, 2.0 * u, stiffness * w * u, 2.0 * w
 
 
 def rise(groups: Groups) -> np.ndarray:
-    """Return q (n,) of the pressure q n_H sqrt(w/tau) eta that film and substrate share.
+    """Return the factor q (n,) in the pressure q n_H sqrt(w/tau) eta that film and substrate share.
 
-    It follows from the friction constant C, because C over K sqrt(R sigma) is 2 eta (tau_0/H)^3/(q n_H)^2. Without C it is 1.
+    w, tau: displacement and film thickness over sigma. n_H: hardness of the film over the substrate's. eta: hardness group. q
+    follows from the friction constant C, because C over K sqrt(R sigma) is 2 eta (tau_0/H)^3/(q n_H)^2. Without C it is 1.
     """
     constant = groups.film_friction_constant
     if constant is None:
@@ -77,14 +78,14 @@ def rise(groups: Groups) -> np.ndarray:
 
 
 def regimes(groups: Groups, law: Law) -> list[Regime]:
-    """Return the regimes of a coated surface.
+    """Return the regimes of a surface with a soft metal film, in the units of the substrate.
 
-    law: only its tangential law is used, which must describe the interface.
+    groups: dimensionless groups of n coated contacts. law: only its tangential law is used, which must describe the interface.
     """
     laws = len(groups)
     n_H, q = np.broadcast_to(np.minimum(groups.n_H, 1.0), laws), rise(groups)
     tau = np.maximum(np.broadcast_to(groups.tau, laws), _THINNEST)
-    with np.errstate(divide="ignore", over="ignore"):  # of a film of no strength, which stays a film
+    with np.errstate(divide="ignore", over="ignore"):  # for a film without shear strength, where the substrate never takes part
         first = tau / (q * q)
         last = first / (n_H * n_H)
     first = np.where(n_H < 1.0, first, 0.0)
@@ -114,7 +115,7 @@ RECORD = FilmLaw(
     regimes=regimes,
     tangential="interface",
     own_asperity=True,
-    departures=(Departure("thick", "load", -0.98, 0.0),),  # of a film harder than its substrate
+    departures=(Departure("thick", "load", -0.98, 0.0),),  # for a film harder than its substrate
     verified="power laws of one asperity; independent sums over heights; limits of the film alone and of the substrate alone",
     needs=("hardness_group", "n_H", "tau", "shear_strength"),
     validity=(

@@ -44,19 +44,20 @@ from stiction.records.sources import Source
 
 @formula
 def at_rest(w, load, slip_limited, yield_limited):
-    """Return displacement, slope, load, area and both resistances of a film that no longer deforms.
+    """Return displacement w, dw/du = 1, load, area 0 and both resistances of a film that no longer deforms; u is w itself.
 
-    Load and resistance are constant, and the area is 0.
+    load, slip_limited, yield_limited: the constant load and resistances.
     """
     return w, 1.0, load, 0.0, slip_limited, yield_limited
 
 
 def regimes(groups: Groups, law: Law, film_shear: str) -> list[Regime]:
-    """Return the regimes of a coated surface, in units of the substrate.
+    """Return the regimes of a surface with a film that deforms alone up to its thickness, in the units of the substrate.
 
-    The area is the film's at the full displacement, because the outer contact is always on the film. A tangential law of
-    the interface is evaluated with this area and the whole load. Any other tangential law gives the film's resistance at w =
-    tau plus the substrate's, or the smaller of both if film_shear is "in_series".
+    groups: dimensionless groups of n coated contacts. law: asperity law and tangential law of film and substrate. The area is
+    the film's at the full displacement, because the outer contact is always on the film. A tangential law of the interface
+    uses this area and the whole load. Beyond the film thickness, any other tangential law gives the film's resistance at
+    w = tau plus the substrate's (film_shear "added"), or the smaller of the film's and the substrate's ("in_series").
     """
     tau, n_E = groups.tau, groups.n_E
     before, after = Weights(unit=n_E), Weights(unit=n_E, load=0.0, friction=0.0)
@@ -73,10 +74,10 @@ def regimes(groups: Groups, law: Law, film_shear: str) -> list[Regime]:
 
 
 def _values_at_thickness(law: Law, groups: Groups) -> np.ndarray:
-    """Return load, slip-limited and yield-limited resistance (3, n) that the film keeps beyond w = tau.
+    """Return load, slip-limited and yield-limited resistance (3, n) of the film at a displacement equal to its thickness.
 
-    These are the film's values at w = tau (film thickness over sigma). With a tangential law of the interface, the resistance
-    proportional to the area is left out; `regimes` adds it with the area.
+    The film keeps these values at larger displacements. With a tangential law of the interface, the resistance proportional to
+    the area is left out; `regimes` adds it with the area.
     """
     film, weights = groups.film(), Weights(unit=groups.n_E, area=0.0 if law.interfacial else 1.0)
     at_thickness = np.zeros((3, len(groups)))
@@ -85,7 +86,7 @@ def _values_at_thickness(law: Law, groups: Groups) -> np.ndarray:
         u = coordinates(segment, groups.tau)
         at_first, at_last = segment.edges[:, 0], segment.edges[:, -1]
         start, _, _, width = normal_states(segment, at_first).T
-        # First touch is at no displacement, to rounding: a film of no thickness is there.
+        # First touch is at zero displacement but for rounding, so that a film of zero thickness is included.
         there = (u >= at_first) & (u < at_last) & (groups.tau >= start - 1e-14 * width)
         at_thickness[:, there] = states(regime, np.where(there, u, at_first))[there][:, [2, 4, 5]].T
     return at_thickness

@@ -1,9 +1,9 @@
-"""Find the kinks of the law of a graded film, which are the edges of its regimes.
+"""Find the kinks of the law of a graded film (modulus and hardness depend on depth), which are the edges of its regimes.
 
-Each kind of kink is a zero of a function of u (`graded_signals`). This function is smooth, except for a kink where the
-asperity begins to flow. All functions are sampled together. Sign changes are refined in their bracket, and near misses of zero
-are searched for a pair of zeros. Where the load would fall although it is compressive, the asperity keeps its load until the
-law reaches it again (S5.19); this plateau adds two edges.
+Each kind of kink is a zero of a function of the coordinate u, a signal (`graded_signals`). A signal is smooth, except for a
+kink where the asperity begins to flow plastically. All signals are sampled together. Sign changes are refined in their
+bracket, and near misses of zero are searched for a pair of zeros. Where the load would fall although it is compressive, the
+asperity keeps its load until the law reaches it again (S5.19); this plateau adds two edges.
 """
 
 import math
@@ -30,28 +30,32 @@ from stiction.laws.film.shared.graded_signals import (
     zero,
 )
 
-PARAMETERS = WHOLE  # of the law, before the plateaus
+PARAMETERS = WHOLE  # number of parameters of the law before the plateaus
 PLATEAUS = 3
-BRANCHES = 4  # places where the yield resistance ends like a square root
-CAPACITY = 40  # edges
-FAR = 79  # cells of the scan, equal in ln u
-SPARE = 8  # samples that are put in at kinks
-INNER = 16  # samples of the load's slope on a segment
-# Kinks at more than this displacement are left alone: no asperity gets there.
-_DEEPEST = 10.0  # u; x = 10^4
-# Before these, cells are equal in ln(u - start). The first sample at the closest, where the spacing changes, cells per e-fold.
+BRANCHES = 4  # coordinates at which the yield resistance ends like a square root
+CAPACITY = 40  # largest number of edges
+FAR = 79  # number of cells of the scan that are equal in ln u
+SPARE = 8  # room for samples that are inserted at kinks
+INNER = 16  # number of samples of the load's slope on a segment
+# Kinks at larger displacements are not searched, because no asperity is pressed that far.
+_DEEPEST = 10.0  # largest u, a displacement of 10^4 sigma
+# Near the start, cells are equal in ln(u - start). Relative distance of the first sample and of the change of spacing, cells
+# per factor e.
 _NEAREST, _APART, _DENSE = 1e-9, 0.2, 4.0
 NEAR = math.ceil(_DENSE * math.log(_APART / _NEAREST))
-_FELT = 0.5  # a signal is looked into where it is below this, though no parabola comes near to zero
+_FELT = 0.5  # a signal below this is searched for zeros even if the parabola through the samples is far from zero
 _END = 1e8  # u, in place of infinity
-_FADING, _FADED = 8.0, 40.0  # exponents at which the film's share in the hardness is small, and rounding
+_FADING, _FADED = 8.0, 40.0  # exponents at which the film's weight in the hardness is small, and below rounding
 
-_PLACES = np.clip((1.0 - np.cos(np.pi * np.linspace(0.0, 1.0, INNER))) / 2.0, 1e-9, 1.0 - 1e-9)  # kinks are at the ends
+_PLACES = np.clip((1.0 - np.cos(np.pi * np.linspace(0.0, 1.0, INNER))) / 2.0, 1e-9, 1.0 - 1e-9)  # ends are kinks
 
 
 @formula
 def _add(out, count, u):
-    """Append u to the edges if there is room, and return the new number of edges."""
+    """Append the coordinate u to the edges `out` if there is room, and return the new number of edges.
+
+    count: number of edges so far.
+    """
     if count < out.size:
         out[count] = u
         return count + 1
@@ -60,12 +64,14 @@ def _add(out, count, u):
 
 @lazy_kernel(worth=100_000)
 def _add_zeros(which, places, values, law, out, count):
-    """Append the zeros of one signal to `out`, and return the new number of edges.
+    """Append the zeros of one signal to the edges `out`, and return the new number of edges.
 
-    which: index of the signal. values: the signal at `places`.
+    which: index of the signal, a function of u whose zeros are kinks. places, values: coordinates u of the samples, and the
+    signal there. law: parameters of the graded law. count: number of edges so far.
     """
     before = values[0]
-    # A branch point is felt from some way off, and the balance has sharp turns. Others may be constant but for rounding.
+    # A branch point has an effect at some distance, and the balance has sharp turns. Other signals may be constant but for
+    # rounding.
     small = _FELT if which in (REAL, BALANCE) else 0.0
     for j in range(places.size - 1):
         current, following = values[j], values[j + 1]
@@ -76,7 +82,7 @@ def _add_zeros(which, places, values, law, out, count):
             if (value > 0.0) != (current > 0.0):
                 count = _add(out, count, zero(which, places[j - 1], before, u, value, law, 0.0))
                 count = _add(out, count, zero(which, u, value, places[j + 1], following, law, 0.0))
-            elif which == REAL:  # there is a branch point beside the line of real u
+            elif which == REAL:  # a branch point at complex u near the real axis
                 count = _add(out, count, u)
         before = current
     return count
@@ -84,7 +90,11 @@ def _add_zeros(which, places, values, law, out, count):
 
 @formula
 def _sample_loads(law, edges, count, places, loads, slopes):
-    """Sample load and slope at INNER places inside every segment between the first `count` edges."""
+    """Sample the load and its slope at INNER places inside every segment between the first `count` edges.
+
+    law: parameters of the graded law. places, loads, slopes: filled with coordinates u, loads and slopes, INNER for each
+    segment.
+    """
     for segment in range(count - 1):
         low, high = edges[segment], edges[segment + 1]
         inner = places[segment * INNER :]
@@ -98,9 +108,10 @@ def _sample_loads(law, edges, count, places, loads, slopes):
 
 @lazy_kernel(worth=100_000)
 def _summit(low, kink, high, at_high, law):
-    """Return the coordinate u at which the load has a maximum.
+    """Return the coordinate u at which the load has a maximum, between `low`, where it rises, and `high`, where it falls.
 
-    The load rises at `low` and falls at `high`. kink: an edge between them, or `low`.
+    kink: an edge between them, at which the slope may jump, or `low`. at_high: slope of the load at `high`. law: parameters of
+    the graded law.
     """
     below, above = kink * (1.0 - 1e-13), kink * (1.0 + 1e-13)
     at_low = signal(NUMBERS[SLOPE], low, law, 0.0)
@@ -117,9 +128,9 @@ def _summit(low, kink, high, at_high, law):
 
 @lazy_kernel(worth=100_000)
 def _descent(low, high, law):
-    """Return a coordinate between low and high at which the load falls, and its slope there.
+    """Return a coordinate between low and high at which the load falls, and its slope there; `high` and 0 if it falls nowhere.
 
-    Returns `high` and slope 0 if the load falls nowhere.
+    law: parameters of the graded law. The slope is sampled at 63 places.
     """
     for m in range(1, 64):
         u = low + (high - low) * m / 64.0
@@ -131,7 +142,10 @@ def _descent(low, high, law):
 
 @formula
 def _first_flowing(part, count):
-    """Return the index of the first segment in which the asperity flows, or of the last edge if there is none."""
+    """Return the index of the first segment in which the asperity flows plastically, or of the last edge if there is none.
+
+    part: number of the part for each segment; odd numbers are plastic. count: number of edges.
+    """
     first = 0
     while first < count - 1 and (part[first] < 0 or part[first] % 2 == 0):
         first += 1
@@ -142,7 +156,7 @@ def _first_flowing(part, count):
 def _regained(low, high, above, law, level):
     """Return the coordinate between low and high at which the load, after a fall, reaches `level` again.
 
-    above: load minus `level` at `high`.
+    above: load minus `level` at `high`. law: parameters of the graded law.
     """
     lacking = min(signal(NUMBERS[ABOVE], low, law, level), 0.0)
     return zero(NUMBERS[ABOVE], low, lacking, high, above, law, level)
@@ -152,9 +166,11 @@ def _regained(low, high, above, law, level):
 def _add_plateaus(law, edges, count, part, levels, places, loads, slopes):
     """Append the ends of the load plateaus to the edges, and return the new number of edges.
 
-    The first `count` edges are sorted. levels: filled with (start, level) of each plateau.
+    On a plateau the load of an asperity stays constant, because by the law it would fall. law: parameters of the graded law.
+    The first `count` edges are sorted. part: number of the part for each segment. levels: filled with (start, level) of each
+    plateau. places, loads, slopes: work arrays.
     """
-    out = edges[_first_flowing(part, count) : count]  # before, the load cannot fall
+    out = edges[_first_flowing(part, count) : count]  # an elastic asperity's load cannot fall
     _sample_loads(law, out, out.size, places, loads, slopes)
     known, plateau, on_plateau, level = count, 0, False, 0.0
     previous = out[0]
@@ -176,7 +192,7 @@ def _add_plateaus(law, edges, count, part, levels, places, loads, slopes):
             if above > 0.0 and plateau < PLATEAUS:  # a peak between two samples
                 previous = _regained(previous, summit, above, law, level)
                 known, on_plateau = _add(edges, known, previous), False
-        # Once to see where the load comes back, once more if it falls again before the sample.
+        # The second pass is for a load that returns to the level and falls again before the sample.
         for _ in range(2):
             if not on_plateau and falling < 0.0 and plateau < PLATEAUS:
                 start = _summit(previous, max(kink, previous), turn, falling, law)
@@ -195,10 +211,11 @@ def _add_plateaus(law, edges, count, part, levels, places, loads, slopes):
 
 @formula
 def _fixed_edges(law, tau, out):
-    """Fill the edges that are known in advance; return the first three and the number of edges.
+    """Fill the edges that are known in advance; return three coordinates and the number of edges.
 
-    The first three are: start of the contact, end of the scan, and the coordinate at which the film is pressed through.
-    Further edges cut long segments.
+    The three are the start of the contact, the end of the scan, and the coordinate at which the film is pressed through, at
+    the displacement tau over sigma. Further edges cut long segments. law: parameters of the graded law. out: filled with the
+    edges.
     """
     pull, _, n_H, linear, square = law[:5]
     S, bodies = math.sqrt(6.0 * pull), law[ALONE:]
@@ -207,10 +224,10 @@ def _fixed_edges(law, tau, out):
     out[0], out[1] = start, top
     through = depth_coordinate(tau, S, bodies) if tau < top**4 else top
     out[2] = max(through, start)
-    out[3] = math.sqrt(math.sqrt(start**4 + 2.0))  # where w is about 2: long segments are hard to integrate
+    out[3] = math.sqrt(math.sqrt(start**4 + 2.0))  # at w of about 2, because long segments are hard to integrate
     count = 4
     if n_H != 1.0 and max(linear, square) > 0.0:
-        # A hard film fades over many times its own thickness: an edge on the way.
+        # The effect of a hard film fades over many times its own thickness, which is split by an edge.
         for exponent in (_FADED, _FADING):
             faded = exponent / linear if linear > 0.0 else math.sqrt(exponent / square)
             if faded < top**4 and (exponent == _FADED or n_H > 1.0):
@@ -220,9 +237,10 @@ def _fixed_edges(law, tau, out):
 
 @lazy_kernel(worth=1_000_000)
 def _scan(start, top, law, places, values):
-    """Sample all signals from `start` to `top`, and return the number of samples.
+    """Sample all signals from the coordinate `start` to `top`, and return the number of samples.
 
-    The samples are dense near the start, because all features of a thin film are there.
+    Signals are functions of u whose zeros are kinks. places, values: filled with coordinates and signals. law: parameters of
+    the graded law. The samples are dense near the start, because all features of a thin film are there.
     """
     pull, _, n_H, linear, square = law[:5]
     slope = contact(start, math.sqrt(6.0 * pull), law[ALONE:])[1]
@@ -230,7 +248,7 @@ def _scan(start, top, law, places, values):
     nearest = max(_NEAREST, min(0.02 * soon, 0.5 * _APART))
     cells = math.ceil(_DENSE * math.log(_APART / nearest))
     near, far = math.log(nearest / _APART) / cells, math.log(top / (start * (1.0 + _APART))) / FAR
-    places[0], places[1] = start, start * (1.0 + 1e-3 * nearest)  # to see which way signals start
+    places[0], places[1] = start, start * (1.0 + 1e-3 * nearest)  # shows whether signals rise or fall at the start
     for j in range(1, cells):
         places[1 + j] = start * (1.0 + _APART * exponential(near * (cells - j)))
     for j in range(FAR + 1):
@@ -248,9 +266,10 @@ def _sample(j, law, places, values):
 
 @lazy_kernel(worth=100_000)
 def _insert(kinks, law, places, values, size):
-    """Add samples at the kinks, while there is room, and return the new number of samples.
+    """Add samples of all signals at the coordinates `kinks`, while there is room, and return the new number of samples.
 
-    The other signals may turn at these kinks.
+    At a kink of one signal the others may turn. places, values: the first `size` samples, in ascending order, with room for
+    more. law: parameters of the graded law.
     """
     for u in kinks:
         position = size
@@ -258,7 +277,7 @@ def _insert(kinks, law, places, values, size):
             position -= 1
         if size == places.size or (position > 0 and places[position - 1] == u):
             continue
-        for to in range(size, position, -1):  # by numbers: an assignment of slices takes seconds to compile
+        for to in range(size, position, -1):  # element by element: assigning slices takes seconds to compile
             places[to] = places[to - 1]
             for row in range(values.shape[0]):
                 values[row, to] = values[row, to - 1]
@@ -278,12 +297,12 @@ def _fill(parameters, tau, edges, part, levels, branch):
         start, top, through, count = _fixed_edges(law, tau[i], out)
         before, size = count, _scan(start, top, law, scan, samples)
         count = _add_zeros(NUMBERS[0], scan[:size], samples[0], law, out, count)
-        size = _insert(out[before:count], law, scan, samples, size)  # the load has a kink there
+        size = _insert(out[before:count], law, scan, samples, size)  # because the load has kinks there
         count = _add_zeros(NUMBERS[1], scan[:size], samples[1], law, out, count)
         before = count
         count = _add_zeros(NUMBERS[REAL], scan[:size], samples[REAL], law, out, count)
         count = _add_branches(start, samples[REAL, 0], law, out, before, count, branch[i])
-        grips = size - 1  # beyond the last sample that is not fully plastic nothing resists
+        grips = size - 1  # first sample from which on all are fully plastic and resist nothing
         while grips > 0 and samples[1, grips - 1] > 0.0:
             grips -= 1
         count = _add_zeros(NUMBERS[SQUEEZED], scan[: grips + 1], samples[SQUEEZED], law, out, count)
@@ -303,8 +322,9 @@ def _fill(parameters, tau, edges, part, levels, branch):
 def _add_branches(start, at_start, law, out, first, count, branch):
     """Fill `branch` with the branch points of the yield resistance, and return the new number of edges.
 
-    The first branch point is below the start, the others are out[first:count]. An edge is added between two of them, because
-    the substitution that removes a square root works at one end of a segment only.
+    start, at_start: first coordinate of the contact, and the signal REAL there. The first branch point is below the start, the
+    others are out[first:count]. An edge is added between two of them, because the substitution that removes a square root
+    works at one end of a segment only.
     """
     branch[:] = -math.inf
     kinks = out[first:count]
@@ -317,21 +337,25 @@ def _add_branches(start, at_start, law, out, first, count, branch):
             low = start * (1.0 - below)
             at_low, below = signal(NUMBERS[REAL], low, law, 0.0), 3.0 * below
         if at_low < 0.0:
-            branch[0] = low - at_low * (high - low) / (at_high - at_low)  # there is no segment there: about
-        elif at_start < _FELT:  # beside the line of real u
+            branch[0] = low - at_low * (high - low) / (at_high - at_low)  # an estimate is enough, because no segment is there
+        elif at_start < _FELT:  # at complex u near the real axis
             branch[0] = start
         known = 1
     for u in kinks[: branch.size - known]:
         branch[known] = u
         known += 1
-    for j in range(known - 1):  # -inf gives none
+    for j in range(known - 1):  # a branch point at -inf gives an edge below the start, which has no effect
         count = _add(out, count, 0.5 * (branch[j] + branch[j + 1]))
     return count
 
 
 @formula
 def _name_parts(law, through, edges, count, part):
-    """Fill `part` with the part (see `find_kinks`) of every segment between the edges, the endless last one included."""
+    """Fill `part` with the number of the part (see `find_kinks`) of every segment between the edges.
+
+    The endless segment after the last edge is included. through: coordinate at which the film is pressed through. edges: the
+    first `count` are used. law: parameters of the graded law.
+    """
     edges[count:] = _END
     part[:] = -1
     for segment in range(count):
@@ -342,13 +366,14 @@ def _name_parts(law, through, edges, count, part):
 
 
 def find_kinks(parameters: np.ndarray, tau: np.ndarray) -> tuple[np.ndarray, ...]:
-    """Return edges, parts, plateaus and branch points of n graded laws.
+    """Return edges, parts, plateaus and branch points of the graded law, for n contacts.
 
-    parameters: (n, PARAMETERS). tau (n,): displacement at which the film is pressed through.
+    parameters: (n, PARAMETERS) of the law. tau (n,): displacement over sigma at which the film is pressed through.
 
-    Returns edges (n, CAPACITY) in u; the part of each segment (n, CAPACITY - 1): 0 elastic film, 1 plastic film, 2 elastic
-    substrate, 3 plastic substrate, -1 no segment; plateaus (n, 6): three pairs (start, level), from `start` on the load is at
-    least `level`; branch points (n, 4).
+    The edges (n, CAPACITY) are coordinates u. The parts (n, CAPACITY - 1) number each segment between them: 0 elastic film, 1
+    plastic film, 2 elastic substrate, 3 plastic substrate, -1 no segment. The plateaus (n, 6) are three pairs (start, level):
+    from `start` on the load is at least `level`. The branch points (n, 4) are coordinates at which the yield resistance ends
+    like a square root.
     """
     laws = len(parameters)
     edges, part = np.empty((laws, CAPACITY)), np.empty((laws, CAPACITY - 1), dtype=np.int8)
@@ -371,6 +396,7 @@ def _gather(edges, part, wanted, out):
 def gather(edges: np.ndarray, part: np.ndarray, wanted: int) -> np.ndarray:
     """Return the edges (n, m) of a regime that consists of all segments of one part.
 
+    edges, part: edges (n, CAPACITY) and number of the part for each segment, from `find_kinks`. wanted: number of the part.
     The segments need not be adjacent. They are listed from the deepest on, so that the gap between two of them is a pair of
     edges that does not increase, which the engine skips.
     """

@@ -1,11 +1,12 @@
 """Formulate the asperity of a graded film: modulus and hardness depend on depth (docs/explanation/theory.md, section 5.3).
 
-This project's own composition (grade C) of published parts: the modulus felt by a contact of given radius (Gao, Chiu & Lee
-1992), the hardness at a given depth (Bhattacharya & Nix 1988), the JKR contact, and the transition to full plasticity of
-Zhao, Maietta & Chang 2000. Without a film the same law is the bare asperity without a jump at yield.
+This project's own composition (grade C) of published parts: the modulus of film and substrate at a given contact radius
+(Gao, Chiu & Lee 1992), their hardness at a given depth (Bhattacharya & Nix 1988), the JKR contact, and the transition to full
+plasticity of Zhao, Maietta & Chang 2000. Without a film the same law is the bare asperity without a jump at yield.
 
-The coordinate is u = x^(1/4), elastic or plastic; x is the apparent displacement that the elastic contact would have at this
-depth. Displacements are over sigma, loads over K R^(1/2) sigma^(3/2), areas over pi R sigma, with K of the substrate.
+The coordinate is u = x^(1/4), elastic or plastic; x = a^2/(R sigma), with the contact radius a that the elastic contact would
+have at this displacement. Displacements are over sigma, loads over K R^(1/2) sigma^(3/2), areas over pi R sigma, with
+K = (4/3) E* of the substrate.
 """
 
 import math
@@ -18,16 +19,15 @@ from stiction.laws.tangential.savkoor_briggs_1977 import slip_resistance
 from stiction.laws.tangential.shared.edge_yield import yield_resistance
 
 _PI = math.pi
-ALONE, WHOLE = 11, 20  # parameters of adhesion and strength; with them those of the stiffness of both bodies
+ALONE, WHOLE = 11, 20  # number of parameters for adhesion and strength; together with those of the stiffness
 
 
 @formula
 def stiffness(u, bodies):
-    """Return the modulus of film and substrate over the substrate's, K_eff/K_s (S5.11), at a given contact radius.
+    """Return the modulus of film and bodies together over the bodies' modulus, its derivative by ln u, and the film's weight.
 
-    Also returns its derivative by ln u and the weight of the film. The contact radius is a = sqrt(R sigma) u^2. bodies:
-    smallest and largest K_eff/K_s, sqrt(R sigma) over the film thickness on one body, then the fields of `TwoBodies` with the
-    mean Poisson's ratio of film and body.
+    The modulus is (S5.11) at the contact radius a = sqrt(R sigma) u^2. bodies: smallest and largest result, sqrt(R sigma) over
+    the film thickness on one body, then the fields of `TwoBodies`, with the mean Poisson's ratio of film and each body.
     """
     _, _, per_aspect, first, second, s, films, nu_first, nu_second = bodies
     share, slope = modulus_share(u * u * per_aspect, nu_first)
@@ -37,16 +37,18 @@ def stiffness(u, bodies):
         other_share, slope = modulus_share(u * u * per_aspect, nu_second)
         other, other_rise = 1.0 + (second - 1.0) * other_share, 2.0 * (second - 1.0) * slope
         share = 0.5 * (share + other_share)
-    compliance = s * other + (1.0 - s) * g  # of both in series, times g and other
+    compliance = s * other + (1.0 - s) * g  # compliance of both bodies in series, times g and `other`
     rise = (s * rise * other * other + (1.0 - s) * other_rise * g * g) / (compliance * compliance)
     return g * other / compliance, rise, share
 
 
 @formula
 def contact(u, S, bodies):
-    """Return the JKR contact at u with the modulus of (S5.11).
+    """Return w, dw/du, Q, d ln Q/d ln u and the film's weight of an elastic JKR contact on a graded film.
 
-    Returns displacement w, dw/du, Q = sqrt(K_eff/K_s) u^3, d ln Q/d ln u, and the film's weight.
+    w: displacement over sigma. Q = sqrt(K_eff/K_s) u^3, with the modulus K_eff of film and substrate together (S5.11) and K_s
+    of the substrate. u: coordinate, with the contact radius sqrt(R sigma) u^2. S: sqrt(6 pi n_g/theta), strength of adhesion.
+    bodies: as in `stiffness`.
     """
     ratio, rise, share = stiffness(u, bodies)
     root = math.sqrt(ratio)
@@ -58,21 +60,22 @@ def contact(u, S, bodies):
 
 @formula
 def fading(w, linear, square):
-    """Return the film's weight in the hardness at the displacement w, exp(-c (w/tau)^m) (S5.13).
+    """Return the film's weight in the hardness at the displacement w over sigma, exp(-c (w/tau)^m) (S5.13).
 
-    For m = 1, linear = c/tau and square = 0; for m = 2, linear = 0 and square = c/tau^2. The formula is continued to slightly
-    negative w, because a branch point there affects the first contact.
+    For m = 1, linear = c/tau and square = 0; for m = 2, linear = 0 and square = c/tau^2. tau: film thickness over sigma. The
+    formula is continued to slightly negative w, because a branch point there affects the first contact.
     """
     return exponential(min(-w * (linear + square * w), 4.0))
 
 
 @formula
 def along(u, *row):
-    """Return the six values that a `Regime` requires of an asperity at u.
+    """Return displacement w, dw/du, load, contact area, slip-limited and yield-limited force of an asperity on a graded film.
 
-    row: pull = pi n_g/theta; eta of the substrate; n_H; linear and square of `fading`; nu_s, nu_c, K_beta_s, K_beta_c of
-    substrate and film; yield_s, yield_c, yield stress over pi H_s of both; parameters of `stiffness`; three plateaus (start,
-    level): from `start` on the load is at least `level`.
+    u: coordinate, with the contact radius sqrt(R sigma) u^2 of the elastic contact. row: pull = pi n_g/theta; eta of the
+    substrate; n_H; linear and square of `fading`; nu_s, nu_c, K_beta_s, K_beta_c of substrate and film; yield_s, yield_c,
+    yield stress over pi H_s of both; parameters of `stiffness`; three plateaus (start, level): from u = `start` on the load is
+    at least `level`.
     """
     pull, eta, n_H, linear, square, nu_s, nu_c, K_beta_s, K_beta_c, yield_s, yield_c = row[:ALONE]
     (
@@ -103,9 +106,9 @@ def along(u, *row):
 
 @formula
 def depth_coordinate(w, S, bodies):
-    """Return the coordinate u at the displacement w >= 0.
+    """Return the coordinate u of an elastic JKR contact on a graded film at the displacement w >= 0 over sigma.
 
-    Newton's method is bracketed; the displacement grows with u.
+    S, bodies: as in `contact`. Newton's method is bracketed; the displacement grows with u.
     """
     s = 2.0 / 3.0 * S
     least, greatest = bodies[0], bodies[1]
@@ -129,7 +132,10 @@ def depth_coordinate(w, S, bodies):
 
 @formula
 def coordinate(w, *row):
-    """Return the coordinate u at the displacement w (the inverse of `along`), or 0 without contact."""
+    """Return the coordinate u of an asperity on a graded film at the displacement w over sigma, or 0 for w <= 0.
+
+    row: parameters, as in `along`, whose displacement it inverts.
+    """
     if not w > 0.0:
         return 0.0
     return depth_coordinate(w, math.sqrt(6.0 * row[0]), row[ALONE:WHOLE]) if w < math.inf else math.inf

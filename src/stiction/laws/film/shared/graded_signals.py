@@ -1,6 +1,6 @@
-"""Define functions of u ("signals") whose zeros are the kinks of a graded film's law, and find their zeros.
+"""Define functions of the coordinate u ("signals") whose zeros are the kinks of a graded film's law, and find their zeros.
 
-Each signal is smooth, except for a kink where the asperity begins to flow. `law` is the tuple of parameters that
+Each signal is smooth, except for a kink where the asperity begins to flow plastically. `law` is the tuple of parameters that
 `graded_law.along` takes, without the plateaus.
 """
 
@@ -13,15 +13,16 @@ from stiction.laws.asperity.shared.transition import FULLY_PLASTIC, plastic_shar
 from stiction.laws.film.shared.graded_law import ALONE, contact, fading
 from stiction.laws.tangential.shared.edge_yield import coefficients
 
-NEARER = 0.3  # a near miss is looked into if a parabola through it comes nearer to zero by this share
+NEARER = 0.3  # a near miss is searched if the parabola through it comes closer to zero by this fraction
 
 
 @formula
 def signals(u, law):
-    """Return five functions of u whose zeros are kinks of the law.
+    """Return five numbers at the coordinate u whose sign changes are kinks of the law of a graded film.
 
-    Their zeros are: first yield; full plasticity; the yield resistance stops being real in tension (a branch point, S3.9); the
-    yield resistance reaches zero in compression (S3.10); slip and yield resistance are equal (S3.11, over the strength).
+    They are zero where: the asperity first yields; it is fully plastic; the yield resistance stops being real in tension (a
+    branch point, S3.9); the yield resistance vanishes in compression (S3.10); slip and yield resistance are equal (S3.11, over
+    the strength). law: parameters of the graded law.
     """
     pull, eta, n_H, linear, square, nu_s, nu_c, Kb_s, Kb_c, yield_s, yield_c = law[:ALONE]
     S = math.sqrt(6.0 * pull)
@@ -44,9 +45,10 @@ def signals(u, law):
 
 @formula
 def load_before_plateaus(u, law):
-    """Return the load without plateaus, its scaled derivative, and the elastic mean pressure over the hardness.
+    """Return the load without plateaus, its derivative by ln u, and the elastic mean pressure over the hardness.
 
-    The derivative is by ln u, over hardness times x.
+    The derivative is over hardness times contact area, so that it is of the order of one. u: coordinate. law: parameters of
+    the graded law.
     """
     pull, eta, n_H, linear, square = law[:5]
     S = math.sqrt(6.0 * pull)
@@ -68,17 +70,18 @@ def load_before_plateaus(u, law):
     return load, slope * u / flowing, ratio
 
 
-# Numbers of the functions of u whose zeros are sought: the five signals, then two of the load.
+# Numbers of the functions of u whose zeros are searched: five signals (0 to 4), slope of the load, load minus a level.
 REAL, SQUEEZED, BALANCE, SLOPE, ABOVE = 2, 3, 4, 5, 6
-# A number is passed as an entry of this array: for each constant a kernel would be compiled by itself.
+# Numbers are passed as entries of this array, because each literal constant would compile another kernel.
 NUMBERS = np.arange(7)
 
 
 @lazy_kernel(worth=100_000)
 def signal(which, u, law, level):
-    """Return the value at u of the function number `which`: one of `signals`, the slope of the load, or the load minus `level`.
+    """Return one number at the coordinate u whose zeros are searched: function `which` of the graded law.
 
-    SLOPE is the slope, in the units of `load_before_plateaus`; lower numbers are signals, whose zeros are sought.
+    which: 0 to 4, one of `signals`; SLOPE, the slope of the load in the units of `load_before_plateaus`; ABOVE, the load minus
+    `level`. law: parameters of the graded law. `level` is not used otherwise.
     """
     if which < SLOPE:
         return signals(u, law)[which]
@@ -88,10 +91,11 @@ def signal(which, u, law, level):
 
 @lazy_kernel(worth=100_000)
 def zero(which, low, at_low, high, at_high, law, level):
-    """Return a zero of function `which` between low and high, by false position (Anderson & Bjorck 1973).
+    """Return the coordinate between low and high at which the function `which` is zero, by false position.
 
-    Some steps bisect the bracket. The zero is found to machine precision where the resistance jumps and for the load, else to
-    1e-9.
+    which, law, level: as in `signal`. at_low, at_high: values at low and high, of opposite sign. The method is from
+    Anderson & Bjorck 1973; some steps bisect the bracket. The zero is found to machine precision where the resistance jumps
+    and for the load, else to 1e-9.
     """
     fine, small = (4e-15, 0.0) if which == REAL or which >= SLOPE else (1e-9, 1e-11)
     u = last = low
@@ -119,8 +123,9 @@ def zero(which, low, at_low, high, at_high, law, level):
 def beyond_zero(which, left, at_left, u, at_u, right, at_right, law):
     """Search for a sign change of a function between two places at which it has the same sign.
 
-    The function is almost zero at u. The search fits parabolas through three points. Returns a place and value with the
-    opposite sign, or the place and value closest to zero.
+    which, law: as in `signal`. left, u, right: coordinates in ascending order; at_left, at_u, at_right: values there, almost
+    zero at u. The search fits parabolas through three points. Returns a place and the value there: of opposite sign or, if
+    none is found, closest to zero.
     """
     for turn in range(25):
         p, q = (u - left) * (at_u - at_right), (u - right) * (at_u - at_left)
@@ -139,7 +144,7 @@ def beyond_zero(which, left, at_left, u, at_u, right, at_right, law):
             else:
                 right, at_right = u, at_u
             u, at_u = vertex, value
-            if turn > 3 and saved < 0.01:  # it turns here
+            if turn > 3 and saved < 0.01:  # this is the extremum
                 break
         elif vertex > u:
             right, at_right = vertex, value
@@ -154,7 +159,8 @@ def beyond_zero(which, left, at_left, u, at_u, right, at_right, law):
 def comes_near(before, current, following, small):
     """Return whether a function, sampled at three places with the same sign, has an extremum close to zero.
 
-    The middle sample must be below `small`, or the parabola through all three must come much closer to zero than the samples.
+    before, current, following: the three samples. The middle one must be below `small` in size, or the parabola through all
+    three must come much closer to zero than the samples.
     """
     rise, bend = following - before, following - 2.0 * current + before
     turns = (current - before) * (following - current) < 0.0 and bend * current > 0.0 and before * current > 0.0

@@ -1,4 +1,4 @@
-"""Compute the parameters of the formulas for a sphere on a film from the groups of each contact."""
+"""Compute the parameters of the formulas for a sphere on a film from the dimensionless groups of each contact."""
 
 import math
 
@@ -12,10 +12,10 @@ from stiction.solvers.layered.table import curves_of_films
 
 
 def rows(groups: Groups, pull: np.ndarray) -> tuple[np.ndarray, ...]:
-    """Return the parameters (n,) that the formulas of `solvers.layered.asperity` take.
+    """Return the parameters, each an array (n,), that the formulas of `solvers.layered.asperity` for a sphere on a film take.
 
-    groups: complete groups (`Groups.resolved`) of contacts with a film. pull (n,): adhesion, from `edge_pull` or `outer_pull`.
-    Raises InputError if no such bodies can exist.
+    groups: dimensionless groups of n coated contacts with all defaults filled in, from `Groups.resolved`. pull (n,): adhesion,
+    from `edge_pull` or `outer_pull`. Raises InputError if no bodies can have these groups.
     """
     laws = len(groups)
     n_E = np.where(groups.film_aspect > 0.0, groups.n_E, 1.0)
@@ -28,7 +28,11 @@ def rows(groups: Groups, pull: np.ndarray) -> tuple[np.ndarray, ...]:
 
 
 def coefficients(groups: Groups) -> np.ndarray:
-    """Return the compliance curves (n, CURVES, TERMS) of all contacts; each pair of materials is computed once."""
+    """Return the coefficients (n, CURVES, TERMS) of the curves of spheres on films; each pair of materials is computed once.
+
+    The curves state effective moduli and displacement against contact radius over film thickness; the first is the modulus E_P
+    of the load. groups: dimensionless groups of n coated contacts with all defaults filled in.
+    """
     columns = columns_of(groups)
     if (columns == columns[:, :1]).all():
         return np.broadcast_to(_curves(columns[:, :1]), (len(groups), *_curves(columns[:, :1]).shape[1:]))
@@ -37,7 +41,10 @@ def coefficients(groups: Groups) -> np.ndarray:
 
 
 def _curves(columns: np.ndarray) -> np.ndarray:
-    """Return the compliance curves for the material columns (6, n) of `columns_of`."""
+    """Return the coefficients (n, CURVES, TERMS) of the curves of spheres on films, for n pairs of bodies.
+
+    columns (6, n): elastic constants of the bodies, in the order of `columns_of`.
+    """
     n_E, bodies, first, nu, nu_first, nu_second = columns
     alike = (bodies == 2.0) & (first == 0.5) & (nu_first == nu_second)
     share, ratio = film_share(columns)
@@ -52,10 +59,17 @@ def _curves(columns: np.ndarray) -> np.ndarray:
 
 
 def edge_pull(groups: Groups) -> np.ndarray:
-    """Return the adhesion parameter s = (2/3) sqrt(6 pi n_g/theta) of JKR's contact on the film (n,)."""
+    """Return the strength of adhesion (n,) of JKR's contact on the film, s = (2/3) sqrt(6 pi n_g/theta).
+
+    n_g: work of adhesion of the film over the substrate's. theta: elastic adhesion index of the substrate.
+    """
     return 2.0 / 3.0 * np.sqrt(6.0 * math.pi * groups.n_g / groups.theta)
 
 
 def outer_pull(groups: Groups) -> np.ndarray:
-    """Return DMT's adhesive force 2 pi n_g/theta (n,), which also acts on plastic asperities."""
+    """Return DMT's adhesive force (n,) on the film, 2 pi n_g/theta, which acts on elastic and plastic asperities.
+
+    It is over K R^(1/2) sigma^(3/2). n_g: work of adhesion of the film over the substrate's. theta: elastic adhesion index of
+    the substrate.
+    """
     return 2.0 * math.pi * groups.n_g / groups.theta

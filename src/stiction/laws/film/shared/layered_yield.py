@@ -1,9 +1,10 @@
-"""Find where an asperity on a film yields, and continue it plastically.
+"""Find where an asperity on a bonded film yields, and continue it plastically.
 
-The asperity yields where its mean pressure reaches the value at which its law yields on a half-space. This half-space has the
-modulus E_P and the hardness chi felt at this radius and depth, where the depth leaves out the stretch by adhesion. Beyond
-yield, the plastic segments of the law on this half-space are shifted to the displacement, load and area of the layered contact.
-Their load, without the adhesion, scales with the hardness at their depth.
+The asperity yields where its mean pressure reaches the value at which its asperity law yields on a uniform half-space. This
+half-space has the modulus E_P of film and substrate together at this contact radius, and their hardness chi at this depth; the
+depth leaves out the stretch by adhesion. Beyond yield, the plastic segments of the asperity law on this half-space are shifted
+to the displacement, load and area of the contact on the film. Their load, without the adhesion, is proportional to the
+hardness at their depth.
 """
 
 from dataclasses import replace
@@ -23,14 +24,16 @@ from stiction.records.registry import Composite
 from stiction.solvers.layered.asperity import _hertzian, edged, touch
 
 _STEP, _FARTHEST = 1.5, 1e30
-# Rounds in which the pressure at yield, which depends on the modulus under adhesion, is found.
+# Largest number of iterations: with adhesion the pressure at yield depends on the modulus there.
 _ROUNDS = 6
 
 
 class Hardness:
-    """Hold the hardness chi of film and substrate together as a function of the displacement w, for n contacts.
+    """Store the hardness chi of film and substrate together as a function of the displacement, for n contacts.
 
-    chi is over the substrate's hardness. The parameters of the formula are arrays (n,).
+    chi is over the substrate's hardness. `value` is the formula, `row` its parameters (n,): film hardness over the
+    substrate's, film thickness over sigma, constant, exponent. `depths` (n, m) are displacements over sigma at which an
+    integral is split.
     """
 
     def __init__(self, record: Composite, groups: Groups, soft_film_exponent: float):
@@ -44,7 +47,7 @@ class Hardness:
             record.constants(np.where(tau > 0.0, groups.n_E, 1.0), self.n_H, self.n_H) if record.constants else self.n_H
         )
         places = record.landmarks(self.constant, self.exponent) if record.landmarks else np.empty((laws, 0))
-        self.depths = self.tau[:, None] * places[:, ::2]  # every other one is enough for the accuracy of the law
+        self.depths = self.tau[:, None] * places[:, ::2]  # every second landmark is enough for the accuracy of the law
 
     @property
     def row(self) -> tuple[np.ndarray, ...]:
@@ -53,15 +56,20 @@ class Hardness:
 
 @cache
 def _onset(along: Any, hardness: Any, parameters: int) -> Any:
-    """Return the kernel that finds where an asperity on a film yields.
+    """Return a kernel that finds where an asperity on a film yields.
 
-    There the mean pressure first equals a given constant times the hardness.
+    There the mean pressure first equals a given constant times the hardness. along: formula of the elastic asperity, with
+    `parameters` parameters. hardness: formula of the hardness.
     """
     edge = along is edged
 
     @formula
     def excess(u, arguments):
-        """Return the load at u minus the load at which a contact of the same area would yield."""
+        """Return the load at the coordinate u minus the load at which a contact of the same area would yield.
+
+        It is negative before yield. arguments: parameters of the asperity, mean pressure at yield for the substrate's
+        hardness, parameters of the hardness.
+        """
         row, pressure, (n_H, tau, constant, exponent) = arguments
         _, _, load, area = along(u, *row)
         chi = hardness(n_H, _hertzian(u, row)[3] * area / tau, constant, exponent)
@@ -71,10 +79,11 @@ def _onset(along: Any, hardness: Any, parameters: int) -> Any:
 
     @lazy_kernel(worth=300)
     def find(table, pressure, of_hardness, out):
-        """Fill out[i] with the state at first yield: u, composite modulus and hardness, z, and depth over sigma.
+        """Fill out[i] with five numbers at first yield of contact i: u, modulus, hardness, z, and depth over sigma.
 
-        Modulus and hardness are over the substrate's. z weighs Poisson's ratio: -1 is the film's, 1 the substrate's. pressure:
-        eta times the mean pressure at yield over the hardness. of_hardness: parameters of `Hardness`.
+        Modulus and hardness are those of film and substrate together over the substrate's. z weighs Poisson's ratio: -1 is the
+        film's, 1 the substrate's. table: parameters of the elastic asperities. pressure: eta times the mean pressure at yield
+        over the hardness. of_hardness: parameters of `Hardness`.
         """
         for i in range(pressure.size):
             row, hard = unpack(table[i], parameters), unpack(of_hardness[i], 4)
@@ -99,10 +108,10 @@ def _onset(along: Any, hardness: Any, parameters: int) -> Any:
 
 
 def felt(groups: Groups, modulus: np.ndarray, hardness: np.ndarray, place: np.ndarray) -> Groups:
-    """Return the groups (n,) of the uniform half-space that replaces film and substrate at first yield.
+    """Return the dimensionless groups (n,) of the uniform half-space that replaces film and substrate at first yield.
 
-    modulus, hardness: those of the half-space over the bare bodies'. place: -1 for Poisson's ratio of the film, 1 for the
-    substrate's, linear in between. The work of adhesion is the film's.
+    groups: of n coated contacts. modulus, hardness (n,): those of the half-space over the bare bodies'. place (n,): -1 for
+    Poisson's ratio of the film, 1 for the substrate's, linear in between. The work of adhesion is the film's.
     """
     theta, lam, tabor, eta = groups.theta, groups.lam, groups.tabor_parameter, groups.hardness_group
     return groups.substrate().with_changes(
@@ -117,9 +126,11 @@ def felt(groups: Groups, modulus: np.ndarray, hardness: np.ndarray, place: np.nd
 def cut_at_yield(
     elastic: NormalSegment, law: Law, groups: Groups, hardness: Hardness, pull: np.ndarray
 ) -> tuple[NormalSegment, list[NormalSegment]]:
-    """Return the elastic segment up to yield, and the plastic segments that follow.
+    """Return the elastic segment of an asperity on a film up to yield, and a list of the plastic segments that follow.
 
-    pull (n,): adhesive force on a plastic asperity.
+    elastic: the segment without yield. law: asperity law. groups: dimensionless groups of n coated contacts with all defaults
+    filled in. hardness: of film and substrate together. pull (n,): adhesive force on a plastic asperity. The list is empty if
+    the asperity law has no yield.
     """
     ones = np.ones(len(groups))
     segments = law.segments(felt(groups, groups.n_E, hardness.n_H, -ones))
@@ -141,7 +152,10 @@ def cut_at_yield(
 
 
 def _pressure_at_yield(segments: list[NormalSegment], own: Groups) -> np.ndarray:
-    """Return the mean pressure over the hardness (n,) at the end of the elastic segments."""
+    """Return the mean pressure over the hardness (n,) at the end of the last elastic segment.
+
+    segments: of an asperity law. own: groups of the half-space for which the segments were computed.
+    """
     last = _last_elastic(segments)
     _, _, load, area = normal_states(last, last.edges[:, -1]).T
     return load / (area * own.eta)
@@ -152,7 +166,11 @@ def _last_elastic(segments: list[NormalSegment]) -> NormalSegment:
 
 
 def _following(elastic, segments, at_yield, hardness: Hardness, pull) -> list[NormalSegment]:
-    """Return the plastic segments of the law, shifted to the point at which the layered contact yields."""
+    """Return the plastic segments of an asperity law, shifted to the point at which the asperity on a film yields.
+
+    elastic: its segment up to yield. segments: those of the asperity law on the uniform half-space at yield. at_yield (n, 5):
+    the numbers that the kernel of `_onset` finds. pull (n,): adhesive force on a plastic asperity.
+    """
     first, last = _last_elastic(segments), elastic.edges[:, -1]
     w, _, load, area = normal_states(elastic, last).T
     own_w, _, own_load, own_area = normal_states(first, first.edges[:, -1]).T
@@ -171,7 +189,7 @@ def _following(elastic, segments, at_yield, hardness: Hardness, pull) -> list[No
 
 
 def _places(segment: NormalSegment, w: np.ndarray) -> np.ndarray:
-    """Return the coordinates (n, m) of a segment at the displacements w (n, m), limited to its ends."""
+    """Return the coordinates (n, m) of a segment at the displacements w (n, m) over sigma, limited to its ends."""
     out, edges = np.empty(w.shape), np.ascontiguousarray(segment.edges)
     fill = _filling(segment.normal, segment.coordinate, len(segment.parameters))
     fill(np.ascontiguousarray(w), columns(segment.parameters, len(w)), edges, out)
@@ -197,10 +215,12 @@ def _filling(normal: Any, coordinate: Any, parameters: int) -> Any:
 
 @cache
 def _moved(normal: Any, coordinate: Any, hardness: Any, parameters: int) -> tuple[Any, Any]:
-    """Return the formulas `along` and `back` of a segment shifted to the layered contact.
+    """Return the formulas `along` and `back` of a plastic segment, shifted to the point at which a coated asperity yields.
 
-    parameters: number of parameters of the segment. These follow them: shift of displacement and load, modulus, shift of the
-    area, pull, 1 over the hardness at yield, depth minus displacement, and the parameters of the hardness.
+    along(u) returns displacement, its derivative, load and area; back(w) returns u at the displacement w. normal, coordinate:
+    formulas of the segment, with `parameters` parameters. hardness: formula of the hardness. The returned formulas take these
+    parameters, then: shift of displacement and load, modulus, shift of the area, pull, 1 over the hardness at yield, depth
+    minus displacement, and the parameters of the hardness.
     """
 
     @formula

@@ -1,4 +1,7 @@
-"""Describe an asperity pressed into a plastic body: the pressure is constant on the area 2 pi R omega."""
+"""Describe an asperity pressed into a plastic body: the pressure is constant on the area 2 pi R omega.
+
+R is the tip radius, omega the displacement.
+"""
 
 import numpy as np
 
@@ -8,13 +11,18 @@ from stiction.laws.segment import NormalSegment, displaced, edges_at
 
 @formula
 def normal(w, pressure):
-    """Return displacement w, dw/du = 1, load p A and area A = 2 w of a plastic asperity; the coordinate u is w itself.
+    """Return displacement w, dw/du = 1, load p A and contact area A = 2 w of a plastic asperity; the coordinate u is w itself.
 
-    pressure: p over the hardness of the substrate, times eta.
+    w is over sigma, the load over K R^(1/2) sigma^(3/2), the area over pi R sigma. pressure: p, the mean pressure over the
+    hardness of the substrate, times the hardness group eta.
     """
     return w, 1.0, 2.0 * pressure * w, 2.0 * w
 
 
 def at_pressure(pressure: np.ndarray, low: np.ndarray | float, high: np.ndarray | float) -> NormalSegment:
-    """Return a plastic segment with this pressure (n,) between the displacements low and high (n,)."""
+    """Return the segment of a plastic asperity with a constant mean pressure, between the displacements low and high.
+
+    pressure (n,): mean pressure over the hardness of the substrate, times the hardness group eta. low, high: over sigma,
+    numbers or arrays (n,).
+    """
     return NormalSegment(normal, displaced, (pressure,), edges_at(low, high), "plastic")

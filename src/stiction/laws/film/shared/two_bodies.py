@@ -1,11 +1,13 @@
 """Combine the moduli of film and substrate for contacts in which one or both bodies are coated.
 
-A composite gives the modulus of one half-space with its film. In contact the two half-spaces act in series. If both bodies are
-coated, each has half of the film thickness. E*/E*_bare is then
+A composite law gives the modulus E' = E/(1 - nu^2) of one half-space with its film. In contact the two half-spaces act in
+series. If both bodies are coated, each has half of the film thickness. The contact modulus over that of the bare bodies is
+then
 
     1 / (s/g_1 + (1 - s)/g_2),    g_i = E'_i,coated/E'_i,    s = E*_bare/E'_1.
 
-This is n_E for a film of infinite thickness, whichever bodies are coated, and g_1 if the other body is rigid (s = 1).
+This is the group n_E for a film of infinite thickness, whichever bodies are coated, and g_1 if the other body is rigid
+(s = 1).
 """
 
 from dataclasses import dataclass
@@ -20,9 +22,9 @@ from stiction.engine.compiled import formula
 class TwoBodies:
     """Store the elastic constants of n contacts in which one body or both are coated, as arrays (n,).
 
-    first, second: film modulus over the modulus of each body, E'_f/E'_i; `second` has no meaning if the second body is bare.
-    share: fraction s of the compliance of both bare bodies that the first, coated body has. films: number of coated bodies, 1
-    or 2. nu, nu_first, nu_second: Poisson's ratio of the film and of the bodies.
+    first, second: film modulus over the modulus of each body, E'_f/E'_i with E' = E/(1 - nu^2); `second` has no meaning if the
+    second body is bare. share: fraction of the compliance of both bare bodies that the first, coated body has. films: number
+    of coated bodies, 1 or 2. nu, nu_first, nu_second: Poisson's ratio of the film and of the bodies.
     """
 
     first: np.ndarray
@@ -51,21 +53,25 @@ class TwoBodies:
 
     @classmethod
     def against_rigid(cls, film_over_substrate: np.ndarray, nu_film: np.ndarray, nu_substrate: np.ndarray) -> "TwoBodies":
-        """Return a coated body against a rigid body."""
+        """Return the constants of a coated first body against a rigid second body.
+
+        film_over_substrate (n,): reduced modulus of the film over the substrate's. nu_film, nu_substrate (n,): Poisson's
+        ratios.
+        """
         ones = np.ones_like(film_over_substrate)
         return cls(film_over_substrate, 0.0 * ones, ones, ones, nu_film, nu_substrate, nu_substrate)
 
     def without_film(self, there: np.ndarray) -> "TwoBodies":
-        """Return the same bodies with the film's modulus replaced by each body's modulus wherever the mask `there` is False."""
+        """Return the same bodies with the film's modulus replaced by each body's own where the mask `there` (n,) is False."""
         first, second = np.where(there, self.first, 1.0), np.where(there, self.second, 1.0)
         return TwoBodies(first, second, self.share, self.films, self.nu, self.nu_first, self.nu_second)
 
     def columns(self) -> tuple[np.ndarray, ...]:
-        """Return the fields in the order in which the formulas take them."""
+        """Return the seven fields, arrays (n,), in the order in which the formulas take them."""
         return self.first, self.second, self.share, self.films, self.nu, self.nu_first, self.nu_second
 
     def bounds(self) -> tuple[np.ndarray, np.ndarray]:
-        """Return the smallest and the largest E*/E*_bare (n,) that is possible at any depth.
+        """Return the smallest and the largest possible contact modulus over the bare bodies' contact modulus, (n,) each.
 
         The modulus of each coated body is between its own and the film's.
         """
@@ -76,7 +82,7 @@ class TwoBodies:
 
     @property
     def film_over_bodies(self) -> np.ndarray:
-        """Return the film modulus over the modulus of the coated body (n,), or of both in series if both are coated."""
+        """Return the film modulus over the modulus of the coated body (n,), or of both bodies in series if both are coated."""
         both = in_series(self.first, self._second(), self.share)
         return np.where(self.films == 2.0, both, self.first)
 
@@ -87,8 +93,8 @@ class TwoBodies:
 
 @formula
 def in_series(first, second, share):
-    """Return E*/E*_bare, the contact modulus over the bare bodies', if films multiply the two moduli by `first` and `second`.
+    """Return the contact modulus over the bare bodies', if films multiply the two bodies' moduli by `first` and `second`.
 
-    share: fraction of the bare compliance that the first body has.
+    share: fraction of the compliance of both bare bodies that the first body has.
     """
     return first * second / (share * second + (1.0 - share) * first)

@@ -1,4 +1,4 @@
-"""Take the weaker resistance of a film that is pressed through and its substrate, which shear in series."""
+"""Find the weaker of two tangential resistances: of a film that is pressed through and of its substrate, sheared in series."""
 
 from collections.abc import Callable
 from functools import cache
@@ -13,14 +13,15 @@ from stiction.engine.regime import Regime, columns
 from stiction.laws.joining import Law, Weights, coordinates, states
 from stiction.laws.segment import NormalSegment
 
-_DEEPEST = 1e3  # over sigma: no asperity that counts is pressed so far
+_DEEPEST = 1e3  # displacement over sigma beyond which no asperity contributes
 
 
 @cache
 def _weaker(substrate: Callable, film: Callable, back: Callable, of_substrate: int, of_film: int) -> tuple[Any, Any]:
     """Return two formulas: the response with the weaker of two resistances, and the film's resistance minus the substrate's.
 
-    of_substrate, of_film: number of parameters of both regimes.
+    substrate, film: formulas `along` of both regimes, with of_substrate and of_film parameters. back: formula for the
+    coordinate of the film at a displacement. The response of the first formula has no load and no area.
     """
     count = of_substrate + of_film
 
@@ -58,7 +59,8 @@ def weaker_regimes(law: Law, groups: Groups) -> list[Regime]:
     """Return regimes that add only friction: the weaker of film and substrate, once the film is pressed through (w > tau).
 
     Their load and area are zero. The resistance is the smaller of the film's at the displacement w and the substrate's at
-    w - tau, in units of the substrate. law: has a tangential law that does not describe the interface.
+    w - tau, in the units of the substrate. tau: film thickness over sigma. law: has a tangential law that does not describe
+    the interface. groups: dimensionless groups of n coated contacts.
     """
     film_groups, substrate = groups.film(), groups.substrate()
     tau = np.broadcast_to(np.asarray(groups.tau, dtype=float), len(groups))
@@ -81,7 +83,9 @@ def _shared(
 ) -> Regime:
     """Return the regime of one substrate segment below one film regime, with the weaker resistance of the two.
 
-    Its edges are the kinks of both, and the places at which the other of the two becomes the weaker.
+    below: regime of the substrate; segment: its segment. above: regime of the film. tau (n,): film thickness over sigma.
+    first, last (n,): coordinates of the substrate segment between which film and substrate both carry. The edges of the
+    returned regime are the kinks of both, and the places at which the weaker of the two changes.
     """
     inner = [_mapped(above, number, segment, tau) for number in range(above.edges.shape[1])]
     edges = np.sort(np.concatenate([below.edges, np.stack(inner, axis=1)], axis=1), axis=1)
@@ -106,7 +110,10 @@ def _shared(
 
 
 def _branches(below: Regime, above: Regime, segment: NormalSegment, tau: np.ndarray) -> np.ndarray | None:
-    """Return the coordinates (n, b) of the substrate segment at which either resistance starts like a square root."""
+    """Return the coordinates (n, b) of the substrate segment at which either resistance starts like a square root, or None.
+
+    below, above: regimes of substrate and film. segment: segment of the substrate. tau (n,): film thickness over sigma.
+    """
     branches = [] if below.branch is None else [np.reshape(below.branch, (len(tau), -1))]
     for point in () if above.branch is None else np.reshape(above.branch, (len(tau), -1)).T:
         there = np.isfinite(point) & (point >= above.edges[:, 0]) & (point <= above.edges[:, -1])
@@ -116,7 +123,11 @@ def _branches(below: Regime, above: Regime, segment: NormalSegment, tau: np.ndar
 
 
 def _mapped(above: Regime, number: int, segment, tau: np.ndarray) -> np.ndarray:
-    """Return an edge of the film's regime as a coordinate of the substrate segment."""
+    """Return one edge of the film's regime as a coordinate (n,) of the substrate segment.
+
+    above: regime of the film. number: index of the edge. segment: segment of the substrate. tau (n,): film thickness over
+    sigma, by which the displacement of the substrate is smaller.
+    """
     edge = above.edges[:, number]
     finite = np.isfinite(edge)
     w = states(above, np.where(finite, edge, above.edges[:, 0]))[:, 0]
