@@ -63,7 +63,10 @@ if TYPE_CHECKING:
 
 
 def bodies_of(contact: Contact) -> Bodies:
-    """Return elastic compliances and hardness of a contact, for the solver; every input must be a single number."""
+    """Return elastic compliances and hardness of the bodies of a contact, for the solver of boundary elements.
+
+    Every input of the contact must be a single number.
+    """
     coating = contact.coating
     if coating is None:
         return Bodies(1.0 / (compliance_of(contact.first) + compliance_of(contact.second)),
@@ -77,16 +80,20 @@ def bodies_of(contact: Contact) -> Bodies:
 
 
 def shear_compliance_of(contact: Contact) -> ShearCompliance:
-    """Return the elastic compliance under shear of a contact, for the solver; every input must be a single number.
+    """Return the elastic compliance under shear of the two bodies of a contact, for the solver.
 
-    The order of the bodies of the contact does not matter: the solver moves the body along x that pressure displaces more.
+    Every input of the contact must be a single number. The order of the bodies of the contact does not matter: the solver
+    moves the body whose face pressure displaces more along x.
     """
     upper, lower = sorted(_elastic_bodies(contact), key=_displaced_by_pressure, reverse=True)
     return ShearCompliance((upper, lower))
 
 
 def _displaced_by_pressure(body: Film | HalfSpace) -> tuple[float, float]:
-    """Return (1 - 2 nu)/G [1/Pa] of the surface material and of the substrate; pressure displaces a face tangentially by it."""
+    """Return (1 - 2 nu)/G [1/Pa] of the surface material of a body and of its substrate, which are equal without a film.
+
+    A pressure displaces the face of a body tangentially in proportion to this value. nu: Poisson's ratio. G: shear modulus.
+    """
 
     def share(modulus: float, poisson: float) -> float:
         return 2.0 * (1.0 + poisson) * (1.0 - 2.0 * poisson) / modulus
@@ -96,7 +103,7 @@ def _displaced_by_pressure(body: Film | HalfSpace) -> tuple[float, float]:
 
 
 def _elastic_bodies(contact: Contact) -> tuple[Film | HalfSpace, Film | HalfSpace]:
-    """Return the two elastic bodies of a contact, with their films."""
+    """Return the elastic constants of the two bodies of a contact, first and second; a coated body has its film."""
     coating = contact.coating
     bare = {
         name: HalfSpace(float(body.youngs_modulus), float(body.poissons_ratio))
@@ -120,12 +127,12 @@ def of_map(
     surface: "HeightMap", contact: Contact, pressures: Sequence[float], *, points: str, yielding: str, shear: str,
     adhesion: str, mode_mixity: str,
 ) -> "MapCurve":  # fmt: skip
-    """Solve the contact of a map at nominal pressures [Pa].
+    """Return the solved contact of a map at nominal pressures [Pa], as a MapCurve.
 
-    The options points, yielding, shear, adhesion and mode_mixity are those of the model. Raises InputError if the map or a
-    pressure cannot be solved.
+    surface: map that represents both faces. The options points, yielding, shear, adhesion and mode_mixity are those of the
+    model; `shear` is applied later. Raises InputError if the map or a pressure cannot be solved.
     """
-    from stiction.solvers.boundary_elements.curve import curve_of_map  # slow to import, and wanted by those who solve only
+    from stiction.solvers.boundary_elements.curve import curve_of_map  # slow to import, so only if a map is solved
 
     if mode_mixity != "none":
         raise InputError(
@@ -144,7 +151,11 @@ def of_map(
 def _sticking(
     surface: "HeightMap", contact: Contact, bodies: Bodies, pressures: Sequence[float], adhesion: str
 ) -> "MapCurve":  # fmt: skip
-    """Solve the contact of a map with adhesion, which decays over a finite range of the gap."""
+    """Return the solved contact of a map with adhesion at nominal pressures [Pa], as a MapCurve.
+
+    The attraction decays over a finite range of the gap. bodies: elastic bodies of the contact, for the solver. adhesion:
+    option "atomic_range" or "shortest_range", which sets the range.
+    """
     from stiction.solvers.boundary_elements.adhesive_curve import adhesive_curve
 
     work, reach = attraction_of(surface, contact, bodies, adhesion)
@@ -155,7 +166,11 @@ def _sticking(
 
 
 def attraction_of(surface: "HeightMap", contact: Contact, bodies: Bodies, adhesion: str) -> tuple[float, float]:
-    """Return work of adhesion [J/m2] and range of attraction [m] of a map. Raises InputError for a contact without adhesion."""
+    """Return work of adhesion [J/m2] and range of the attraction [m] of a contact with a map.
+
+    adhesion: "atomic_range" takes the equilibrium distance, "shortest_range" the shortest range that the map resolves, at
+    least the equilibrium distance. Raises InputError for a contact without adhesion.
+    """
     from stiction.solvers.boundary_elements.adhesive_curve import shortest_range
 
     coating = contact.coating

@@ -45,16 +45,17 @@ from stiction.surfaces.theory.summits import Shapes
 
 @cache
 def ellipses() -> Shapes:
-    """Return Hertz's elliptic contacts with axes b <= a, tabulated against the asymmetry t of the summit's curvatures.
+    """Return Hertz's elliptic contacts of summits, tabulated against the asymmetry t of the principal curvatures of a summit.
 
-    Johnson 1985, section 4.2(c): with e^2 = 1 - b^2/a^2, complete elliptic integrals K(e) and E(e), overlap w, largest
-    pressure p0, and half the principal curvatures, A = (kappa - r)/2 and B = (kappa + r)/2,
+    t = r/kappa is half the difference of the curvatures over their mean: 0 for a round summit, 1 for a ridge. Johnson 1985,
+    section 4.2(c): with the semi-axes b <= a of the ellipse, e^2 = 1 - b^2/a^2, complete elliptic integrals K(e) and E(e),
+    overlap w, largest pressure p0, and half the principal curvatures, A = (kappa - r)/2 and B = (kappa + r)/2,
+
         w = (p0 / E*) b K,   A = (p0 / E*) b (K - E) / (e^2 a^2),   B = (p0 / E*) b (E a^2/b^2 - K) / (e^2 a^2).
-    A + B = kappa gives a^2 = w E / (K kappa b^2/a^2), and so the area pi a b and the load (2/3) pi a b p0; B - A = r gives t =
-        r/kappa.
-    As t tends to 1, the ellipse becomes long and the integrand of stiction.surfaces.theory.summits tends to zero. The places
-        are Gauss
-    points in (b/a)^(1/3).
+
+    A + B = kappa gives a^2 = w E / (K kappa b^2/a^2), and so the area pi a b and the load (2/3) pi a b p0; B - A = r gives t.
+    As t tends to 1, the ellipse becomes long and the integrand of stiction.surfaces.theory.summits tends to zero. The values
+    of t are Gauss points in (b/a)^(1/3).
     """
     node, weight = np.polynomial.legendre.leggauss(120)
     root = (1.0 + node) / 2.0
@@ -75,12 +76,19 @@ def ellipses() -> Shapes:
 
 
 def curve(h: np.ndarray, groups: Groups) -> tuple[np.ndarray, np.ndarray]:
-    """Return load and area (n, H) per asperity at separations h (H,) or (n, H) from the mean of the summits."""
+    """Return load and contact area (n, H) per asperity at H separations of n contacts.
+
+    h: separation over sigma from the mean summit height, (H,) or (n, H). Loads are over K R^(1/2) sigma^(3/2), areas over
+    pi R sigma.
+    """
     return summits.curve(h, groups.roughness_parameter, ellipses)
 
 
 def separation_near(load: np.ndarray, groups: Groups) -> np.ndarray:
-    """Return approximate separations (n, H) at the loads (n, H), as starting values."""
+    """Return approximate separations (n, H) over sigma at the loads (n, H), as starting values of a search.
+
+    load: per asperity, over K R^(1/2) sigma^(3/2).
+    """
     return separation_of_summits(load, groups.roughness_parameter, ellipses)
 
 

@@ -36,10 +36,11 @@ _MOST_STEPS = 200
 
 
 def shifted_separation(h: np.ndarray, compliance: np.ndarray) -> np.ndarray:
-    """Return the separation x = h + compliance F_3/2(x) of independent asperities that carry the same load.
+    """Return the separation x = h + compliance F_3/2(x): independent asperities at x carry the load of interacting ones at h.
 
-    h, compliance: arrays of the same shape. x - compliance F_3/2(x) grows with x and its slope decreases. Newton's method from
-    h therefore rises to the root without passing it.
+    h, x: over sigma. compliance: displacement of the nominal area over sigma per unit of load. h, compliance: arrays of the
+    same shape. F_3/2: mean load of independent asperities. x - compliance F_3/2(x) grows with x and its slope decreases.
+    Newton's method from h therefore rises to the root without passing it.
     """
     x = h.astype(float)
     for _ in range(_MOST_STEPS):
@@ -52,18 +53,20 @@ def shifted_separation(h: np.ndarray, compliance: np.ndarray) -> np.ndarray:
 
 
 def curve(h: np.ndarray, groups: Groups) -> tuple[np.ndarray, np.ndarray]:
-    """Return load and area (n, H) per asperity at separations h (H,) or (n, H).
+    """Return load and contact area (n, H) per asperity at H separations of n contacts.
 
-    h is measured from the flat to the mean of the undeformed asperities.
+    h: separation over sigma from the flat to the mean height of the undeformed asperities, (H,) or (n, H). Loads are over
+    K R^(1/2) sigma^(3/2), areas over pi R sigma.
     """
     x = shifted_separation(*np.broadcast_arrays(h, _compliance(groups)))
     return truncated_mean(1.5, x), truncated_mean(1.0, x)
 
 
 def separation_near(load: np.ndarray, groups: Groups) -> np.ndarray:
-    """Return separations (n, H) at the loads (n, H).
+    """Return separations (n, H) over sigma at the loads (n, H), as starting values of a search.
 
-    They are those of independent asperities minus the displacement of the nominal area.
+    load: per asperity, over K R^(1/2) sigma^(3/2). The separations are those of independent asperities minus the displacement
+    of the nominal area.
     """
     return lone_separation(load) - _compliance(groups) * load
 
@@ -71,8 +74,8 @@ def separation_near(load: np.ndarray, groups: Groups) -> np.ndarray:
 def _compliance(groups: Groups) -> np.ndarray:
     """Return the displacement of the nominal area by the mean pressure, over sigma and per unit of load, (n, 1).
 
-    The load per asperity is F_3/2. The displacement is u = SINKING (p / E*) sqrt(A_n), with p / E* = (4/3) N R sigma
-    sqrt(sigma/R) F_3/2.
+    The load per asperity is F_3/2, over K R^(1/2) sigma^(3/2). The displacement is u = SINKING (p / E*) sqrt(A_n), with
+    p / E* = (4/3) N R sigma sqrt(sigma/R) F_3/2.
     """
     return (SINKING * 4.0 / 3.0 * groups.roughness_parameter * groups.sharpness * groups.nominal_width)[:, None]
 

@@ -28,10 +28,11 @@ from stiction.surfaces.theory.summits import Shapes
 
 @cache
 def spheres() -> Shapes:
-    """Return the spherical contacts that replace elliptic ones, tabulated against the asymmetry t of the summit's curvatures.
+    """Return the spherical contacts that replace elliptic ones, tabulated against the asymmetry t of a summit's curvatures.
 
-    A summit of mean curvature kappa becomes a sphere of curvature g = kappa sqrt(1 - t^2). Compressed by w, its area is
-    pi w / g and its load (4/3) E* w^(3/2) / sqrt(g). The values of t are Gauss points in (1 - t)^(1/4).
+    t is half the difference of the principal curvatures over their mean kappa. A summit becomes a sphere of curvature
+    g = kappa sqrt(1 - t^2). Compressed by w, its area is pi w / g and its load (4/3) E* w^(3/2) / sqrt(g). The values of t are
+    Gauss points in (1 - t)^(1/4).
     """
     node, weight = np.polynomial.legendre.leggauss(120)
     root = (1.0 + node) / 2.0
@@ -41,12 +42,19 @@ def spheres() -> Shapes:
 
 
 def curve(h: np.ndarray, groups: Groups) -> tuple[np.ndarray, np.ndarray]:
-    """Return load and area (n, H) per asperity at separations h (H,) or (n, H) from the mean of the summits."""
+    """Return load and contact area (n, H) per asperity at H separations of n contacts.
+
+    h: separation over sigma from the mean summit height, (H,) or (n, H). Loads are over K R^(1/2) sigma^(3/2), areas over
+    pi R sigma.
+    """
     return summits.curve(h, groups.roughness_parameter, spheres)
 
 
 def separation_near(load: np.ndarray, groups: Groups) -> np.ndarray:
-    """Return approximate separations (n, H) at the loads (n, H), as starting values."""
+    """Return approximate separations (n, H) over sigma at the loads (n, H), as starting values of a search.
+
+    load: per asperity, over K R^(1/2) sigma^(3/2).
+    """
     return separation_of_summits(load, groups.roughness_parameter, spheres)
 
 

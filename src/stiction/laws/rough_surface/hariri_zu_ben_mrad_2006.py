@@ -61,9 +61,10 @@ LARGEST_DENSITY = float(density_of_bandwidth(n_point.LARGEST_BANDWIDTH))
 
 
 def correlation_of(density: np.ndarray) -> np.ndarray:
-    """Return the correlation (n,) of neighbouring points of the sampled profiles of surfaces with density = N R sigma (n,).
+    """Return the correlation (n,) of neighbouring points of the sampled profiles that represent n surfaces.
 
-    Raises InputError if no such profile exists, or if its correlation is not tabulated.
+    density: N R sigma of the surfaces, (n,). Raises InputError if no such profile exists, or if its correlation is not
+    tabulated.
     """
     bad = ~((density >= LEAST_DENSITY) & (density <= LARGEST_DENSITY))
     if bad.any():
@@ -77,13 +78,17 @@ def correlation_of(density: np.ndarray) -> np.ndarray:
 
 
 def curve(h: np.ndarray, groups: Groups) -> tuple[np.ndarray, np.ndarray]:
-    """Return load and area (n, H) per asperity at separations h (H,) or (n, H) from the mean of the summits."""
+    """Return load and contact area (n, H) per asperity at H separations of n contacts.
+
+    h: separation over sigma from the mean summit height, (H,) or (n, H). Loads are over K R^(1/2) sigma^(3/2), areas over
+    pi R sigma.
+    """
     return _sums(h, groups.roughness_parameter)
 
 
 def _sums(h: np.ndarray, density: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     correlation = correlation_of(density)[:, None]
-    surface = Moments.from_groups(density, np.ones_like(density))  # in sigma; R = sigma, of which nothing depends here
+    surface = Moments.from_groups(density, np.ones_like(density))  # in units of sigma; R = sigma, which has no effect
     deviation = np.sqrt(surface.m0)[:, None]
     level = (h + summit_height(density)[:, None]) / deviation
     rate = n_point.rate_of_rows(level, correlation)
@@ -94,10 +99,10 @@ def _sums(h: np.ndarray, density: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 
 def separation_near(load: np.ndarray, groups: Groups) -> np.ndarray:
-    """Return approximate separations (n, H) at the loads (n, H), as starting values.
+    """Return approximate separations (n, H) over sigma at the loads (n, H), as starting values of a search.
 
-    The load of this model has a maximum; the separations are larger than that of the maximum, where the load rises on
-    approach.
+    load: per asperity, over K R^(1/2) sigma^(3/2). The load of this model has a maximum; the separations are larger than the
+    separation at the maximum, so that the load rises on approach.
     """
     return _near()(load, np.log(groups.roughness_parameter))
 

@@ -36,9 +36,10 @@ from stiction.surfaces.theory.moments import reduced_pressure
 
 
 def area_at_load(load: np.ndarray, groups: Groups) -> np.ndarray:
-    """Return the area per asperity over pi R sigma (n, H) at loads per asperity (n, H).
+    """Return the contact area per asperity over pi R sigma (n, H) at H loads of n contacts.
 
-    It is NaN for contacts that stick. Raises InputError if all contacts stick.
+    load: per asperity, over K R^(1/2) sigma^(3/2). The area is 0 under tension, and NaN for contacts that stick. Raises
+    InputError if all contacts stick.
     """
     ratio = stickiness(groups)[:, None]
     if not (ratio > 1.0).any():

@@ -33,15 +33,19 @@ from stiction.records.sources import Source
 
 
 def area_share(pressure: np.ndarray) -> np.ndarray:
-    """Return the contact area over the nominal area at the reduced pressures p / (E* h') >= 0, any shape.
+    """Return the contact area over the nominal area at the reduced pressures p / (E* h') >= 0.
 
-    Source: Persson 2001.
+    pressure: array of any shape; p: nominal pressure, E*: contact modulus, h': root mean square gradient. Source: Persson
+    2001.
     """
     return erf(math.sqrt(2.0) * pressure)
 
 
 def area_at_load(load: np.ndarray, groups: Groups) -> np.ndarray:
-    """Return the area per asperity over pi R sigma (n, H) at loads per asperity (n, H); it is 0 under tension."""
+    """Return the contact area per asperity over pi R sigma (n, H) at H loads of n contacts; it is 0 under tension.
+
+    load: per asperity, over K R^(1/2) sigma^(3/2).
+    """
     return area_per_asperity(load, groups, area_share)
 
 

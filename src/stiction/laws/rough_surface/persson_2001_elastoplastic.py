@@ -35,16 +35,17 @@ from stiction.records.registry import Limit, RoughSurface
 from stiction.records.sources import Source
 from stiction.surfaces.theory.moments import reduced_pressure, slope_over_sharpness
 
-# Where H > 13 sqrt(G), less than erfc(13/2) = 4e-20 ever comes from one boundary to the other, and each acts as if alone; else
-# 27 terms leave less than that out.
+# For H > 13 sqrt(G) each boundary acts alone, because less than erfc(13/2) = 4e-20 diffuses from one to the other; else 27
+# terms of the series have a smaller error.
 _APART, _TERMS = 13.0, 27
 
 
 def area_shares(share: np.ndarray, hardness: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return the elastic and the plastic contact area over the nominal area.
 
-    share: nominal pressure over hardness, p0/H; from 1 on the whole contact is plastic. hardness: H / (E* h'), same shape.
-    Source: Persson 2001 (Phys. Rev. Lett.), in the sums given above.
+    share: nominal pressure over hardness, p0/H, an array; from 1 on the whole contact is plastic. hardness: H / (E* h'), same
+    shape, with the contact modulus E* and the root mean square gradient h'. Source: Persson 2001 (Phys. Rev. Lett.), in the
+    sums of the module.
     """
     p, root_G = np.clip(share, 0.0, 1.0), 1.0 / (math.sqrt(8.0) * hardness)  # both over H
     plastic = erfc((1.0 - p) / (2.0 * root_G))
@@ -54,7 +55,7 @@ def area_shares(share: np.ndarray, hardness: np.ndarray) -> tuple[np.ndarray, np
     x = math.pi * p[mixed][:, None]
     term = 2.0 / (n * math.pi) * np.sin(n * x) * np.exp(-((n * math.pi * root_G[mixed][:, None]) ** 2))
     elastic[mixed] = 2.0 * np.sum(term[:, ::2], axis=1)
-    # odd terms are taken off p0/H and even ones added: what is small is small by cancellation, to 1e-16 of A0
+    # Odd terms are subtracted from p0/H and even ones added; by cancellation the error is 1e-16 of the nominal area.
     plastic[mixed] = np.maximum(p[mixed] - np.sum(term[:, ::2], axis=1) + np.sum(term[:, 1::2], axis=1), 0.0)
     full = share >= 1.0
     elastic[full], plastic[full] = 0.0, 1.0
@@ -62,18 +63,18 @@ def area_shares(share: np.ndarray, hardness: np.ndarray) -> tuple[np.ndarray, np
 
 
 def hardness_over_slope(groups: Groups) -> np.ndarray:
-    """Return the reduced hardness H / (E* h') (n,).
+    """Return the reduced hardness H / (E* h') (n,), with the contact modulus E* and the root mean square gradient h'.
 
-    H/E* is (4/3) eta sqrt(sigma/R) / pi (docs/explanation/theory.md, section 1).
+    H/E* is (4/3) eta sqrt(sigma/R) / pi (docs/explanation/theory.md, section 1), with the hardness group eta.
     """
     eta = groups.eta
     return 4.0 / 3.0 * eta / math.pi / slope_over_sharpness(groups.roughness_parameter)
 
 
 def area_at_load(load: np.ndarray, groups: Groups) -> np.ndarray:
-    """Return the area per asperity over pi R sigma (n, H), elastic and plastic, at loads per asperity (n, H).
+    """Return the contact area per asperity over pi R sigma (n, H) at H loads of n contacts; it is 0 under tension.
 
-    It is 0 under tension.
+    The area is the sum of elastic and plastic area. load: per asperity, over K R^(1/2) sigma^(3/2).
     """
     density = groups.roughness_parameter[:, None]
     pressure = reduced_pressure(np.maximum(load, 0.0), density)

@@ -58,28 +58,28 @@ if TYPE_CHECKING:
     from stiction.solvers.boundary_elements.compliance import Compliance
     from stiction.surfaces.heightmap import HeightMap
 
-# a k, with the powers of area and modulus.
+# Contact radius a times wavenumber k, and the powers of area and modulus in it.
 _SIZE, _BY_AREA, _BY_MODULUS = 2.06, 0.086, -0.047
 _HURST = 0.8
-_NODES, _WEIGHTS = np.polynomial.legendre.leggauss(24)  # of the waves of a spectrum
-# Ratios of the shortest to the longest wave between which the bandwidth is looked up.
+_NODES, _WEIGHTS = np.polynomial.legendre.leggauss(24)  # Gauss points of a spectrum
+# Ratios of largest to smallest wavenumber at which the bandwidth is tabulated.
 _RATIOS = np.concatenate([[1.0], 1.0 + np.geomspace(1e-4, 1.0, 60), np.geomspace(2.0, 1e12, 600)[1:]])
-_SOLVED_LOADS, _NEARLY_FLAT = 5, 0.98  # of a map with its film; area from which on it is not solved
-_TO_A_FACTOR_OF_E = 2  # pressures of the bare area of a map
-_LEAST_AREA = 1e-300  # whose logarithm is taken where nothing touches
-_SLOPES = -2.0, -0.5  # between which a secant is believed: near convergence it is the quotient of two rounding errors
-_STEPS, _PER_POINT = 40, 10  # fixed-point steps; what a load takes, as a number of points: bounds the memory
-# Points at which the modulus is interpolated over the area, last terms that are negligible, and factor by which the modulus may
-# lie beyond those of film and bodies.
+_SOLVED_LOADS, _NEARLY_FLAT = 5, 0.98  # loads at which a map with its film is solved, up to this area over the nominal area
+_TO_A_FACTOR_OF_E = 2  # tabulated pressures of the bare area of a map, per factor e
+_LEAST_AREA = 1e-300  # replaces an area of 0 in logarithms
+_SLOPES = -2.0, -0.5  # limits of the slope of a secant, which near convergence is a quotient of two rounding errors
+_STEPS, _PER_POINT = 40, 10  # largest number of fixed-point steps; memory of one load, as a number of points
+# Points of the interpolation of the modulus over the area, size of a negligible last term, and factor by which the range of
+# moduli extends beyond those of film and bodies.
 _POINTS, _ROUND_OFF, _BEYOND = 20, 2e-14, 0.5
-STIFF = 5.0  # over the modulus of the bodies: under such films, where they are thin, it is weak
+STIFF = 5.0  # film modulus over the bodies' from which on this law is inaccurate for thin films
 
 
 class Waves(NamedTuple):
-    """Store a spectrum: wavevectors, and their fractions of the mean square gradient.
+    """Store a spectrum: wavenumbers of its waves, and their fractions of the mean square gradient.
 
-    wavevector: (n, m) or (m,), in units of 1/sqrt(R sigma) if the film thickness is over sqrt(R sigma), or both in SI units.
-    share: same shape, with sum 1.
+    wavevector: (n, m) for n surfaces, or (m,), in units of 1/sqrt(R sigma) if the film thickness is over sqrt(R sigma), or
+    both in SI units. share: same shape, with the sum 1 over the waves.
     """
 
     wavevector: np.ndarray
@@ -87,11 +87,11 @@ class Waves(NamedTuple):
 
 
 def waves_of_moments(density: np.ndarray) -> Waves:
-    """Return the spectrum of the self-affine surface with the moments that belong to density = N R sigma (n,).
+    """Return the spectra of self-affine surfaces with the spectral moments that belong to density = N R sigma (n,).
 
-    Lengths are in units of sqrt(R sigma). The spectrum lies between k_l and k_s = z k_l. With M_n the integral of k^(n + 1)
-    k^(-2 - 2 H) over it, Nayak's alpha = (3/2) M_0 M_4/M_2^2 gives z, and m4/m2 = (3/4) M_4/M_2 = 6 pi sqrt(3) N gives k_s
-    (Nayak 1971).
+    Wavenumbers are in units of 1/sqrt(R sigma). A spectrum lies between the wavenumbers k_l and k_s = z k_l. With the Hurst
+    exponent H and M_n, the integral of k^(n + 1) k^(-2 - 2 H) over it, Nayak's alpha = (3/2) M_0 M_4/M_2^2 gives z, and
+    m4/m2 = (3/4) M_4/M_2 = 6 pi sqrt(3) N gives k_s (Nayak 1971).
     """
     log_ratio = np.interp(np.log(bandwidth(density)), _log_bandwidths(), np.log(_RATIOS))[:, None]
     log_k = 0.5 * (_NODES - 1.0) * log_ratio  # ln k/k_s
@@ -104,7 +104,7 @@ def waves_of_moments(density: np.ndarray) -> Waves:
 
 @cache
 def _log_bandwidths() -> np.ndarray:
-    """Return ln alpha for the ratios k_s/k_l in _RATIOS."""
+    """Return ln alpha for the ratios of largest to smallest wavenumber in _RATIOS, with Nayak's bandwidth parameter alpha."""
     log = np.log(_RATIOS)
 
     def moment(order: float) -> np.ndarray:
@@ -118,15 +118,19 @@ def _log_bandwidths() -> np.ndarray:
 
 
 def thickness_over_wave(groups: Groups) -> np.ndarray:
-    """Return the thickness of one film over the shortest wavelength of the surface (n,)."""
+    """Return the thickness of one film over the shortest wavelength of the surface (n,).
+
+    groups: dimensionless groups of n coated contacts. If both bodies are coated, one film has half of the thickness.
+    """
     shortest = waves_of_moments(groups.roughness_parameter).wavevector[:, -1]
     return groups.film_aspect / groups.films * shortest / (2.0 * math.pi)
 
 
 def sphere_modulus(curve: np.ndarray, n_E: np.ndarray, a_over_t: np.ndarray) -> np.ndarray:
-    """Return the modulus E_P at a/t (n, ...) over the modulus of the bodies without film.
+    """Return the effective modulus E_P for a sphere on a film, over the modulus of the bodies without film, (n, ...).
 
-    curve: coefficients (n, TERMS) of E_P. n_E (n,): film modulus over substrate modulus.
+    curve: coefficients (n, TERMS) of the curve of E_P. n_E (n,): film modulus over the bodies'. a_over_t (n, ...): contact
+    radius over film thickness.
     """
     more = a_over_t.ndim - 1
     z = 1.0 - 2.0 / (np.sqrt(a_over_t) + 1.0)
@@ -140,10 +144,11 @@ def sphere_modulus(curve: np.ndarray, n_E: np.ndarray, a_over_t: np.ndarray) -> 
 def area_of_waves(
     pressure: np.ndarray, bare: Callable[[np.ndarray], np.ndarray], waves: Waves, thickness: np.ndarray, groups: Groups
 ) -> np.ndarray:
-    """Return the elastic contact area over the nominal area (n, H).
+    """Return the elastic contact area over the nominal area (n, H) of a rough surface on a film, at H pressures of n contacts.
 
-    pressure (n, H): mean pressure over E* h' of the bodies without film, >= 0. bare: area law without film, a function of this
-    pressure. thickness (n,): of one film, in the unit of the waves. groups: complete groups of film and bodies.
+    pressure (n, H): nominal pressure over E* h', >= 0, with the contact modulus E* of the bodies without film and the root
+    mean square gradient h'. bare: function that returns the area without film at this pressure. waves: spectrum of the
+    surface. thickness (n,): of one film, in the unit of the waves. groups: dimensionless groups with all defaults filled in.
     """
     curve, n_E = coefficients(groups)[:, 0], np.broadcast_to(groups.n_E, len(pressure))
     k = np.broadcast_to(waves.wavevector, (len(pressure), np.shape(waves.wavevector)[-1]))[:, None, :]
@@ -158,7 +163,7 @@ def area_of_waves(
     def log_bare(pressure: np.ndarray) -> np.ndarray:
         return np.log(np.maximum(bare(pressure), _LEAST_AREA))
 
-    if pressure.shape[1] > _POINTS // 2:  # for fewer it is quicker to compute the modulus in every step
+    if pressure.shape[1] > _POINTS // 2:  # for fewer pressures it is faster to compute the modulus in every step
         least, most = _BEYOND * np.minimum(n_E, 1.0)[:, None], np.maximum(n_E, 1.0)[:, None] / _BEYOND
         smallest = np.where(pressure > 0.0, pressure, np.inf).min(axis=1, keepdims=True)
         largest = pressure.max(axis=1, keepdims=True)
@@ -170,7 +175,7 @@ def area_of_waves(
         change = np.log(np.maximum(area, _LEAST_AREA)) - guess
         if np.all(np.abs(change) <= 1e-14 * np.maximum(np.abs(guess), 1.0)):
             break
-        # The area changes a by its power .086, so a step alone leaves a tenth of the error; secants leave far less.
+        # The radius depends on the area to the power 0.086, so that a plain step leaves a tenth of the error; secants less.
         with np.errstate(divide="ignore", invalid="ignore"):
             slope = (change - last_change) / (guess - last_guess)
         last_guess, last_change = guess, change
@@ -179,7 +184,7 @@ def area_of_waves(
 
 
 def _interpolated(function: Callable[[np.ndarray], np.ndarray], low: np.ndarray, high: np.ndarray) -> Callable:
-    """Return a function that approximates a positive function between the limits low and high (n, 1).
+    """Return a function that approximates the positive `function` between the limits low and high (n, 1).
 
     It interpolates the logarithm of the function by Chebyshev polynomials, one for each row, and clips its argument (n, H) to
     the limits. Returns `function` itself if the polynomials are not accurate to round-off.
@@ -194,7 +199,10 @@ def _interpolated(function: Callable[[np.ndarray], np.ndarray], low: np.ndarray,
 
 
 def area_at_load(load: np.ndarray, groups: Groups) -> np.ndarray:
-    """Return the area per asperity over pi R sigma (n, H) at loads per asperity (n, H); it is 0 under tension."""
+    """Return the contact area per asperity over pi R sigma (n, H) at H loads of n coated contacts; it is 0 under tension.
+
+    load: per asperity, over K R^(1/2) sigma^(3/2). The surface is given by its spectral moments.
+    """
     resolved = groups.resolved()
     require_gaussian(resolved.roughness_parameter)
     parts = [_area(load[rows], resolved[rows]) for rows in blocks(len(load), _PER_POINT * load.shape[1])]
@@ -208,9 +216,10 @@ def _area(load: np.ndarray, groups: Groups) -> np.ndarray:
 
 
 def elastic_share(pressure: np.ndarray, groups: Groups) -> np.ndarray:
-    """Return the contact area over the nominal area (n, H) of elastic contacts.
+    """Return the contact area over the nominal area (n, H) of elastic contacts on a film, at H pressures of n contacts.
 
-    pressure (n, H): mean pressure over E* h' of the bodies without film, >= 0. groups: complete groups.
+    pressure (n, H): nominal pressure over E* h', >= 0, with the contact modulus E* of the bodies without film and the root
+    mean square gradient h'. groups: dimensionless groups with all defaults filled in.
     """
     from stiction.surfaces.theory.widened_area import of_moments  # slow to import
 
@@ -222,9 +231,9 @@ def elastic_share(pressure: np.ndarray, groups: Groups) -> np.ndarray:
 def _flowing(elastic: np.ndarray, pressure: np.ndarray, groups: Groups) -> np.ndarray:
     """Return the contact area over the nominal area (n, H) after plastic flow has limited the contact pressure.
 
-    elastic: area without this limit. The limit is the film hardness, or the pressure that the body below carries through the
-    film if that is less. It depends on the mean size of a contact spot, which follows from the number of asperities that touch
-    at this area.
+    elastic (n, H): the area without this limit. pressure (n, H): nominal pressure over E* h'. groups: dimensionless groups of
+    n coated contacts. The limit is the film hardness, or the pressure that the body below carries through the film if it is
+    less. It depends on the mean size of a contact spot, which follows from the number of asperities that touch at this area.
     """
     from stiction.surfaces.theory.widened_area import with_hardness  # slow to import
 
@@ -242,15 +251,19 @@ def _flowing(elastic: np.ndarray, pressure: np.ndarray, groups: Groups) -> np.nd
 
 
 def _thickness(groups: Groups) -> np.ndarray:
-    """Return the thickness of one film over sqrt(R sigma) (n,)."""
+    """Return the thickness of one film over sqrt(R sigma) (n,).
+
+    If both bodies are coated, one film has half of the whole thickness.
+    """
     return np.broadcast_to(groups.film_aspect / groups.films, len(groups))
 
 
 def area_on_map(load: np.ndarray, groups: Groups, surface: "HeightMap") -> np.ndarray:
-    """Return the area per asperity over pi R sigma (n, H) at loads per asperity (n, H), from the map.
+    """Return the contact area per asperity over pi R sigma (n, H) at H loads of n coated contacts, from a map.
 
-    The elastic contact of the map with its film is solved at a few loads. Between and beyond them, the area law is used with
-    the spectrum of the map and with the bare contact area of the map. All contacts have the same map as their surface.
+    load: per asperity, over K R^(1/2) sigma^(3/2). surface: map that represents both faces, the same for all contacts. The
+    elastic contact of the map with its film is solved at a few loads. Between and beyond them, the area law is used with the
+    spectrum and the bare contact area of the map.
     """
     resolved, density = groups.resolved(), groups.roughness_parameter[:, None]
     pressure = reduced_pressure(np.maximum(load, 0.0), density)
@@ -262,7 +275,10 @@ def area_on_map(load: np.ndarray, groups: Groups, surface: "HeightMap") -> np.nd
 
 
 def waves_of_map(surface: "HeightMap", groups: Groups) -> Waves:
-    """Return the spectrum of a map for one contact; lengths are in units of sqrt(R sigma), from the moments of the map."""
+    """Return the spectrum of a map for one contact, with wavenumbers in units of 1/sqrt(R sigma) from the moments of the map.
+
+    groups: dimensionless groups of this contact.
+    """
     from stiction.surfaces.spectrum import power_spectrum, radial_average  # slow to import
 
     spectrum = radial_average(power_spectrum(surface, "none" if surface.periodic else "hann"))
@@ -271,16 +287,16 @@ def waves_of_map(surface: "HeightMap", groups: Groups) -> Waves:
 
 
 def _unit(surface: "HeightMap", groups: Groups) -> float:
-    """Return sqrt(R sigma) in metres, from the moments of the map and the groups of one contact."""
+    """Return sqrt(R sigma) [m] of a map, from its moments and the dimensionless groups of one contact."""
     from stiction.surfaces.finding import length_unit  # slow to import
 
     return float(length_unit(surface, _single(groups.roughness_parameter)))
 
 
 def compliance_of(groups: Groups, surface: "HeightMap") -> "Compliance":
-    """Return the compliance of film and bodies of one contact for the solver.
+    """Return the compliance of film and bodies of one contact, for the solver of boundary elements.
 
-    The contact modulus of both bodies without film is 1.
+    The contact modulus of both bodies without film is 1. Lengths are in m, from the moments of the map `surface`.
     """
     from stiction.solvers.boundary_elements.compliance import Compliance, Film  # slow to import
 
@@ -298,11 +314,12 @@ def compliance_of(groups: Groups, surface: "HeightMap") -> "Compliance":
 
 
 def _elastic_on_map(pressure: np.ndarray, groups: Groups, surface: "HeightMap", slope: float) -> np.ndarray:
-    """Return the elastic contact area over the nominal area (H,) of one contact with this map.
+    """Return the elastic contact area over the nominal area (H,) of one coated contact with a map.
 
-    The contact is solved with its film at a few loads. The ratio of these solutions to the area law is interpolated over the
-    logarithm of the pressure and applied at all loads. If too few points touch at a load, the ratio of the lightest load with
-    enough points is used. slope: rms slope of the map.
+    pressure (H,): nominal pressure over E* h'. slope: root mean square gradient h' that follows from `groups`. The contact is
+    solved with its film at a few loads. The ratio of these solutions to the area law is interpolated over the logarithm of the
+    pressure and applied at all loads. If too few points touch at a load, the ratio of the lightest load with enough points is
+    used.
     """
     from scipy.interpolate import PchipInterpolator
 
@@ -331,9 +348,11 @@ def _elastic_on_map(pressure: np.ndarray, groups: Groups, surface: "HeightMap", 
 
 
 def _bare_curve(surface: "HeightMap", pressure: np.ndarray, slope: float, n_E: float) -> Callable[[np.ndarray], np.ndarray]:
-    """Return a function for the bare contact area of the map against the pressure over E* h'.
+    """Return a function that gives the bare contact area of a map over its nominal area, against the pressure over E* h'.
 
-    It interpolates a formula from the slopes of the map, over all pressures that films with modulus ratio n_E may need.
+    It interpolates a formula from the slopes of the map, over all pressures that films with the modulus ratio n_E may need.
+    pressure (H,): pressures with the film. slope: root mean square gradient h' of the contact. n_E: film modulus over the
+    bodies'.
     """
     from scipy.interpolate import PchipInterpolator
 
@@ -355,7 +374,7 @@ def _bare_curve(surface: "HeightMap", pressure: np.ndarray, slope: float, n_E: f
 
 
 def _single(value: np.ndarray) -> float:
-    """Return the value of a group of one contact as a float."""
+    """Return the value of a dimensionless group of one contact, an array with one element, as a float."""
     return float(np.ravel(value)[0])
 
 

@@ -31,16 +31,19 @@ from stiction.records.sources import Source
 
 
 def rate(share: np.ndarray) -> np.ndarray:
-    """Return dV/dV_c at `share`, the contact area over the nominal area (any shape).
+    """Return dV/dV_c, the growth of the variance of the pressure with finer roughness, over its growth in full contact.
 
-    Source: Wang & Müser 2017, as restated by Xu et al. 2024.
+    share: contact area over nominal area, an array of any shape. Source: Wang & Müser 2017, as restated by Xu et al. 2024.
     """
     squared = share**2
     return (5.0 - 2.0 * squared + 6.0 * squared**2) / 9.0
 
 
 def area_at_load(load: np.ndarray, groups: Groups) -> np.ndarray:
-    """Return the area per asperity over pi R sigma (n, H) at loads per asperity (n, H); it is 0 under tension."""
+    """Return the contact area per asperity over pi R sigma (n, H) at H loads of n contacts; it is 0 under tension.
+
+    load: per asperity, over K R^(1/2) sigma^(3/2).
+    """
     return area_per_asperity(load, groups, lambda pressure: area_share(pressure, rate))
 
 

@@ -1,1 +1,1 @@
-"""Functions that theories of rough surfaces share."""
+"""Provide functions that theories of rough surfaces share."""

@@ -27,27 +27,32 @@ from stiction.surfaces.theory.moments import reduced_pressure
 
 Rate = Callable[[np.ndarray], np.ndarray]
 
-# A note of the models that take the gradient of such a surface.
+# A note for the records of models that use this gradient.
 GRADIENT = "h' is that of an isotropic Gaussian surface whose summits have this R and N: h'^2 = sqrt(3) / (64 N R^2)."
 
 _FULL = 6.0  # erf is 1 from here on
-_LIGHTEST = 1e-9  # below this q the rate is that of no contact, to rounding
+_LIGHTEST = 1e-9  # below this q the rate equals that of zero contact area, to rounding
 _PANELS, _NODES, _STEPS = 120, 16, 8
 
 
 @dataclass(frozen=True)
 class _Table:
-    """Store ln q at the ends of panels, from light to full contact, and the integral J(q) of `_integral` from q on."""
+    """Store a table of ln q and of J(q), the integral of 1/(t^3 S(erf t)) over t from q to infinity.
+
+    S: function of a theory. q: nominal pressure over sqrt(2) times the standard deviation of the pressure; it grows from light
+    to full contact.
+    """
 
     log_q: np.ndarray
     J: np.ndarray
 
 
 def area_share(pressure: np.ndarray, rate: Rate) -> np.ndarray:
-    """Return the contact area over the nominal area at the reduced pressures p / (E* h') >= 0, any shape.
+    """Return the contact area over the nominal area at the reduced pressures p / (E* h') >= 0.
 
-    rate: the function S(A/A0) = dV/dV_c of arrays, with the variance V of the pressure and V_c in full contact; S > 0 and
-    S(1) = 1. Pass the same function object each time, because its table is cached.
+    pressure: array of any shape; p: nominal pressure, E*: contact modulus, h': root mean square gradient. rate: the function
+    S(A/A0) = dV/dV_c of arrays, with the variance V of the pressure and V_c in full contact; S > 0 and S(1) = 1. Pass the same
+    function object each time, because its table is cached.
     """
     table = _table(rate)
     goal = np.asarray(pressure, dtype=float)
@@ -61,8 +66,12 @@ def area_share(pressure: np.ndarray, rate: Rate) -> np.ndarray:
 
 
 def _solved(wanted: np.ndarray, table: _Table, rate: Rate) -> np.ndarray:
-    """Return the lower limits q (n,) at which the integral J equals `wanted` (n,), by Newton's method in ln q and ln J."""
-    panel = np.searchsorted(-table.J, -wanted)  # J falls along the table; this is the first that is not above
+    """Return the lower limits q (n,) at which the integral J(q) equals `wanted` (n,).
+
+    J(q) is the integral of 1/(t^3 S(erf t)) over t from q to infinity. table: table of J. rate: the function S. The method is
+    Newton's in ln q and ln J.
+    """
+    panel = np.searchsorted(-table.J, -wanted)  # J falls along the table: index of the first J <= wanted
     log_q = np.interp(np.log(wanted), np.log(table.J[::-1]), table.log_q[::-1])
     for _ in range(_STEPS):
         J = table.J[panel] + _integral(log_q, table.log_q[panel], rate)
@@ -72,7 +81,10 @@ def _solved(wanted: np.ndarray, table: _Table, rate: Rate) -> np.ndarray:
 
 
 def _integral(low: np.ndarray, high: np.ndarray, rate: Rate) -> np.ndarray:
-    """Return the integral of 1/(t^3 S(erf t)) over t, S the rate; low, high: ln t at its limits (n,)."""
+    """Return the integral of 1/(t^3 S(erf t)) over t, with the function S = `rate`, by Gauss's method.
+
+    low, high: natural logarithms of the limits of t, (n,).
+    """
     nodes, weights = np.polynomial.legendre.leggauss(_NODES)
     half = (high - low) / 2.0
     t = np.exp((low + half)[:, None] + half[:, None] * nodes)
@@ -88,9 +100,10 @@ def _table(rate: Rate) -> _Table:
 
 
 def area_per_asperity(load: np.ndarray, groups: Groups, share: Callable[[np.ndarray], np.ndarray]) -> np.ndarray:
-    """Return the area per asperity over pi R sigma (n, H) at loads per asperity (n, H); it is 0 under tension.
+    """Return the contact area per asperity over pi R sigma (n, H) at H loads of n contacts; it is 0 under tension.
 
-    share: function that returns A/A0 at reduced pressures p / (E* h').
+    load: per asperity, over K R^(1/2) sigma^(3/2). share: function that returns contact area over nominal area at the reduced
+    pressures p / (E* h').
     """
     density = groups.roughness_parameter[:, None]
     return share(reduced_pressure(np.maximum(load, 0.0), density)) / (math.pi * density)

@@ -1,4 +1,4 @@
-"""Define the validity range of maps whose points must resolve the contact area; shared by models that solve a map."""
+"""Define the validity range of maps that resolve their contact area: enough points in the shortest wave."""
 
 import math
 
