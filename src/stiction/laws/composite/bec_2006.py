@@ -18,9 +18,10 @@ from stiction.records.sources import Source
 
 @formula
 def value(film_over_substrate, thickness_over_radius, nu_film, nu_substrate):
-    """Return the modulus of film and substrate over the substrate's, from E'_s/E' = f E'_s/E'_f + 1 - f.
+    """Return E'/E'_s, the reduced modulus of film and substrate together over the substrate's, with E' = E/(1 - nu^2).
 
-    f = 2 t/(pi a + 2 t). Poisson's ratios have no effect.
+    It follows from E'_s/E' = f E'_s/E'_f + 1 - f with f = 2 t/(pi a + 2 t). film_over_substrate: E'_f/E'_s.
+    thickness_over_radius: film thickness over contact radius, t/a. Poisson's ratios have no effect.
     """
     substrate = 1.0 / (1.0 + thickness_over_radius / (0.5 * math.pi))
     return 1.0 / ((1.0 - substrate) / film_over_substrate + substrate)

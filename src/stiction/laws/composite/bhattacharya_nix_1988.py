@@ -34,26 +34,27 @@ from stiction.records.sources import Source
 
 @formula
 def value(hardness_ratio, depth_over_thickness, constant, exponent):
-    """Return the hardness of film and substrate over the substrate's: 1 + (H_f/H_s - 1) exp(-c (omega/t)^m).
+    """Return the hardness of film and substrate together over the substrate's: 1 + (H_f/H_s - 1) exp(-c (omega/t)^m).
 
-    hardness_ratio: H_f/H_s. constant: c. exponent: m, 1 or 2.
+    hardness_ratio: H_f/H_s, film over substrate. depth_over_thickness: omega/t. constant: c. exponent: m, 1 or 2.
     """
     power = depth_over_thickness if exponent == 1.0 else depth_over_thickness * depth_over_thickness
     return 1.0 + (hardness_ratio - 1.0) * exponential(-constant * power)
 
 
 def constants(n_E: np.ndarray, n_H: np.ndarray, n_Y: np.ndarray) -> np.ndarray:
-    """Return the constant c (n,): n_Y/n_E for a soft film, n_H/(n_Y sqrt(n_E)) for a hard one.
+    """Return the constant c (n,) with which the film's effect on the hardness decays: n_Y/n_E, or n_H/(n_Y sqrt(n_E)).
 
-    n_E, n_H, n_Y: modulus, hardness and yield stress of the film over the substrate's.
+    The first holds for a soft film (n_H < 1), the second for a hard one. n_E, n_H, n_Y: modulus, hardness and yield stress of
+    the film over the substrate's.
     """
     return np.where(n_H < 1.0, n_Y / n_E, n_H / (n_Y * np.sqrt(n_E)))
 
 
 def landmarks(constant: np.ndarray, exponent: np.ndarray) -> np.ndarray:
-    """Return depths over thickness (n, 7) at which to split the integration.
+    """Return depths over film thickness (n, 7) at which an integral over depth is split.
 
-    Between two of them the hardness changes little.
+    Between two of them the hardness changes little. constant, exponent: c and m (n,) of the decay exp(-c (depth/thickness)^m).
     """
     return constant[:, None] ** (-1.0 / exponent[:, None]) * np.array([0.25, 0.75, 1.5, 3.0, 6.0, 12.0, 30.0])
 

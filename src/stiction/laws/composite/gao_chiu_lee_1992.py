@@ -26,14 +26,15 @@ from stiction.engine.vectorised import arctan, log_quotient
 from stiction.records.registry import Composite, Validity
 from stiction.records.sources import Source
 
-_LEAST, _MOST = 1e-100, 1e100  # of t/a: squares of it are still numbers
+_LEAST, _MOST = 1e-100, 1e100  # bounds of t/a, whose squares neither vanish nor overflow
 
 
 @formula
 def modulus_share(v, nu):
-    """Return the film's weight I0 in the modulus at v = a/t >= 0, and its derivative by ln v.
+    """Return the film's weight I0 in the modulus, between 0 and 1, and its derivative by ln v.
 
-    nu: Poisson's ratio of film and substrate together. Source: Gao, Chiu & Lee 1992 (S5.12).
+    v: contact radius over film thickness, a/t >= 0. nu: Poisson's ratio of film and substrate together. Source: Gao, Chiu &
+    Lee 1992 (S5.12).
     """
     r = 1.0 / (1.0 + v * v)
     quotient = log_quotient(v * v)
@@ -45,9 +46,9 @@ def modulus_share(v, nu):
 
 @formula
 def ratio_share(thickness_over_radius):
-    """Return the film's weight I1 in Poisson's ratio at t/a.
+    """Return the film's weight I1 in Poisson's ratio of film and substrate together.
 
-    I1 = (2/pi) arctan(t/a) + (t/a)/pi ln(1 + (a/t)^2).
+    I1 = (2/pi) arctan(t/a) + (t/a)/pi ln(1 + (a/t)^2). thickness_over_radius: film thickness over contact radius, t/a.
     """
     xi = min(max(thickness_over_radius, _LEAST), _MOST)
     return 2.0 / math.pi * arctan(xi) + log_quotient(1.0 / xi / xi) / (math.pi * xi)
@@ -55,9 +56,10 @@ def ratio_share(thickness_over_radius):
 
 @formula
 def poissons_ratio(thickness_over_radius, nu_film, nu_substrate):
-    """Return Poisson's ratio of film and substrate together.
+    """Return Poisson's ratio nu of film and substrate together.
 
-    1 - nu = (1 - nu_s)(1 - nu_f) / (1 - (1 - I1) nu_f - I1 nu_s).
+    1 - nu = (1 - nu_s)(1 - nu_f) / (1 - (1 - I1) nu_f - I1 nu_s), with the film's weight I1 from `ratio_share`.
+    thickness_over_radius: film thickness over contact radius.
     """
     share = ratio_share(thickness_over_radius)
     mixed = 1.0 - (1.0 - share) * nu_film - share * nu_substrate
@@ -66,7 +68,11 @@ def poissons_ratio(thickness_over_radius, nu_film, nu_substrate):
 
 @formula
 def value(film_over_substrate, thickness_over_radius, nu_film, nu_substrate):
-    """Return the modulus of film and substrate over the substrate's, 1 + (E'_f/E'_s - 1) I0."""
+    """Return E'/E'_s, the reduced modulus of film and substrate together over the substrate's, 1 + (E'_f/E'_s - 1) I0.
+
+    E' = E/(1 - nu^2). I0 is the film's weight, from `modulus_share`. film_over_substrate: E'_f/E'_s. thickness_over_radius:
+    film thickness over contact radius.
+    """
     nu = poissons_ratio(thickness_over_radius, nu_film, nu_substrate)
     share, _ = modulus_share(1.0 / min(max(thickness_over_radius, _LEAST), _MOST), nu)
     return 1.0 + (film_over_substrate - 1.0) * share

@@ -23,9 +23,11 @@ _DIAGONAL = 7.0  # of a Vickers pyramid, over the depth of its impression
 
 @formula
 def value(hardness_ratio, depth_over_thickness, constant, exponent):
-    """Return the hardness of film and substrate over the substrate's, 1 + (H_f/H_s - 1) A_f/A.
+    """Return the hardness of film and substrate together over the substrate's, 1 + (H_f/H_s - 1) A_f/A.
 
-    A_f/A = 2 C t/d - C^2 (t/d)^2 while C t/d < 1, else 1; d = 7 omega. `exponent` is not used.
+    A_f/A, the film's part of the area, is 2 C t/d - C^2 (t/d)^2 while C t/d < 1, else 1. hardness_ratio: H_f/H_s.
+    depth_over_thickness: displacement omega over film thickness t; the diagonal d is 7 omega. constant: C. `exponent` is not
+    used.
     """
     rim = constant / max(_DIAGONAL * depth_over_thickness, constant)
     return 1.0 + (hardness_ratio - 1.0) * rim * (2.0 - rim)
@@ -34,8 +36,8 @@ def value(hardness_ratio, depth_over_thickness, constant, exponent):
 def constants(n_E: np.ndarray, n_H: np.ndarray, n_Y: np.ndarray) -> np.ndarray:
     """Return the constant C (n,): 1/2 for n_H > 6.3, else 1.
 
-    C = 1/2 describes a hard film that cracks over a very soft substrate. The experiments cover n_H from 1.8 to 2.3 and from
-    6.3 to 12.9.
+    n_H: hardness of the film over the substrate's. n_E and n_Y (modulus, yield stress) are not used. C = 1/2 describes a hard
+    film that cracks over a very soft substrate. The experiments cover n_H from 1.8 to 2.3 and from 6.3 to 12.9.
     """
     return np.where(n_H > 6.3, 0.5, 1.0)
 
@@ -43,7 +45,7 @@ def constants(n_E: np.ndarray, n_H: np.ndarray, n_Y: np.ndarray) -> np.ndarray:
 def landmarks(constant: np.ndarray, exponent: np.ndarray) -> np.ndarray:
     """Return the displacements over film thickness, omega/t (n, 9), at which an integral over heights is split.
 
-    At the first, the substrate begins to contribute. constant: C (n,) from `constants`. exponent is not used.
+    At the first displacement the substrate begins to contribute. constant: C (n,) from `constants`. `exponent` is not used.
     """
     return constant[:, None] / _DIAGONAL * np.array([1.0, 2.0, 6.0, 24.0, 100.0, 500.0, 3e3, 2e4, 2e5])
 

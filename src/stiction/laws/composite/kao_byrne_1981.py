@@ -22,20 +22,24 @@ WEIGHT = 0.09  # k1
 
 @formula
 def value(hardness_ratio, depth_over_thickness, constant, exponent):
-    """Return the hardness of film and substrate over the substrate's, 1 + (H_f/H_s - 1) 2 k1 t/omega.
+    """Return the hardness of film and substrate together over the substrate's, 1 + (H_f/H_s - 1) 2 k1 t/omega.
 
-    Near the surface it is limited to the film's hardness. `exponent` is not used.
+    Near the surface it is limited to the film's hardness. hardness_ratio: H_f/H_s. depth_over_thickness: omega/t. constant: 2
+    k1. `exponent` is not used.
     """
     return 1.0 + (hardness_ratio - 1.0) * constant / max(depth_over_thickness, constant)
 
 
 def constants(n_E: np.ndarray, n_H: np.ndarray, n_Y: np.ndarray) -> np.ndarray:
-    """Return the constant 2 k1 = 0.18 (n,)."""
+    """Return the constant 2 k1 = 0.18 for each contact, (n,); of the arguments only the length of n_H is used."""
     return np.full_like(n_H, 2.0 * WEIGHT)
 
 
 def landmarks(constant: np.ndarray, exponent: np.ndarray) -> np.ndarray:
-    """Return depths over thickness (n, 9) at which to split the integration, from the first effect of the substrate on."""
+    """Return depths over film thickness (n, 9) at which an integral over depth is split.
+
+    At the first depth the substrate begins to contribute. constant: 2 k1 (n,). `exponent` is not used.
+    """
     return constant[:, None] * np.array([1.0, 2.0, 6.0, 24.0, 100.0, 500.0, 3e3, 2e4, 2e5])
 
 

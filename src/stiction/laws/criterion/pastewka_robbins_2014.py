@@ -3,7 +3,7 @@ r"""Criterion for a rough surface to stick without a load, a single ratio: Paste
 *Assumes*: attraction acts on a rim around each contact spot, where the gap is below the range $\varrho$ of the attraction. A
 surface sticks if the attraction on the rims is larger than the repulsion in the spots. *Source*: [pastewka_robbins_2014], eq.
 (10), as restated by the authors' group with contact spots $4h'/h''$ wide and area over load $A/A_n=\kappa\,p/(E^*h')$,
-$\kappa=2$. `stiction compare` prints the ratio.
+$\kappa=2$ ($A/A_n$: contact area over nominal area, $p$: nominal pressure). `stiction compare` prints the ratio.
 
 $$
 \frac{h'E^*\varrho}{2\gamma}\left(\frac{h'^2}{h''\varrho}\right)^{2/3}<1
@@ -34,38 +34,41 @@ _CURVATURE = math.sqrt(3.0 * math.pi / 32.0)  # h'' sigma over sigma/R
 def stickiness_ratio(rms_slope, rms_curvature, interaction_range, adhesion_length):
     """Return the ratio of repulsion to attraction of a rough surface; the surface sticks if it is below 1.
 
-    Source: Pastewka & Robbins 2014, eq. (10). rms_slope: h' [1]. rms_curvature: h'', of half the Laplacian [1/m].
-    interaction_range: rho [m]. adhesion_length: work of adhesion over E* [m].
+    Source: Pastewka & Robbins 2014, eq. (10). rms_slope: root mean square gradient h' [1]. rms_curvature: h'', root mean
+    square of half the Laplacian of the heights [1/m]. interaction_range: range rho of the attraction [m]. adhesion_length:
+    work of adhesion over the contact modulus E* [m].
     """
     spot = rms_slope * rms_slope / (rms_curvature * interaction_range)
     return rms_slope * interaction_range / (KAPPA * adhesion_length) * spot ** (2.0 / 3.0)
 
 
 def interaction_range(groups: Groups) -> np.ndarray:
-    """Return the range of the attraction over sigma (n,), taken as the equilibrium distance.
+    """Return the range of the attraction over sigma (n,), taken as the equilibrium distance of the surfaces.
 
-    It is (16/9)^(1/3) theta^(-2/3) / mu_T, by the definition of the Tabor parameter mu_T.
+    It is (16/9)^(1/3) theta^(-2/3) / mu_T, by the definitions of the elastic adhesion index theta and the Tabor parameter
+    mu_T.
     """
     return np.cbrt(16.0 / 9.0) * groups.theta ** (-2.0 / 3.0) / groups.tabor_parameter
 
 
 def range_over_gap(groups: Groups) -> np.ndarray:
-    """Return the range of the attraction over (16/3) h'^2/h'', the gap next to a contact spot (n,).
+    """Return the range of the attraction over the gap next to a contact spot (n,), which is (16/3) h'^2/h''.
 
-    The theory requires a short range, so this ratio must be small. sqrt(sigma/R) cancels. Source: Monti, Sanner & Pastewka
-    2021, as the authors' group restates it.
+    h' is the root mean square gradient, h'' the root mean square of half the Laplacian. The theory requires a short range, so
+    this ratio must be small. sqrt(sigma/R) cancels. Source: Monti, Sanner & Pastewka 2021, as the authors' group restates it.
     """
     slope = slope_over_sharpness(groups.roughness_parameter)
     return interaction_range(groups) / (16.0 / 3.0 * slope * slope / _CURVATURE)
 
 
 def stickiness(groups: Groups) -> np.ndarray:
-    """Return the stickiness ratio (n,), repulsion over attraction, of isotropic Gaussian surfaces with the given summits.
+    """Return the stickiness ratio (n,), repulsion over attraction; a surface sticks if the ratio is below 1.
 
-    A surface sticks if the ratio is below 1. The range of the attraction is the equilibrium distance.
-    In units of sigma and with s = sqrt(sigma/R), w/E* = (4/3) s / theta and h'' = sqrt(3 pi/32) s^2; s cancels.
+    The surfaces are isotropic and Gaussian and have the summits (sigma, R, N) of `groups`. The range of the attraction is the
+    equilibrium distance. In units of sigma and with s = sqrt(sigma/R), w/E* = (4/3) s / theta and h'' = sqrt(3 pi/32) s^2,
+    where w is the work of adhesion; s cancels.
     """
-    slope = slope_over_sharpness(groups.roughness_parameter)  # over s; so are h''/s^2 and (w/E*)/s
+    slope = slope_over_sharpness(groups.roughness_parameter)  # h'/s; below also h''/s^2 and (w/E*)/s, so that s cancels
     return stickiness_ratio(slope, _CURVATURE, interaction_range(groups), 4.0 / (3.0 * groups.theta))
 
 

@@ -34,13 +34,14 @@ if TYPE_CHECKING:
 
 
 def wavevector_sum(surface: "HeightMap") -> float:
-    """Return the integral of q C(q) d^2q of a map [m], the sum of |q| times the mean square height over all its waves.
+    """Return the integral of q C(q) d^2q of a map [m], with the wavenumber q and the power spectrum C.
 
-    A map that is not periodic needs a window, which weights its middle. Its sum is therefore multiplied by rms height times
-    rms gradient of the map, over those of the windowed map; both gradients are by differences of neighbouring points. On
-    generated surfaces the mean error is then below 5 %, and the scatter 2 to 8 % instead of 9 to 26 %.
+    It is the sum of q times the mean square height over all waves of the map. A map that is not periodic needs a window, which
+    weights its middle. The sum is then multiplied by rms height times rms gradient of the map, and divided by the same product
+    of the windowed map; both gradients are differences of neighbouring points. On generated surfaces the mean error is then
+    below 5 %, and the scatter 2 to 8 % instead of 9 to 26 %.
     """
-    from stiction.surfaces.spectrum import power_spectrum  # which loads scipy.signal
+    from stiction.surfaces.spectrum import power_spectrum  # slow to import, because it loads scipy.signal
 
     spectrum = power_spectrum(surface, "none" if surface.periodic else "hann")
     (pitch_y, pitch_x), (along_y, along_x) = surface.pitch, spectrum.wavevectors
@@ -57,9 +58,11 @@ def wavevector_sum(surface: "HeightMap") -> float:
 
 
 def elastic_over_adhesion(groups: Groups, surface: "HeightMap | None" = None) -> np.ndarray:
-    """Return the elastic energy over the work of adhesion, U/gamma (n,): an upper bound, or the energy of a map itself.
+    """Return the elastic energy U of full contact over the work of adhesion gamma, U/gamma (n,).
 
-    By the definition of theta, E* sigma/gamma = (3/4) theta sqrt(R/sigma).
+    surface: map that represents both faces, from whose spectrum U is computed. Without a map the result is an upper bound,
+    from sigma, R and N of the groups. By the definition of the adhesion index theta, E* sigma/gamma = (3/4) theta
+    sqrt(R/sigma).
     """
     if surface is not None:
         from stiction.surfaces.finding import length_unit  # slow to import
@@ -67,12 +70,16 @@ def elastic_over_adhesion(groups: Groups, surface: "HeightMap | None" = None) ->
         unit = length_unit(surface, groups.roughness_parameter)
         modulus_over_adhesion = 0.75 * groups.theta / (groups.sharpness**2 * unit)
         return modulus_over_adhesion * wavevector_sum(surface) / 4.0
-    moments = Moments.from_groups(groups.roughness_parameter, 1.0)  # the gradient over sqrt(sigma/R), which drops out
+    moments = Moments.from_groups(groups.roughness_parameter, 1.0)  # at sqrt(sigma/R) = 1, because it cancels
     return 0.75 * groups.theta * np.sqrt(moments.m0) * moments.rms_slope / 4.0
 
 
 def energy_ratio(groups: Groups, surface: "HeightMap | None" = None) -> np.ndarray:
-    """Return the elastic energy of full contact over the energy that adhesion gains (n,); surface: map of both faces."""
+    """Return the elastic energy of full contact over the energy that adhesion gains on the rough area (n,).
+
+    Full contact lasts without load if the ratio is below 1. surface: map that represents both faces, or None, which gives an
+    upper bound from sigma, R and N of the groups.
+    """
     slope = groups.sharpness * slope_over_sharpness(groups.roughness_parameter)
     return elastic_over_adhesion(groups, surface) / (1.0 + 0.5 * slope * slope)
 
