@@ -9,9 +9,9 @@ from stiction.records.registry import OF_AREA, Addition, FilmLaw, RoughSurface, 
 
 @dataclass(frozen=True, kw_only=True)
 class Ageing(Addition):
-    """Describe an ageing law: the strength of the interface grows with the hold time.
+    """Describe a law of ageing: the shear strength of the interface grows with the hold time, the contact area does not.
 
-    aged(groups) returns the groups with the interface strength after the hold time. The contact area is not changed.
+    aged(groups) returns the dimensionless groups of the contact with the shear strength after the hold time.
     """
 
     kind = keyword = "ageing"

@@ -28,23 +28,28 @@ from stiction.laws.contamination.kind import Contamination
 from stiction.laws.segment import NormalSegment, TangentialResistance
 from stiction.records.sources import Source
 
-# Far beyond any height in reach some laws' areas are so large that their squares are none.
+# Limit of the standard deviation: far beyond any real displacement, some laws' areas are so large that squares overflow.
 _LARGEST = 1e150
 
 
 @formula
 def resistance(u, w, load, area, eta, shear_strength, strength_variation):
-    """Return the variance of the friction force of one asperity, and 0.
+    """Return the variance of the friction force of one asperity, and 0; the engine sums both over all asperities.
 
-    The engine sums these two like the slip-limited and the yield-limited force of a `TangentialResistance`.
-    strength_variation: standard deviation of the junction strength over its mean.
+    The variance is the square of strength_variation times interface strength times contact area. u, w, load: not used. area:
+    contact area over pi R sigma. eta: hardness group; eta times the area is the load at which the mean pressure is the
+    hardness. shear_strength: interface strength over the hardness. strength_variation: standard deviation of the strength over
+    its mean.
     """
     deviation = min(strength_variation * shear_strength * eta * area, _LARGEST)
     return deviation * deviation, 0.0
 
 
 def tangential_resistance(segment: NormalSegment, groups: Groups) -> TangentialResistance:
-    """Return the variance of the friction force of one asperity, in the form of a resistance that the engine sums."""
+    """Return the variance of the friction force of one asperity, as a `TangentialResistance` that the engine can sum.
+
+    groups: dimensionless groups of n contacts. The formula is the same on every segment.
+    """
     return TangentialResistance(resistance, (groups.eta, groups.shear_strength, groups.strength_variation))
 
 

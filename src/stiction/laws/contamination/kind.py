@@ -12,9 +12,10 @@ from stiction.records.registry import OF_AREA, Addition, FilmLaw, RoughSurface, 
 
 @dataclass(frozen=True, kw_only=True)
 class Contamination(Addition, TangentialLaw):
-    """Describe the scatter of friction that follows from the scatter of junction strength.
+    """Describe a law of the scatter of friction that follows from the scatter of junction strength.
 
-    It is a tangential law whose resistance is the variance of the force of one asperity, in the squared unit of the load.
+    It is stored as a tangential law whose `resistance` is the variance of the friction force of one asperity, in the squared
+    unit of the load.
     """
 
     kind = keyword = "contamination"
@@ -36,12 +37,13 @@ class Contamination(Addition, TangentialLaw):
     def results(
         self, results: Mapping[str, np.ndarray], summed: Callable[[TangentialLaw], np.ndarray], asperities: np.ndarray | None
     ) -> dict[str, np.ndarray]:
-        """Return the standard deviation of mu that follows from the scatter of junction strength.
+        """Return the standard deviation (n, m) of the friction coefficient that follows from the scatter of junction strength.
 
-        summed(law): sum of the resistance of `law` over all heights, per asperity. asperities: number of asperities. The
-        variances of the friction forces of all asperities add up.
+        It is the entry `friction_coefficient_scatter` of the returned dict. results: results of the sum per asperity, with the
+        key "load". summed(law): sum of the resistance of `law` over all heights, per asperity. asperities: number of
+        asperities. The variances of the friction forces of all asperities add up.
         """
-        assert asperities is not None  # the law needs what decides it
+        assert asperities is not None  # because the law needs the groups that determine it
         return {"friction_coefficient_scatter": quotient(np.sqrt(summed(self) / asperities), results["load"])}
 
 

@@ -89,15 +89,20 @@ PULL_ON_MAPS = Validity(
 
 @formula
 def along(w, pull, height):
-    """Return the six values of a `Regime` at the displacement w: only the load, minus the pull of the meniscus, is not zero.
+    """Return the six values of a meniscus that a `Regime` requires: w, 1 (derivative of w by the coordinate), load, 0, 0, 0.
 
-    pull: 2 pi/theta_m. height: w_m. The coordinate is the displacement itself.
+    The zeros are contact area and tangential forces. The load is negative; the coordinate is the displacement w over sigma
+    itself, negative for a gap. pull: attractive force on a touching asperity, over K R^(1/2) sigma^(3/2). height: largest
+    bridged gap over sigma, beyond which the load is 0.
     """
     return w, 1.0, -pull * min(1.0, max(1.0 + w / height, 0.0)), 0.0, 0.0, 0.0
 
 
 def pull(groups: Groups) -> list[Regime]:
-    """Return the regime of menisci that bridge a gap from w = -w_m on and surround a contact from w = 0 on."""
+    """Return a list with the one regime of menisci: they bridge gaps up to w_m and surround contacts.
+
+    Its coordinate is the displacement w over sigma, from -w_m on; w_m is the largest bridged gap over sigma.
+    """
     height = groups.meniscus_height
     edges = edges_at(-height, 0.0, np.inf)
     lowest = float(np.min(-height, initial=0.0))

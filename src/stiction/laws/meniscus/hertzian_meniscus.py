@@ -59,9 +59,10 @@ _ring = maugis_1992.ring
 
 @formula
 def along(s, pull, height):
-    """Return the six values of a `Regime` at the coordinate s: area and resistance are zero.
+    """Return the six values of a ring of liquid that a `Regime` requires: displacement w, dw/ds, load, 0, 0, 0.
 
-    pull: 2 pi/theta_m. height: w_m.
+    The zeros are contact area and tangential forces. s = a/sqrt(b^2 - a^2), with the inner radius a and the outer radius b of
+    the ring. pull: attractive force at first touch, over K R^(1/2) sigma^(3/2). height: largest bridged gap over sigma.
     """
     if s == math.inf:
         return math.inf, math.inf, -0.5 * pull, 0.0, 0.0, 0.0
@@ -73,9 +74,10 @@ def along(s, pull, height):
 
 @formula
 def coordinate(w, pull, height):
-    """Return the coordinate s at the displacement w, by Newton's method on s^2/F.
+    """Return the coordinate s of a ring of liquid at the displacement w over sigma, by Newton's method on w = pi w_m s^2/F(s).
 
-    The start is an upper bound, because F is at most pi/2 and at most 4/(3 s).
+    height: largest bridged gap w_m over sigma. The start is an upper bound, because F is at most pi/2 and at most 4/(3 s).
+    `pull` is not used.
     """
     if w == math.inf:
         return math.inf
@@ -91,7 +93,10 @@ def coordinate(w, pull, height):
 
 
 def pull(groups: Groups) -> list[Regime]:
-    """Return two regimes: menisci that bridge a gap, from w = -w_m to 0, and rings of liquid around contacts, from w = 0 on."""
+    """Return two regimes: menisci that bridge a gap, from w = -w_m to 0, and rings of liquid around contacts, from w = 0 on.
+
+    w is the displacement of the asperity over sigma, w_m the largest bridged gap over sigma.
+    """
     bridging = equilibrium_meniscus.pull(groups)[0]
     edges = np.tile([0.0, np.inf], (len(groups), 1))
     ring = Regime(along, coordinate, bridging.parameters, edges, MENISCUS, touching=False)

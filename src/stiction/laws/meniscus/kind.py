@@ -10,15 +10,15 @@ from stiction.records.registry import Addition, FilmLaw, RoughSurface, Tangentia
 
 @dataclass(frozen=True, kw_only=True)
 class Meniscus(Addition):
-    """Describe the capillary force of a liquid around an asperity, independent of the asperity law.
+    """Describe a law of the capillary force of a liquid around an asperity, independent of the asperity law.
 
-    pull(groups, **options) returns a list of `Regime` with negative loads and without area or resistance. Displacements below
-    zero describe a meniscus that bridges a gap.
+    pull(groups) returns a list of `Regime` with negative loads and without contact area or tangential resistance. A negative
+    displacement is a gap that the meniscus bridges.
     """
 
     kind = keyword = "meniscus"
     order = 2
-    default = "equilibrium_meniscus"  # which goes with every asperity law
+    default = "equilibrium_meniscus"  # can be combined with every asperity law
     pull: Callable[[Groups], list[Regime]]
 
     @classmethod

@@ -10,10 +10,10 @@ from stiction.records.registry import Addition, FilmLaw, RoughSurface, Tangentia
 
 @dataclass(frozen=True, kw_only=True)
 class Presliding(Addition, TangentialLaw):
-    """Describe the elastic tangential displacement of a contact before it slides.
+    """Describe a law of the elastic tangential displacement of a contact before it slides.
 
-    It is a tangential law whose resistance is the tangential stiffness of one asperity at zero force, times sigma, in the unit
-    of the load.
+    It is stored as a tangential law whose `resistance` is the tangential stiffness of one asperity at zero force, times sigma,
+    in the unit of the load.
     """
 
     kind = keyword = "presliding"

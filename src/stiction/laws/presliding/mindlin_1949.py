@@ -8,7 +8,9 @@ $$
 k_t=\frac{8a}\beta\ \text{(SI)},\qquad\frac{8\sqrt A}{K\beta}\ \text{in the units here}
 $$
 
-$a$ is the contact radius, $A$ the contact area, $\beta$ the tangential compliance of the pair of bodies and $K=\tfrac43E^*$.
+$a$ is the contact radius, $A$ the contact area, $\beta$ the tangential compliance of the pair of bodies and $K=\tfrac43E^*$
+($E^*$ contact modulus). In the units here, $A$ is over $\pi R\sigma$ and $k_t$ over $KR^{1/2}\sigma^{1/2}$, with the tip radius
+$R$ and the standard deviation $\sigma$ of the heights.
 For equal bodies the ratio to the normal stiffness is $k_t/k_n=2(1-\nu)/(2-\nu)$. In partial slip, a Hertz contact with the load
 $P$ and the friction coefficient $f$ at every point carries the tangential force $T$ at the tangential displacement
 $\delta_t$; at $\delta_f$ the whole contact slides,
@@ -77,28 +79,33 @@ from stiction.records.sources import Source
 
 @formula
 def stiffness(area, K_beta):
-    """Return the tangential stiffness of a contact at zero force, where nothing slips.
+    """Return the dimensionless tangential stiffness of a contact at zero tangential force, 8 sqrt(area)/(K beta).
 
-    In SI it is k_t = 8 a/beta, with 1/beta = G* of the pair. Here it is k_t sigma/(K R^(1/2) sigma^(3/2)) = 8 sqrt(area)/(K
-    beta).
+    area: contact area over pi R sigma. K_beta: K = (4/3) E* times the tangential compliance beta of the pair, with
+    1/beta = G*. In SI the stiffness is k_t = 8 a/beta with the contact radius a; the result is k_t
+    sigma/(K R^(1/2) sigma^(3/2)).
     """
     return 8.0 * math.sqrt(area) / K_beta
 
 
 @formula
 def sliding_displacement(load, area, friction, K_beta):
-    """Return the tangential displacement at which a whole Hertz contact slips, 3 mu P beta/(16 a).
+    """Return the tangential displacement over sigma at which a Hertz contact slips as a whole, 3 mu P beta/(16 a).
 
-    It is 3/2 of mu P over the initial stiffness. friction: mu.
+    It is 3/2 times the friction force mu P over the initial stiffness. load: P over K R^(1/2) sigma^(3/2). area: contact area
+    pi a^2 over pi R sigma. friction: friction coefficient mu. K_beta: K = (4/3) E* times the tangential compliance beta of the
+    pair.
     """
     return 1.5 * friction * load / stiffness(area, K_beta)
 
 
 @formula
 def force(displacement, load, area, friction, K_beta):
-    """Return the tangential force at a displacement: T = mu P (1 - (1 - s)^(3/2)), s = displacement/sliding displacement.
+    """Return the tangential force T = mu P (1 - (1 - s)^(3/2)) of a Hertz contact at a tangential displacement.
 
-    By Coulomb's law at each point, slip spreads inwards from the rim until the whole contact slips at T = mu P. friction: mu.
+    displacement: over sigma. s: displacement over the displacement at which the whole contact slips, at most 1. By Coulomb's
+    law at each point, slip spreads inwards from the rim. load: P over K R^(1/2) sigma^(3/2), also the unit of T. area: over
+    pi R sigma. friction: friction coefficient mu. K_beta: K = (4/3) E* times the tangential compliance beta of the pair.
     """
     left = max(1.0 - displacement / sliding_displacement(load, area, friction, K_beta), 0.0)
     return friction * load * (1.0 - left * math.sqrt(left))
@@ -106,9 +113,11 @@ def force(displacement, load, area, friction, K_beta):
 
 @formula
 def displacement(force, load, area, friction, K_beta):
-    """Return the displacement at a tangential force 0 <= T <= mu P (the inverse of `force`).
+    """Return the tangential displacement over sigma of a Hertz contact under a tangential force T, 0 <= T <= mu P.
 
-    It is the sliding displacement times 1 - (1 - T/(mu P))^(2/3).
+    It is the displacement at which the whole contact slips, times 1 - (1 - T/(mu P))^(2/3). force, load: T and P, over
+    K R^(1/2) sigma^(3/2). area: over pi R sigma. friction: friction coefficient mu. K_beta: K = (4/3) E* times the tangential
+    compliance beta of the pair.
     """
     left = max(1.0 - force / (friction * load), 0.0)
     return sliding_displacement(load, area, friction, K_beta) * (1.0 - left ** (2.0 / 3.0))
@@ -118,17 +127,18 @@ def displacement(force, load, area, friction, K_beta):
 def slip_share(s):
     """Return the tangential force of a partly slipping contact over its strength, 1 - (1 - s)^(3/2), accurate for small s.
 
-    s: displacement over the displacement at which the whole contact slides, below 1.
+    s: tangential displacement over the displacement at which the whole contact slides, below 1.
     """
     return -math.expm1(1.5 * math.log1p(-s))
 
 
 @formula
 def loss_share(s):
-    """Return the energy lost in a cycle of amplitude s, over strength times sliding displacement.
+    """Return the energy that a contact loses in a cycle of tangential displacement, over strength times sliding displacement.
 
-    It is 8 times the integral of the force from 0 to s, minus 4 s times the force. For small s this cancels, and its Taylor
-    series s^3/2 + s^4/8 + 9 s^5/160 + ... is used.
+    s: amplitude of the cycle over the displacement at which the whole contact slides. The loss is 8 times the integral of the
+    force from 0 to s, minus 4 s times the force at s. For small s this cancels, and its Taylor series s^3/2 + s^4/8 + 9
+    s^5/160 + ... is used.
     """
     if s < 0.1:
         tail = 0.006982421875 + s * (0.0053558349609375 + s * (0.004215240478515625 + s * 0.0033884048461914062))
@@ -142,16 +152,18 @@ def loss_share(s):
 
 @formula
 def resistance(u, w, load, area, K_beta):
-    """Return the tangential stiffness of one asperity, and 0.
+    """Return the dimensionless tangential stiffness of one asperity at zero force, and 0; the engine sums both.
 
-    The engine sums these two like the slip-limited and the yield-limited force of a `TangentialResistance`. u, w, load: as
-    there, not used. area: contact area of the asperity. K_beta: the product K beta.
+    u, w, load: not used. area: contact area over pi R sigma. K_beta: K = (4/3) E* times the tangential compliance of the pair.
     """
     return stiffness(area, K_beta), 0.0
 
 
 def tangential_resistance(segment: NormalSegment, groups: Groups) -> TangentialResistance:
-    """Return the tangential stiffness on a segment, as a `TangentialResistance` that the engine can sum."""
+    """Return the tangential stiffness of the asperities on a segment, as a `TangentialResistance` that the engine can sum.
+
+    groups: dimensionless groups of n contacts.
+    """
     return TangentialResistance(resistance, (groups.K_beta,), branch=np.array(segment.edges[:, 0]))
 
 

@@ -1,4 +1,4 @@
-"""Describe partial slip as a tangential law: the force carried at a given displacement replaces the strength.
+"""Derive tangential laws of displaced contacts: the force that a contact carries at a displacement replaces its strength.
 
 The engine can then sum this force over heights. Equations and sources are in `laws/presliding/mindlin_1949.py`.
 """
@@ -19,15 +19,17 @@ from stiction.laws.presliding.mindlin_1949 import loss_share, slip_share, stiffn
 from stiction.laws.segment import NormalSegment, TangentialResistance
 from stiction.records.registry import TangentialLaw
 
-_DEEPEST = 100.0  # over sigma: no asperity that counts is pressed so far
-_MOST = 4  # places on a segment where an asperity begins to slide, or no longer does
+_DEEPEST = 100.0  # displacement over sigma beyond which no asperity contributes
+_MOST = 4  # changes between sticking and sliding that are searched on a segment
 
 
 @cache
 def _slipping(resistance: Callable, own: int) -> Any:
-    """Return the formula for the force of an asperity and for the energy it loses in a cycle.
+    """Return a formula for a displaced asperity: the tangential force that it carries, and the energy lost in a cycle.
 
-    own: number of parameters of `resistance`, the strength.
+    resistance: formula of the strength, with `own` parameters. The returned formula takes these parameters, then K beta, the
+    tangential displacement over sigma, and the fraction of the strength that a sliding asperity retains. The energy is in the
+    unit of force times sigma.
     """
     compliance, moved, left = own, own + 1, own + 2
 
@@ -47,7 +49,11 @@ def _slipping(resistance: Callable, own: int) -> Any:
 
 @cache
 def _sticking_area(resistance: Callable, own: int) -> Any:
-    """Return the formula for the part of the contact area that has not slipped; `own` as in `_slipping`."""
+    """Return a formula for a tangentially displaced asperity: the part of its contact area that still sticks, and 0.
+
+    resistance: formula of the strength, with `own` parameters. The returned formula takes these parameters, then K beta and
+    the displacement over sigma.
+    """
     compliance, moved = own, own + 1
 
     @formula
@@ -67,7 +73,11 @@ def _not_yet(normal: Callable, parameters: int, resistance: Callable, own: int) 
 
     @formula
     def not_yet(u, row):
-        """Return a number that is positive while the asperity does not slide yet."""
+        """Return a number that is positive while the asperity at the coordinate u does not slide yet.
+
+        It is 3/2 of the strength minus the initial tangential stiffness times the tangential displacement. row: parameters of
+        the asperity law and of the strength, then K beta and the displacement over sigma.
+        """
         w, _, load, area = normal(u, *row[:parameters])
         slip_limited, yield_limited = resistance(u, w, load, area, *row[parameters:count])
         return 1.5 * (slip_limited + yield_limited) - row[count + 1] * stiffness(max(area, 0.0), row[count])
@@ -76,26 +86,31 @@ def _not_yet(normal: Callable, parameters: int, resistance: Callable, own: int) 
 
 
 def slipping_law(tangential: TangentialLaw, displacement: np.ndarray, residual: float) -> TangentialLaw:
-    """Return the tangential law of contacts that are displaced by `displacement` (n,), over sigma.
+    """Return a tangential law with the force of contacts at a tangential displacement in place of their strength.
 
-    Its slip-limited part is the force that the contacts carry. Its yield-limited part is the energy lost in a cycle of this
-    amplitude, in the unit of force times sigma. residual: fraction of its strength that an asperity retains once it slides.
+    tangential: law of the strength. displacement (n,): over sigma. residual: fraction of its strength that an asperity retains
+    once it slides. The slip-limited part of the returned law is the force. Its yield-limited part is the energy lost in a
+    cycle of this amplitude, in the unit of force times sigma.
     """
     return _displaced(tangential, _slipping, displacement, np.full(len(displacement), residual))
 
 
 def sticking_area_law(tangential: TangentialLaw, displacement: np.ndarray) -> TangentialLaw:
-    """Return the tangential law whose resistance is the area that still sticks after a displacement (n,), over sigma."""
+    """Return a tangential law whose resistance is the contact area that still sticks at a tangential displacement.
+
+    tangential: law of the strength. displacement (n,): over sigma.
+    """
     return _displaced(tangential, _sticking_area, displacement)
 
 
 def _displaced(
     tangential: TangentialLaw, formula_of: Callable, displacement: np.ndarray, *parameters: np.ndarray
 ) -> TangentialLaw:
-    """Return a tangential law with this formula in place of the strength, for contacts that are displaced.
+    """Return a tangential law in which a formula of displaced contacts replaces the strength.
 
-    formula_of(resistance, number of its parameters): the formula, which has K beta, the displacement and `parameters` as
-    further parameters.
+    tangential: law of the strength. formula_of(resistance, number of its parameters): returns the replacing formula, which
+    takes the parameters of the strength, then K beta, the displacement (n,) over sigma and `parameters`. Coordinates at which
+    asperities begin to slide become kinks and branch points of the law.
     """
 
     def resistance(segment: NormalSegment, groups: Groups, **options: str) -> TangentialResistance | None:
@@ -129,7 +144,10 @@ def _sticking(resistance: Callable, own: int) -> Any:
 
 
 def sticking_law(tangential: TangentialLaw) -> TangentialLaw:
-    """Return the tangential law whose resistance is the stiffness at zero displacement of the contacts that have a strength."""
+    """Return a tangential law whose resistance is the tangential stiffness of the contacts at zero displacement.
+
+    tangential: law of the strength. Contacts without strength have no stiffness.
+    """
 
     def resistance(segment: NormalSegment, groups: Groups, **options: str) -> TangentialResistance | None:
         strength = tangential.tangential_resistance(segment, groups, **options)
@@ -146,7 +164,11 @@ def sticking_law(tangential: TangentialLaw) -> TangentialLaw:
 
 
 def _begins(segment: NormalSegment, strength: TangentialResistance, more: tuple[np.ndarray, ...]) -> np.ndarray:
-    """Return the coordinates (n, 4) at which an asperity is about to slide; unused entries are the first coordinate."""
+    """Return the coordinates (n, 4) on a segment at which asperities change between sticking and sliding.
+
+    strength: resistance of the asperities to sliding. more: K beta and the tangential displacement over sigma, arrays (n,).
+    Unused entries are the first coordinate of the segment.
+    """
     edges = with_kinks(segment.edges, strength.kinks)
     edges = np.ascontiguousarray(np.minimum(edges, coordinates(segment, _DEEPEST)[:, None]))
     excess = _not_yet(segment.normal, len(segment.parameters), strength.resistance, len(strength.parameters))
