@@ -67,7 +67,7 @@ def _add_zeros(which, places, values, law, out, count):
     """Append the zeros of one signal to the edges `out`, and return the new number of edges.
 
     which: index of the signal, a function of u whose zeros are kinks. places, values: coordinates u of the samples, and the
-    signal there. law: parameters of the graded law. count: number of edges so far.
+    signal there. law: parameters of an asperity on a graded film. count: number of edges so far.
     """
     before = values[0]
     # A branch point has an effect at some distance, and the balance has sharp turns. Other signals may be constant but for
@@ -92,8 +92,8 @@ def _add_zeros(which, places, values, law, out, count):
 def _sample_loads(law, edges, count, places, loads, slopes):
     """Sample the load and its slope at INNER places inside every segment between the first `count` edges.
 
-    law: parameters of the graded law. places, loads, slopes: filled with coordinates u, loads and slopes, INNER for each
-    segment.
+    law: parameters of an asperity on a graded film. places, loads, slopes: filled with coordinates u, loads and slopes, INNER
+    for each segment.
     """
     for segment in range(count - 1):
         low, high = edges[segment], edges[segment + 1]
@@ -111,7 +111,7 @@ def _summit(low, kink, high, at_high, law):
     """Return the coordinate u at which the load has a maximum, between `low`, where it rises, and `high`, where it falls.
 
     kink: an edge between them, at which the slope may jump, or `low`. at_high: slope of the load at `high`. law: parameters of
-    the graded law.
+    an asperity on a graded film.
     """
     below, above = kink * (1.0 - 1e-13), kink * (1.0 + 1e-13)
     at_low = signal(NUMBERS[SLOPE], low, law, 0.0)
@@ -130,7 +130,7 @@ def _summit(low, kink, high, at_high, law):
 def _descent(low, high, law):
     """Return a coordinate between low and high at which the load falls, and its slope there; `high` and 0 if it falls nowhere.
 
-    law: parameters of the graded law. The slope is sampled at 63 places.
+    law: parameters of an asperity on a graded film. The slope is sampled at 63 places.
     """
     for m in range(1, 64):
         u = low + (high - low) * m / 64.0
@@ -156,7 +156,7 @@ def _first_flowing(part, count):
 def _regained(low, high, above, law, level):
     """Return the coordinate between low and high at which the load, after a fall, reaches `level` again.
 
-    above: load minus `level` at `high`. law: parameters of the graded law.
+    above: load minus `level` at `high`. law: parameters of an asperity on a graded film.
     """
     lacking = min(signal(NUMBERS[ABOVE], low, law, level), 0.0)
     return zero(NUMBERS[ABOVE], low, lacking, high, above, law, level)
@@ -166,9 +166,9 @@ def _regained(low, high, above, law, level):
 def _add_plateaus(law, edges, count, part, levels, places, loads, slopes):
     """Append the ends of the load plateaus to the edges, and return the new number of edges.
 
-    On a plateau the load of an asperity stays constant, because by the law it would fall. law: parameters of the graded law.
-    The first `count` edges are sorted. part: number of the part for each segment. levels: filled with (start, level) of each
-    plateau. places, loads, slopes: work arrays.
+    On a plateau the load of an asperity stays constant, because by the law it would fall. law: parameters of an asperity on a
+    graded film. The first `count` edges are sorted. part: number of the part for each segment. levels: filled with (start,
+    level) of each plateau. places, loads, slopes: work arrays.
     """
     out = edges[_first_flowing(part, count) : count]  # an elastic asperity's load cannot fall
     _sample_loads(law, out, out.size, places, loads, slopes)
@@ -214,8 +214,8 @@ def _fixed_edges(law, tau, out):
     """Fill the edges that are known in advance; return three coordinates and the number of edges.
 
     The three are the start of the contact, the end of the scan, and the coordinate at which the film is pressed through, at
-    the displacement tau over sigma. Further edges cut long segments. law: parameters of the graded law. out: filled with the
-    edges.
+    the displacement tau over sigma. Further edges cut long segments. law: parameters of an asperity on a graded film. out:
+    filled with the edges.
     """
     pull, _, n_H, linear, square = law[:5]
     S, bodies = math.sqrt(6.0 * pull), law[ALONE:]
@@ -240,7 +240,7 @@ def _scan(start, top, law, places, values):
     """Sample all signals from the coordinate `start` to `top`, and return the number of samples.
 
     Signals are functions of u whose zeros are kinks. places, values: filled with coordinates and signals. law: parameters of
-    the graded law. The samples are dense near the start, because all features of a thin film are there.
+    an asperity on a graded film. The samples are dense near the start, because all features of a thin film are there.
     """
     pull, _, n_H, linear, square = law[:5]
     slope = contact(start, math.sqrt(6.0 * pull), law[ALONE:])[1]
@@ -269,7 +269,7 @@ def _insert(kinks, law, places, values, size):
     """Add samples of all signals at the coordinates `kinks`, while there is room, and return the new number of samples.
 
     At a kink of one signal the others may turn. places, values: the first `size` samples, in ascending order, with room for
-    more. law: parameters of the graded law.
+    more. law: parameters of an asperity on a graded film.
     """
     for u in kinks:
         position = size
@@ -322,9 +322,10 @@ def _fill(parameters, tau, edges, part, levels, branch):
 def _add_branches(start, at_start, law, out, first, count, branch):
     """Fill `branch` with the branch points of the yield resistance, and return the new number of edges.
 
-    start, at_start: first coordinate of the contact, and the signal REAL there. The first branch point is below the start, the
-    others are out[first:count]. An edge is added between two of them, because the substitution that removes a square root
-    works at one end of a segment only.
+    start: first coordinate of the contact. at_start: value there of a signal that is positive where the yield resistance is
+    real. law: parameters of an asperity on a graded film. The first branch point is below the start, the others are
+    out[first:count]. An edge is added between two of them, because the substitution that removes a square root works at one
+    end of a segment only.
     """
     branch[:] = -math.inf
     kinks = out[first:count]
@@ -351,10 +352,11 @@ def _add_branches(start, at_start, law, out, first, count, branch):
 
 @formula
 def _name_parts(law, through, edges, count, part):
-    """Fill `part` with the number of the part (see `find_kinks`) of every segment between the edges.
+    """Fill `part` with a number for every segment between the edges.
 
-    The endless segment after the last edge is included. through: coordinate at which the film is pressed through. edges: the
-    first `count` are used. law: parameters of the graded law.
+    The numbers are 0 elastic film, 1 plastic film, 2 elastic substrate, 3 plastic substrate, -1 no segment. The endless
+    segment after the last edge is included. through: coordinate at which the film is pressed through. edges: the first `count`
+    are used. law: parameters of an asperity on a graded film.
     """
     edges[count:] = _END
     part[:] = -1
@@ -366,7 +368,7 @@ def _name_parts(law, through, edges, count, part):
 
 
 def find_kinks(parameters: np.ndarray, tau: np.ndarray) -> tuple[np.ndarray, ...]:
-    """Return edges, parts, plateaus and branch points of the graded law, for n contacts.
+    """Return edges, parts, plateaus and branch points of asperities on graded films, for n contacts.
 
     parameters: (n, PARAMETERS) of the law. tau (n,): displacement over sigma at which the film is pressed through.
 

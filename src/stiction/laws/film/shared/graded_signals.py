@@ -22,7 +22,7 @@ def signals(u, law):
 
     They are zero where: the asperity first yields; it is fully plastic; the yield resistance stops being real in tension (a
     branch point, S3.9); the yield resistance vanishes in compression (S3.10); slip and yield resistance are equal (S3.11, over
-    the strength). law: parameters of the graded law.
+    the strength). law: parameters of an asperity on a graded film.
     """
     pull, eta, n_H, linear, square, nu_s, nu_c, Kb_s, Kb_c, yield_s, yield_c = law[:ALONE]
     S = math.sqrt(6.0 * pull)
@@ -47,8 +47,8 @@ def signals(u, law):
 def load_before_plateaus(u, law):
     """Return the load without plateaus, its derivative by ln u, and the elastic mean pressure over the hardness.
 
-    The derivative is over hardness times contact area, so that it is of the order of one. u: coordinate. law: parameters of
-    the graded law.
+    The derivative is over hardness times contact area, so that it is of the order of one. u: coordinate. law: parameters of an
+    asperity on a graded film.
     """
     pull, eta, n_H, linear, square = law[:5]
     S = math.sqrt(6.0 * pull)
@@ -78,10 +78,10 @@ NUMBERS = np.arange(7)
 
 @lazy_kernel(worth=100_000)
 def signal(which, u, law, level):
-    """Return one number at the coordinate u whose zeros are searched: function `which` of the graded law.
+    """Return one number at the coordinate u whose zeros are searched: function `which` of an asperity on a graded film.
 
     which: 0 to 4, one of `signals`; SLOPE, the slope of the load in the units of `load_before_plateaus`; ABOVE, the load minus
-    `level`. law: parameters of the graded law. `level` is not used otherwise.
+    `level`. law: parameters of an asperity on a graded film. `level` is not used otherwise.
     """
     if which < SLOPE:
         return signals(u, law)[which]
@@ -93,9 +93,9 @@ def signal(which, u, law, level):
 def zero(which, low, at_low, high, at_high, law, level):
     """Return the coordinate between low and high at which the function `which` is zero, by false position.
 
-    which, law, level: as in `signal`. at_low, at_high: values at low and high, of opposite sign. The method is from
-    Anderson & Bjorck 1973; some steps bisect the bracket. The zero is found to machine precision where the resistance jumps
-    and for the load, else to 1e-9.
+    which, law, level: as in `signal`. at_low, at_high: values at low and high, of opposite sign. The method is from Anderson &
+    Bjorck 1973; some steps bisect the bracket. The zero is found to machine precision where the resistance jumps and for the
+    load, else to 1e-9.
     """
     fine, small = (4e-15, 0.0) if which == REAL or which >= SLOPE else (1e-9, 1e-11)
     u = last = low
