@@ -40,7 +40,8 @@ class TangentialResistance:
     """Describe the tangential force at which one asperity slides, along one segment and for n contacts at once.
 
     resistance(u, displacement, load, area, *parameters) returns the slip-limited and the yield-limited force, in the unit of
-    the load. The smaller force decides; at least one of the two returned numbers is zero. parameters: arrays (n,).
+    the load. The smaller force decides, and the other is returned as 0. parameters: arrays (n,). The engine sums both numbers,
+    so that they may also be other quantities of an asperity, such as a stiffness.
 
     kinks: array (n, k) of coordinates at which the force is not smooth, in any order, or None; those outside the segment are
     ignored. branch: coordinates at which the force starts like a fractional power, as in `Regime`, or None.
