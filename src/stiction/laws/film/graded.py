@@ -124,7 +124,7 @@ def bare_regimes_with_transition(asperity: Groups) -> list[Regime]:
 
 
 def _parameters(substrate, film, film_k, bodies, n_H, film_aspect, n_g, rates) -> np.ndarray:
-    """Return the parameters (n, PARAMETERS) of the graded law, in the order in which `graded_law.along` takes them.
+    """Return the parameters (n, PARAMETERS) of asperities on graded films, in the order in which `graded_law.along` takes them.
 
     substrate, film: groups of each. film_k: hardness over yield stress of the film. bodies: elastic constants. n_H, n_g:
     hardness and work of adhesion of the film over the substrate's. film_aspect: film thickness over sqrt(R sigma); if both
@@ -155,10 +155,10 @@ def _parameters(substrate, film, film_k, bodies, n_H, film_aspect, n_g, rates) -
 
 
 def _regimes(parameters, tau, parts) -> list[Regime]:
-    """Return one regime for each part of the graded law, in the order of `parts`.
+    """Return one regime for each part of the law of asperities on graded films, in the order of `parts`.
 
-    parameters: (n, PARAMETERS) of the graded law. tau (n,): film thickness over sigma. parts: state and body of each part,
-    such as ("elastic", "film").
+    parameters: (n, PARAMETERS) of the law. tau (n,): film thickness over sigma. parts: state and body of each part, such as
+    ("elastic", "film").
     """
     edges, part, levels, branch = find_kinks(parameters, tau)
     columns = (*parameters.T, *levels.T)
