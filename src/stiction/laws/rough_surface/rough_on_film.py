@@ -69,8 +69,7 @@ _TO_A_FACTOR_OF_E = 2  # tabulated pressures of the bare area of a map, per fact
 _LEAST_AREA = 1e-300  # replaces an area of 0 in logarithms
 _SLOPES = -2.0, -0.5  # limits of the slope of a secant, which near convergence is a quotient of two rounding errors
 _STEPS, _PER_POINT = 40, 10  # largest number of fixed-point steps; memory of one load, as a number of points
-# Points of the interpolation of the modulus over the area, size of a negligible last term, and factor by which the range of
-# moduli extends beyond those of film and bodies.
+# Points at which the modulus is interpolated over the area, size of a negligible last term, widening of the range of moduli.
 _POINTS, _ROUND_OFF, _BEYOND = 20, 2e-14, 0.5
 STIFF = 5.0  # film modulus over the bodies' from which on this law is inaccurate for thin films
 
@@ -78,8 +77,8 @@ STIFF = 5.0  # film modulus over the bodies' from which on this law is inaccurat
 class Waves(NamedTuple):
     """Store a spectrum: wavenumbers of its waves, and their fractions of the mean square gradient.
 
-    wavevector: (n, m) for n surfaces, or (m,), in units of 1/sqrt(R sigma) if the film thickness is over sqrt(R sigma), or
-    both in SI units. share: same shape, with the sum 1 over the waves.
+    wavevector: (n, m) for n surfaces, or (m,), in the inverse unit of the film thickness. share: same shape, sum 1 over the
+    waves.
     """
 
     wavevector: np.ndarray
@@ -89,9 +88,9 @@ class Waves(NamedTuple):
 def waves_of_moments(density: np.ndarray) -> Waves:
     """Return the spectra of self-affine surfaces with the spectral moments that belong to density = N R sigma (n,).
 
-    Wavenumbers are in units of 1/sqrt(R sigma). A spectrum lies between the wavenumbers k_l and k_s = z k_l. With the Hurst
-    exponent H and M_n, the integral of k^(n + 1) k^(-2 - 2 H) over it, Nayak's alpha = (3/2) M_0 M_4/M_2^2 gives z, and
-    m4/m2 = (3/4) M_4/M_2 = 6 pi sqrt(3) N gives k_s (Nayak 1971).
+    Wavenumbers are over 1/sqrt(R sigma), from k_l to k_s = z k_l. With the Hurst exponent H and M_n, the integral of k^(n + 1)
+    k^(-2 - 2 H) between them, Nayak's alpha = (3/2) M_0 M_4/M_2^2 gives z, and m4/m2 = (3/4) M_4/M_2 = 6 pi sqrt(3) N gives
+    k_s (Nayak 1971).
     """
     log_ratio = np.interp(np.log(bandwidth(density)), _log_bandwidths(), np.log(_RATIOS))[:, None]
     log_k = 0.5 * (_NODES - 1.0) * log_ratio  # ln k/k_s
@@ -118,10 +117,7 @@ def _log_bandwidths() -> np.ndarray:
 
 
 def thickness_over_wave(groups: Groups) -> np.ndarray:
-    """Return the thickness of one film over the shortest wavelength of the surface (n,).
-
-    groups: dimensionless groups of n coated contacts. If both bodies are coated, one film has half of the thickness.
-    """
+    """Return the thickness of one film over the shortest wavelength of the surface, for n coated contacts (n,)."""
     shortest = waves_of_moments(groups.roughness_parameter).wavevector[:, -1]
     return groups.film_aspect / groups.films * shortest / (2.0 * math.pi)
 
@@ -199,10 +195,7 @@ def _interpolated(function: Callable[[np.ndarray], np.ndarray], low: np.ndarray,
 
 
 def area_at_load(load: np.ndarray, groups: Groups) -> np.ndarray:
-    """Return the contact area per asperity over pi R sigma (n, H) at H loads of n coated contacts; it is 0 under tension.
-
-    load: per asperity, over K R^(1/2) sigma^(3/2). The surface is given by its spectral moments.
-    """
+    """Return the contact area per asperity over pi R sigma (n, H) at dimensionless loads per asperity; 0 under tension."""
     resolved = groups.resolved()
     require_gaussian(resolved.roughness_parameter)
     parts = [_area(load[rows], resolved[rows]) for rows in blocks(len(load), _PER_POINT * load.shape[1])]
@@ -218,8 +211,7 @@ def _area(load: np.ndarray, groups: Groups) -> np.ndarray:
 def elastic_share(pressure: np.ndarray, groups: Groups) -> np.ndarray:
     """Return the contact area over the nominal area (n, H) of elastic contacts on a film, at H pressures of n contacts.
 
-    pressure (n, H): nominal pressure over E* h', >= 0, with the contact modulus E* of the bodies without film and the root
-    mean square gradient h'. groups: dimensionless groups with all defaults filled in.
+    pressure (n, H): nominal pressure over E* h', >= 0; E*: contact modulus without film, h': root mean square gradient.
     """
     from stiction.surfaces.theory.widened_area import of_moments  # slow to import
 
@@ -231,9 +223,9 @@ def elastic_share(pressure: np.ndarray, groups: Groups) -> np.ndarray:
 def _flowing(elastic: np.ndarray, pressure: np.ndarray, groups: Groups) -> np.ndarray:
     """Return the contact area over the nominal area (n, H) after plastic flow has limited the contact pressure.
 
-    elastic (n, H): the area without this limit. pressure (n, H): nominal pressure over E* h'. groups: dimensionless groups of
-    n coated contacts. The limit is the film hardness, or the pressure that the body below carries through the film if it is
-    less. It depends on the mean size of a contact spot, which follows from the number of asperities that touch at this area.
+    elastic (n, H): the area without this limit. pressure (n, H): nominal pressure over E* h'. The limit is the film hardness,
+    or the pressure that the body below carries through the film if it is less. It depends on the mean size of a contact spot,
+    which follows from the number of asperities that touch at this area.
     """
     from stiction.surfaces.theory.widened_area import with_hardness  # slow to import
 
@@ -251,19 +243,16 @@ def _flowing(elastic: np.ndarray, pressure: np.ndarray, groups: Groups) -> np.nd
 
 
 def _thickness(groups: Groups) -> np.ndarray:
-    """Return the thickness of one film over sqrt(R sigma) (n,).
-
-    If both bodies are coated, one film has half of the whole thickness.
-    """
+    """Return the thickness of one film, half of the whole if both bodies are coated, over sqrt(R sigma) (n,)."""
     return np.broadcast_to(groups.film_aspect / groups.films, len(groups))
 
 
 def area_on_map(load: np.ndarray, groups: Groups, surface: "HeightMap") -> np.ndarray:
-    """Return the contact area per asperity over pi R sigma (n, H) at H loads of n coated contacts, from a map.
+    """Return the contact area per asperity over pi R sigma (n, H) at H loads of n coated contacts, from a map of both faces.
 
-    load: per asperity, over K R^(1/2) sigma^(3/2). surface: map that represents both faces, the same for all contacts. The
-    elastic contact of the map with its film is solved at a few loads. Between and beyond them, the area law is used with the
-    spectrum and the bare contact area of the map.
+    load: per asperity, over K R^(1/2) sigma^(3/2). The elastic contact of the map with its film is solved at a few loads.
+    Between and beyond them, the area law is used with the spectrum and the bare contact area of the map. All contacts have the
+    same map.
     """
     resolved, density = groups.resolved(), groups.roughness_parameter[:, None]
     pressure = reduced_pressure(np.maximum(load, 0.0), density)
@@ -275,10 +264,7 @@ def area_on_map(load: np.ndarray, groups: Groups, surface: "HeightMap") -> np.nd
 
 
 def waves_of_map(surface: "HeightMap", groups: Groups) -> Waves:
-    """Return the spectrum of a map for one contact, with wavenumbers in units of 1/sqrt(R sigma) from the moments of the map.
-
-    groups: dimensionless groups of this contact.
-    """
+    """Return the spectrum of a map for one contact; wavenumbers are over 1/sqrt(R sigma), from the moments of the map."""
     from stiction.surfaces.spectrum import power_spectrum, radial_average  # slow to import
 
     spectrum = radial_average(power_spectrum(surface, "none" if surface.periodic else "hann"))
@@ -316,10 +302,9 @@ def compliance_of(groups: Groups, surface: "HeightMap") -> "Compliance":
 def _elastic_on_map(pressure: np.ndarray, groups: Groups, surface: "HeightMap", slope: float) -> np.ndarray:
     """Return the elastic contact area over the nominal area (H,) of one coated contact with a map.
 
-    pressure (H,): nominal pressure over E* h'. slope: root mean square gradient h' that follows from `groups`. The contact is
-    solved with its film at a few loads. The ratio of these solutions to the area law is interpolated over the logarithm of the
-    pressure and applied at all loads. If too few points touch at a load, the ratio of the lightest load with enough points is
-    used.
+    pressure (H,): nominal pressure over E* h'. slope: root mean square gradient h'. The contact is solved with its film at a
+    few loads. The ratio of these solutions to the area law is interpolated over the logarithm of the pressure and applied at
+    all loads. If too few points touch at a load, the ratio of the lightest load with enough points is used.
     """
     from scipy.interpolate import PchipInterpolator
 
@@ -351,8 +336,7 @@ def _bare_curve(surface: "HeightMap", pressure: np.ndarray, slope: float, n_E: f
     """Return a function that gives the bare contact area of a map over its nominal area, against the pressure over E* h'.
 
     It interpolates a formula from the slopes of the map, over all pressures that films with the modulus ratio n_E may need.
-    pressure (H,): pressures with the film. slope: root mean square gradient h' of the contact. n_E: film modulus over the
-    bodies'.
+    pressure: pressures with the film. slope: root mean square gradient h'.
     """
     from scipy.interpolate import PchipInterpolator
 

@@ -39,8 +39,7 @@ SPARE = 8  # room for samples that are inserted at kinks
 INNER = 16  # number of samples of the load's slope on a segment
 # Kinks at larger displacements are not searched, because no asperity is pressed that far.
 _DEEPEST = 10.0  # largest u, a displacement of 10^4 sigma
-# Near the start, cells are equal in ln(u - start). Relative distance of the first sample and of the change of spacing, cells
-# per factor e.
+# Cells near the start are equal in ln(u - start): relative distances of the first and the last, number per factor e.
 _NEAREST, _APART, _DENSE = 1e-9, 0.2, 4.0
 NEAR = math.ceil(_DENSE * math.log(_APART / _NEAREST))
 _FELT = 0.5  # a signal below this is searched for zeros even if the parabola through the samples is far from zero
@@ -52,10 +51,7 @@ _PLACES = np.clip((1.0 - np.cos(np.pi * np.linspace(0.0, 1.0, INNER))) / 2.0, 1e
 
 @formula
 def _add(out, count, u):
-    """Append the coordinate u to the edges `out` if there is room, and return the new number of edges.
-
-    count: number of edges so far.
-    """
+    """Append the coordinate u to the first `count` edges in `out` if there is room, and return the new number of edges."""
     if count < out.size:
         out[count] = u
         return count + 1
@@ -70,8 +66,7 @@ def _add_zeros(which, places, values, law, out, count):
     signal there. law: parameters of an asperity on a graded film. count: number of edges so far.
     """
     before = values[0]
-    # A branch point has an effect at some distance, and the balance has sharp turns. Other signals may be constant but for
-    # rounding.
+    # A branch point has an effect at a distance, and the balance has sharp turns. Other signals may be nearly constant.
     small = _FELT if which in (REAL, BALANCE) else 0.0
     for j in range(places.size - 1):
         current, following = values[j], values[j + 1]
@@ -90,11 +85,7 @@ def _add_zeros(which, places, values, law, out, count):
 
 @formula
 def _sample_loads(law, edges, count, places, loads, slopes):
-    """Sample the load and its slope at INNER places inside every segment between the first `count` edges.
-
-    law: parameters of an asperity on a graded film. places, loads, slopes: filled with coordinates u, loads and slopes, INNER
-    for each segment.
-    """
+    """Sample load and slope at INNER coordinates in each segment between the first `count` edges, into the last arrays."""
     for segment in range(count - 1):
         low, high = edges[segment], edges[segment + 1]
         inner = places[segment * INNER :]
@@ -110,8 +101,7 @@ def _sample_loads(law, edges, count, places, loads, slopes):
 def _summit(low, kink, high, at_high, law):
     """Return the coordinate u at which the load has a maximum, between `low`, where it rises, and `high`, where it falls.
 
-    kink: an edge between them, at which the slope may jump, or `low`. at_high: slope of the load at `high`. law: parameters of
-    an asperity on a graded film.
+    kink: an edge between them, at which the slope may jump, or `low`. at_high: slope of the load at `high`.
     """
     below, above = kink * (1.0 - 1e-13), kink * (1.0 + 1e-13)
     at_low = signal(NUMBERS[SLOPE], low, law, 0.0)
@@ -128,10 +118,7 @@ def _summit(low, kink, high, at_high, law):
 
 @lazy_kernel(worth=100_000)
 def _descent(low, high, law):
-    """Return a coordinate between low and high at which the load falls, and its slope there; `high` and 0 if it falls nowhere.
-
-    law: parameters of an asperity on a graded film. The slope is sampled at 63 places.
-    """
+    """Return a coordinate at which the load falls between low and high, and the slope there; `high` and 0 if it never falls."""
     for m in range(1, 64):
         u = low + (high - low) * m / 64.0
         slope = signal(NUMBERS[SLOPE], u, law, 0.0)
