@@ -123,7 +123,8 @@ def engine_kernel(function: Callable) -> Any:
 def lazy_kernel(worth: int) -> Callable:
     """Return a decorator for loops that plain Python runs until they have done enough work, and compiled code from then on.
 
-    worth: number of elements of the last argument, summed over all calls, after which the loop is compiled.
+    worth: work of all calls together after which the loop is compiled. The work of one call is the number of elements of its
+    last argument.
     """
     return lambda function: Kernel(function, Allowance(worth), lambda last: getattr(last, "size", 1))
 

@@ -208,8 +208,9 @@ def cutting(window: Callable) -> Any:
 def place_nodes(parts, branch, two_sided, rules, nodes):
     """Fill `nodes` with the coordinates and weights of all integration intervals, and return the number of filled rows.
 
-    parts: fields of `Parts`, the intervals. branch, two_sided: as in `Laws`; near a branch point the nodes are denser. rules:
-    nodes and weights on [0, 1], and their numbers. nodes: fields of `Rows`.
+    parts: fields of `Parts`, the intervals. branch (n, b): coordinates of each law near which the nodes are denser, because the
+    resistance behaves like a square root there. two_sided: whether an interval may also end at such a coordinate. rules: nodes
+    and weights on [0, 1], and their numbers. nodes: fields of `Rows`.
     """
     (law, owner, ends, _, rule, at_knot), (rule_table, counts) = parts, rules
     u, weights, row_law, row_owner, row_count, _ = nodes

@@ -110,7 +110,7 @@ def _laws_of(function: Any) -> Iterator[str]:
 
 
 def _is_trusted() -> bool:
-    """Return whether only this user can write to the folder of cached kernels; print a notice if others can.
+    """Return whether only this user can write to the folder of cached kernels; issue a notice if others can.
 
     Compiled kernels are loaded by unpickling, which runs code from the file; files by others must not be loaded.
     """

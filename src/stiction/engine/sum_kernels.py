@@ -114,7 +114,8 @@ def scattering(along: Callable, coordinate: Callable, density: Callable, window:
         """Fill out (m, 5) with the sums of the laws law[i] at the mean separations h[i], over sigma.
 
         The five sums are averages over all asperities: number touching, load, area, slip-limited and yield-limited resistance.
-        heights, laws, rules: tuples, as described at the top of this module.
+        heights: parameters and knots of the density. laws: fields of `nodes.Laws`. rules: nodes and weights on [0, 1], and
+        their numbers.
         """
         (shape, knots), (table, edges, branch, two_sided), (rule_table, counts) = heights, laws, rules
         for i in range(h.size):
@@ -254,7 +255,8 @@ def placing(along: Callable, coordinate: Callable, window: Callable, parameters:
         """Append the integration nodes of the regime to the table of nodes of each law (parameter set).
 
         reach: lowest and highest displacement that is integrated and smallest separation, over sigma. shape: parameters of the
-        height density. laws, rules, nodes: tuples, as described at the top of this module.
+        height density. laws: fields of `nodes.Laws`. rules: nodes and weights on [0, 1], and their numbers. nodes:
+        displacements, weights times values, and number of nodes so far.
         """
         (table, edges, branch, two_sided), (rule_table, counts), (places, values, used) = laws, rules, nodes
         scratch = np.empty(6 * LONGEST)

@@ -44,10 +44,11 @@ _DEEPEST, _HIGHEST, _NODES = -8.0, 8.0, 4001
 
 
 def efficiency(spread, residual, constants=FITTED):
-    """Return the largest tangential force of a contact over the sum of the strengths of its spots, by (1) and (2).
+    """Return the largest tangential force of a contact over the sum of the strengths of its spots.
 
     spread: standard deviation of the spots' shear displacement over the slip in which strength is lost, >= 0. residual:
-    fraction of the strength that remains after slip, 0 to 1. The shapes broadcast. constants: b, m and w of (1) and (2).
+    fraction of the strength that remains after slip, 0 to 1. The shapes broadcast. constants: b, m and w of equations (1) and
+    (2) of this module.
     """
     b, m, w = constants
     alone = (1.0 + (b * (1.0 - residual) * spread) ** m) ** (-0.5 / m)
@@ -56,7 +57,7 @@ def efficiency(spread, residual, constants=FITTED):
 
 
 def spot_radius(share, deviation, radius, density):
-    """Return the mean radius of contact spots [m], by the equations for a and c below (3).
+    """Return the mean radius of contact spots [m], by Greenwood & Williamson's model with Gaussian heights.
 
     share: real over nominal contact area, 0 to 1. deviation [m], radius [m], density [1/m2]: standard deviation of the heights,
     radius and number per area of the asperities. The shapes broadcast.
@@ -69,18 +70,18 @@ def spot_radius(share, deviation, radius, density):
 
 
 def spread_of_spots(radius, share, roughness_parameter):
-    """Return the standard deviation of the spots' shear displacement over strength times shear compliance [m], by (3).
+    """Return the standard deviation of the spots' shear displacement over strength times shear compliance [m].
 
-    Edges of the nominal area are neglected. radius: of the spots [m]. share: real over nominal contact area.
-    roughness_parameter: density times radius times rms height of the asperities.
+    This is the first term of equation (3) of this module, without edges of the nominal area. radius: of the spots [m]. share:
+    real over nominal contact area. roughness_parameter: density times radius times rms height of the asperities.
     """
     return _OF_SPOTS * radius * roughness_parameter**_BY_DENSITY * (1.0 - share) ** _BY_SHARE
 
 
 def spread_of_edges(side, share):
-    """Return the standard deviation of the shear displacement due to the edges of a square nominal area, by (3).
+    """Return the standard deviation of the shear displacement due to the edges of a square nominal area.
 
-    It is divided by strength times shear compliance, so the unit is [m]. side: of the square [m]. share: real over nominal
-    contact area.
+    It is divided by strength times shear compliance, so the unit is [m]: the second term of equation (3) of this module. side:
+    of the square [m]. share: real over nominal contact area.
     """
     return _OF_EDGES * side * share

@@ -218,7 +218,10 @@ class _Grid:
 
     @property
     def excess(self) -> float:
-        """Return the coefficient c of (2): the counted area is too large by c pixels for each pixel side at the edge."""
+        """Return the coefficient c of equation (2) of this module, by which the contact area is corrected.
+
+        The area counted in pixels is too large by c pixels for each pixel side at the contact edge.
+        """
         return PIXEL_EXCESS + _AT_EDGE / max(self.points, 1.0)
 
     def area(self, points: int, sides: int) -> float:

@@ -148,9 +148,10 @@ def _by_rank(heights, size, periodic):
 
 
 def by_top_slopes(pressure: float, slopes: MapSlopes) -> float:
-    """Return the area fraction A/A0 of a Gaussian isotropic map by formula (3), from the gradient of its highest points.
+    """Estimate the area fraction A/A0 of a Gaussian isotropic map from the gradient of its highest points.
 
-    pressure: mean pressure divided by E* h', > 0; h' is the rms gradient. slopes: measured by `map_slopes`.
+    This is formula (3) of this module. A/A0: real over nominal contact area. pressure: mean pressure divided by E* h', > 0; E*
+    is the contact modulus and h' the rms gradient. slopes: measured by `map_slopes`.
     """
     c = 0.672 - 0.071 * math.log(slopes.alpha)
     ratio = np.sqrt(np.cumsum(slopes.squares) / np.arange(1, len(slopes.squares) + 1))
@@ -159,9 +160,10 @@ def by_top_slopes(pressure: float, slopes: MapSlopes) -> float:
 
 
 def by_ranks(pressure: float, slopes: MapSlopes) -> float:
-    """Return the area fraction A/A0 of any map by formula (4), from the gradients of its points ranked by height.
+    """Estimate the area fraction A/A0 of any map from the gradients of its points ranked by height.
 
-    pressure: mean pressure divided by E* h', > 0; h' is the rms gradient. slopes: measured by `map_slopes`.
+    This is formula (4) of this module. A/A0: real over nominal contact area. pressure: mean pressure divided by E* h', > 0; E*
+    is the contact modulus and h' the rms gradient. slopes: measured by `map_slopes`.
     """
     c = 0.655 - 0.071 * math.log(slopes.alpha) + 0.183 * math.log(slopes.lay)
     count = np.arange(1, len(slopes.squares) + 1)

@@ -114,7 +114,7 @@ def blocks(array: np.ndarray) -> Iterator[tuple[slice, slice]]:
 
 
 def dot(first: np.ndarray, second: np.ndarray) -> float:
-    """Return the sum of the products of two maps, in which only the sum over rows is in double precision.
+    """Return the sum of the products of two maps; only the final sum, over rows, is in double precision.
 
     BLAS is not used, because its threads start slowly.
     """

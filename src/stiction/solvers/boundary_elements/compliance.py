@@ -73,9 +73,10 @@ class Film:
 
     @property
     def at_zero(self) -> float:
-        """Return the compliance under uniform pressure [m/Pa] of a film on a rigid base.
+        """Return the displacement per uniform pressure [m/Pa] of a film on a rigid base.
 
-        It is the thickness divided by the oedometric modulus (1 - nu) E/((1 + nu)(1 - 2 nu)), the limit of (2) at k = 0.
+        It is the thickness divided by the oedometric modulus (1 - nu) E/((1 + nu)(1 - 2 nu)), with Young's modulus E and
+        Poisson's ratio nu of the film.
         """
         nu = self.poisson
         return self.thickness / self.modulus * (1.0 + nu) * (1.0 - 2.0 * nu) / (1.0 - nu)
@@ -83,8 +84,8 @@ class Film:
     def over_half_space(self, k: np.ndarray) -> np.ndarray:
         """Return the compliance of the film on its substrate, divided by the compliance of a half-space of film material.
 
-        This is (2) divided by 2/(E1* k), with the plane-strain modulus E1* of the film. k: wavenumbers > 0 [1/m], any shape.
-        The result has the same shape.
+        k: wavenumbers > 0 [1/m], any shape. The result has the same shape. It is equation (2) of this module divided by 2/(E1*
+        k), with the plane-strain modulus E1* of the film.
         """
         parts = self._parts()
         y = 2.0 * self.thickness * np.asarray(k, dtype=float)
@@ -95,9 +96,10 @@ class Film:
         return ratio
 
     def _parts(self) -> tuple[float, float, float, float, float]:
-        """Return L, K, 1 - LK, 1 + LK + 2K and (1 - L)(1 - K) with the numbers L and K of (2), which compare both materials.
+        """Return L, K, 1 - LK, 1 + LK + 2K and (1 - L)(1 - K), numbers that compare the elasticity of film and substrate.
 
-        The last three are computed without differences of nearly equal numbers.
+        L and K are defined by equation (2) of this module. The last three are computed without differences of nearly equal
+        numbers.
         """
         nu1, nu2 = self.poisson, self.substrate_poisson
         shear = self.modulus / self.substrate_modulus * (1.0 + nu2) / (1.0 + nu1)
@@ -109,9 +111,10 @@ class Film:
 
 
 def _near(y, _, k, one_less_lk, linear, constant):
-    """Return the compliance of a film over the compliance of a half-space of film material by (3), accurate for y = 2 k t < 1.
+    """Return the compliance of a film over the compliance of a half-space of film material, for long waves.
 
-    k: wavenumber, t: film thickness. The other arguments are L (not used), K, 1 - LK, 1 + LK + 2K and (1 - L)(1 - K) of (2).
+    y: 2 k t, below 1, with the wavenumber k and the film thickness t. The other arguments are L (not used), K, 1 - LK, 1 + LK +
+    2K and (1 - L)(1 - K). This is equation (3) of this module, which loses no digits for small y.
     """
     sine = y**3 * np.polynomial.polynomial.polyval(y * y, _SERIES)
     rest = 2.0 - one_less_lk
@@ -121,9 +124,10 @@ def _near(y, _, k, one_less_lk, linear, constant):
 
 
 def _away(y, el, k, *_):
-    """Return the compliance of a film over the compliance of a half-space of film material by (2), for y = 2 k t >= 1.
+    """Return the compliance of a film over the compliance of a half-space of film material, for short waves.
 
-    k: wavenumber, t: film thickness. el, k: the numbers L and K of (2).
+    y: 2 k t, 1 or more, with the wavenumber k and the film thickness t. el, k: the numbers L and K of equation (2) of this
+    module, which is evaluated here.
     """
     once = np.exp(-y)
     return (1.0 + 2.0 * y * k * once - el * k * once**2) / (1.0 - (el + k + k * y * y) * once + el * k * once**2)

@@ -81,11 +81,12 @@ class Faces:
 
 
 class DescentSearch:
-    """Minimise the energy (1) of attracting faces under a mean pressure.
+    """Minimise the energy of two attracting faces under a mean pressure, over gaps >= 0.
 
-    pressure: mean pressure divided by the largest attraction, < 0 if it pulls. gap: current gap (rows, columns), divided by the
-    range of attraction. residual: largest gradient of the energy among points that are apart and touching points that should
-    open. apart: whether the faces have separated completely.
+    The energy is (1) of this module: elastic energy, minus attraction, plus work of the pressure. pressure: mean pressure
+    divided by the largest attraction, < 0 if it pulls. gap: current gap (rows, columns), divided by the range of attraction.
+    residual: largest gradient of the energy among points that are apart and touching points that should open. apart: whether
+    the faces have separated completely.
     """
 
     def __init__(self, faces: Faces, gap: np.ndarray, pressure: float):
@@ -178,7 +179,7 @@ class DescentSearch:
         return 1.0 / fastest if fastest > 0.0 else 1.0
 
     def _change(self, gap: np.ndarray, elastic: np.ndarray) -> float:
-        """Return the change of the energy (1) from the current gap to the gap `gap`, times the number of points.
+        """Return the change of the energy from the current gap to the gap `gap` (rows, columns), times the number of points.
 
         elastic: elastic pressure at `gap`. The formula avoids differences of large numbers, which round-off would spoil near
         the minimum.

@@ -111,7 +111,7 @@ class MapArea:
 
     @property
     def gaussian(self) -> bool:
-        """Return whether the map is Gaussian and isotropic enough for formula (3) of `area_estimates` (top slopes)."""
+        """Return whether the map is Gaussian and isotropic enough for the area formula that uses its highest points only."""
         low, high = _TOP_RANGE
         return (
             abs(skewness(self.heights)) < _MOST_SKEWNESS and self.slopes.lay < _MOST_LAY and low < self.slopes.top(_TOP) < high

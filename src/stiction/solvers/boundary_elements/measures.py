@@ -53,9 +53,10 @@ class Edges:
 
     @property
     def excess(self) -> float:
-        """Return by how many pixels the counted contact area is too large: the correction c S/d with c from (2).
+        """Return by how many pixels the contact area is too large if every pixel in contact is counted whole.
 
-        S: total length of the pixel sides between contact and no contact. d: side of a pixel.
+        It is c times the number of pixel sides at the contact edge; c is larger if most edges run along one axis (equation (2)
+        of this module).
         """
         one_way = abs(self.along_y - self.along_x) / max(self.count, 1)
         return (PIXEL_EXCESS + _ALONG_PIXELS * one_way**4) * self.count

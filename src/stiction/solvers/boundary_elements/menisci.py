@@ -44,9 +44,9 @@ class Menisci:
 class Condensed:
     """Store the solution of a contact with condensed liquid.
 
-    found: solution of problem (1), with the contact pressure plus suction [Pa] and the gap [m], (rows, columns). wet: mask
-    (rows, columns) of the points with liquid. problem: the contact problem (1), whose heights, load and hardness include the
-    suction.
+    found: pressure between the solids plus suction of the liquid [Pa], and gap [m], (rows, columns). wet: mask (rows, columns)
+    of the points with liquid. problem: the equivalent contact problem without liquid, whose heights, load and hardness include
+    the suction.
     """
 
     found: Found
@@ -82,9 +82,10 @@ def condense(
 
 
 def _with_suction(problem: Problem, menisci: Menisci, wet: np.ndarray) -> Problem:
-    """Return the contact problem (1) without liquid that is equivalent to `problem` with suction at the wet points.
+    """Return the contact problem without liquid that is equivalent to `problem` with suction at the wet points.
 
-    wet: mask (rows, columns) of the points with liquid.
+    wet: mask (rows, columns) of the points with liquid. Heights, load and hardness are changed by the suction, see (1) of this
+    module.
     """
     xp = namespace(wet)
     suction = menisci.pressure * xp.astype(wet, xp.float64)

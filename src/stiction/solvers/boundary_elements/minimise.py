@@ -66,7 +66,7 @@ _AIM = 0.7  # tolerance of the residual in single precision, over the full toler
 
 @dataclass(frozen=True)
 class Problem:
-    """Describe the contact of a map under a mean pressure, as minimisation problem (1).
+    """Describe the contact of a map under a mean pressure, as a minimisation problem for the pressure.
 
     displacement: compliance operator, from pressure [Pa] to displacement [m]. heights: (rows, columns) [m]. mean: mean pressure
     [Pa]. hardness: largest pressure [Pa]; infinite for elastic bodies. length: length by which gaps are divided in the residual
@@ -90,11 +90,11 @@ class Problem:
 
 @dataclass(frozen=True)
 class Found:
-    """Store the numerical solution of the minimisation problem (1).
+    """Store the numerical solution of the contact of a map under a mean pressure.
 
-    pressure [Pa] and gap [m]: (rows, columns). offset: the rigid displacement a of (2) [m]. residual: root of the summed
-    squared violations of (2) per point in contact, divided by the problem's length. steps: number of steps taken. converged:
-    whether the residual is at most the tolerance.
+    pressure [Pa] and gap [m]: (rows, columns). offset: rigid displacement of the face [m]. residual: root of the summed squared
+    gap errors per point in contact, divided by the problem's length. steps: number of steps taken. converged: whether the
+    residual is at most the tolerance.
     """
 
     pressure: np.ndarray
@@ -108,7 +108,7 @@ class Found:
 def minimise(
     problem: Problem, start: np.ndarray, *, tolerance: float, most: int, seen: Callable[[int, float], None] | None = None
 ) -> Found:
-    """Solve the minimisation problem (1) for the pressure of a map.
+    """Compute the pressure of a map under a mean pressure, by minimising elastic energy.
 
     start: first guess of the pressure (rows, columns) [Pa]. tolerance: largest accepted residual. most: largest number of
     steps. seen: called before each step with its number and the residual. Without convergence, the solution with the smallest
@@ -172,7 +172,7 @@ def _between(touches: np.ndarray, gap: np.ndarray) -> float:
 
 
 def _wrong(problem: Problem, pressure: np.ndarray, gap: np.ndarray) -> np.ndarray:
-    """Return the gap (rows, columns) where its sign is forbidden by (2), and 0 elsewhere.
+    """Return the gap (rows, columns) where its sign is forbidden, and 0 elsewhere.
 
     A negative gap is forbidden at points without pressure, and a positive gap where the pressure is the hardness.
     """
@@ -190,7 +190,7 @@ def _free(problem: Problem, pressure: np.ndarray, gap: np.ndarray) -> np.ndarray
 
 
 def missed_gap(problem: Problem, pressure: np.ndarray, gap: np.ndarray) -> np.ndarray:
-    """Return by how much the gap violates condition (2) at every point: (rows, columns) [m].
+    """Return by how much the gap violates the contact conditions at every point: (rows, columns) [m].
 
     The gap must be 0 in elastic contact, >= 0 at points without pressure, and <= 0 at points whose pressure is the hardness.
     """

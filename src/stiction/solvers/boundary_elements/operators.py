@@ -204,9 +204,11 @@ def _distances(shape, pitch):
 
 
 def _of_pixels(shape, pitch, depth=0.0):
-    """Return the displacement u E*/p (rows, columns) [m] at every point due to a pressure p on the first pixel, by (1).
+    """Return the displacement of a half-space at every point due to a uniform pressure on the first pixel: (rows, columns).
 
-    shape: (rows, columns). pitch: point spacings (y, x) [m]. depth: the length c [m]; if it is > 0, f of (3) replaces f of (1).
+    The displacement is multiplied by E*/p [m], with the contact modulus E* and the pressure p. shape: (rows, columns). pitch:
+    point spacings (y, x) [m]. depth: length c [m]; 0 gives equation (1) of this module, > 0 the smoother response (3) of a
+    film.
     """
     y, x = _distances(shape, pitch)
     b, a = 0.5 * pitch[0], 0.5 * pitch[1]
@@ -218,9 +220,10 @@ def _of_pixels(shape, pitch, depth=0.0):
 
 
 def _corner(x, y, depth):
-    """Return the function f of (1), or of (3) if depth > 0, at one corner of each pixel.
+    """Return the function whose differences over the corners of a pixel give the displacement, at one corner of each pixel.
 
-    x, y: coordinates of the corners [m]. No corner lies on an axis, where f would be singular.
+    x, y: coordinates of the corners [m]. depth: 0 for f of equation (1) of this module, or the length c [m] of f of (3). No
+    corner lies on an axis, where f would be singular.
     """
     if depth == 0.0:
         return x * np.arcsinh(y / np.abs(x)) + y * np.arcsinh(x / np.abs(y))
@@ -231,9 +234,9 @@ def _corner(x, y, depth):
 
 
 def _rest(compliance, shape, pitch):
-    """Return the part D(k) [m/Pa] of a film's compliance (2) for the waves of a grid.
+    """Return the part of a film's compliance [m/Pa] that the closed forms for pixels do not contain, for the waves of a grid.
 
-    shape: (rows, columns). pitch: point spacings (y, x) [m].
+    It is D(k) of equation (2) of this module. shape: (rows, columns). pitch: point spacings (y, x) [m].
     """
     k = wavevectors(shape, (shape[0] * pitch[0], shape[1] * pitch[1]))
     depth = _DEPTH * compliance.depth

@@ -169,8 +169,9 @@ def _assembled(of: Callable[[str, int], np.ndarray]) -> Radial:
 def _dragged(of: Callable[[str, int], np.ndarray]) -> tuple[np.ndarray, ...]:
     """Return the stresses (rr, tt, zz, rz, rt, tz) under a traction from transforms of orders 0 to 3.
 
-    of: as in `_assembled`. With the angle psi between wave and radius, and J0 to J3 at k r: <cos^2 cos(kr cos)>, <sin^2 cos>
-    are (J0 -+ J2)/2, <cos^3 sin(kr cos)> (3 J1 - J3)/4 and <cos sin^2 sin> (J1 + J3)/4.
+    of: function (name of the amplitude, order of the Bessel function) -> transform at depths and radii. With the angle psi
+    between wave and radius, and J0 to J3 at k r: <cos^2 cos(kr cos)>, <sin^2 cos> are (J0 -+ J2)/2, <cos^3 sin(kr cos)> (3 J1 -
+    J3)/4 and <cos sin^2 sin> (J1 + J3)/4.
     """
     along, both = {}, {}
     for name in ("dragged_xx", "dragged_yy"):

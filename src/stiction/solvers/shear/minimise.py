@@ -56,7 +56,7 @@ def within(traction: np.ndarray, strength: np.ndarray) -> np.ndarray:
 def shear(
     operator: ShearOperator, strength: np.ndarray, shift: np.ndarray, start: np.ndarray, *, tolerance: float, most: int
 ) -> Sheared:
-    """Compute the shear traction and slip of a map under a rigid shift, by solving (1).
+    """Compute the shear traction and slip of a map under a rigid shift, by minimising elastic energy.
 
     operator: tangential compliance. strength: (rows, columns) [Pa], 0 outside of contact. shift: rigid shift minus earlier slip
     [m]; start: first guess of the traction [Pa]; both are (components, rows, columns). tolerance: largest accepted residual.

@@ -197,10 +197,10 @@ def _mirrored(field: np.ndarray) -> np.ndarray:
 
 
 def _of_pixels(shape, pitch, S, N) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return the displacement of every grid point per unit traction on the first pixel [m/Pa], by (1).
+    """Return the displacement of half-spaces at every grid point per unit traction on the first pixel [m/Pa].
 
     The three arrays (rows, columns) are xx, xy and yy: displacement along the first letter, traction along the second. S, N:
-    sums of 1/G and nu/G over the bodies [1/Pa], with the shear modulus G and Poisson's ratio nu.
+    sums of 1/G and nu/G over the bodies [1/Pa], with the shear modulus G and Poisson's ratio nu. Equation (1) of this module.
     """
     y, x = (np.fft.fftfreq(count, 1.0 / (count * step)) for count, step in zip(shape, pitch, strict=True))
     xx, xy, yy = np.zeros(shape), np.zeros(shape), np.zeros(shape)

@@ -60,7 +60,7 @@ class SolvedSet:
 
     @cached_property
     def gaussian(self) -> np.ndarray:
-        """Return a mask (s,) of the Gaussian and isotropic surfaces."""
+        """Return a mask (s,) of the Gaussian and isotropic surfaces of the set."""
         return self["kinds"] == "gaussian"
 
     @cache  # noqa: B019
