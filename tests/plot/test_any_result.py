@@ -16,6 +16,9 @@ from stiction.report.pictures import canvas, finish, friction_panel
 from stiction.report.prediction_pictures import prediction_figure, rests_panel
 from stiction.report.regime_pictures import negligible_load_of_jkr, pressure_of_first_flow, regime_figure
 from stiction.report.view import regime_picture
+from stiction.report.views.comparison import comparison_view
+from stiction.report.views.prediction import prediction_view
+from stiction.studies.prediction.around import AROUND
 
 LOADS = '[solve]\nmodel = "greenwood_williamson_1966"\nload = ["0.1 N", "1 N", "10 N"]\n'
 DESIGN = """
@@ -99,6 +102,23 @@ def test_no_axis_has_an_offset():
     finish(axes)
     figure.canvas.draw()
     assert axes.yaxis.get_offset_text().get_text() == ""
+
+
+def test_a_single_load_stands_on_the_curve_around_it(tmp_path):
+    case = read_case(_written(tmp_path / "one.toml", STEEL_ON_STEEL + '[solve]\nload = "1 N"\n'))
+    data = st.predict(case)
+    mu, low, high = (float(data[f"friction_coefficient{end}"].item()) for end in ("", "_low", "_high"))
+    drawn = [
+        prediction_view(case, data, "one.toml").pictures["curve.png"].draw(),
+        comparison_view(case, st.compare_case(case, load="1 N"), data).pictures["compare.png"].draw(),
+    ]
+    for figure in drawn:
+        (axes,) = figure.axes
+        (line,) = [one for one in axes.lines if len(one.get_xdata()) == len(AROUND) and one.get_linestyle() == "-"]
+        assert line.get_xdata()[[0, 10, -1]] == pytest.approx([0.1, 1.0, 10.0]) and line.get_ydata()[10] == pytest.approx(mu)
+        corners = axes.collections[0].get_paths()[0].vertices  # of the band
+        at_load = corners[np.isclose(corners[:, 0], 1.0), 1]
+        assert [at_load.min(), at_load.max()] == pytest.approx([low, high])
 
 
 def test_the_parts_of_an_interval_are_shorter_than_it(path):

@@ -8,7 +8,15 @@ from scipy.stats import norm
 
 import stiction as st
 from stiction.quantities.units import show
-from stiction.report.answer import at_working_load, confidence, main_sources, working_load_in_words
+from stiction.report.answer import (
+    answer_lines,
+    at_working_load,
+    confidence,
+    main_sources,
+    sources_in_words,
+    without_commands,
+    working_load_in_words,
+)
 from stiction.report.card import Card, card_of, shortened
 from stiction.studies.prediction.measured import interval_after_measuring
 
@@ -88,8 +96,36 @@ def test_the_interval_after_one_measurement_is_that_of_two_normal_distributions(
 
 
 def test_sources_of_uncertainty_are_three_at_most_and_above_5_per_cent():
-    assert main_sources({"a": 0.04, "b": 0.3, "c": 0.2, "d": 0.4, "e": 0.06}) == [("d", 0.4), ("b", 0.3), ("c", 0.2)]
-    assert main_sources({"a": 0.03, "b": 0.04}) == [("b", 0.04)] and main_sources({}) == []
+    sources = main_sources({"a": 0.04, "b": 0.3, "c": 0.2, "d": 0.4, "e": 0.06})
+    assert sources[:3] == [("d", 0.4), ("b", 0.3), ("c", 0.2)] and sources[3:] == [("other", pytest.approx(0.1))]
+    assert main_sources({"a": 0.03, "b": 0.04})[0] == ("b", 0.04) and main_sources({}) == []
+
+
+def test_shares_that_are_shown_add_up_to_100_per_cent():
+    shares = {"interface": 0.484, "area model": 0.384, "junctions": 0.079, "chance": 0.03}
+    assert sources_in_words(shares) == "48% interface strength, 38% model of the contact area, 8% plastic junctions, 6% other"
+    assert sources_in_words({"interface": 0.996}) == "100% interface strength"
+
+
+@pytest.mark.parametrize(
+    ("step", "words"),
+    [
+        ("measure mu once: stiction fit CASE.toml --data FILE", "measure mu once and fit the case to it"),
+        ("measure the surface and give a scan (stiction surface FILE)", "measure the surface and give a scan"),
+        ('state the kind of surface, e.g. kind = "ground", and the interface (stiction interfaces)',
+         "state the kind of surface, e.g. ground, and the interface"),
+    ],
+)  # fmt: skip
+def test_a_reader_without_a_terminal_gets_no_command(step, words):
+    assert without_commands(step) == words
+
+
+def test_the_scale_of_confidence_stands_beside_its_word(predicted):
+    rows = dict(answer_lines(predicted, terminal=False))
+    assert rows["confidence"].startswith(
+        "low, of high (the interval ends within a factor of 1.5 of μ), fair (within 3) and low"
+    )
+    assert "confidence" not in dict(answer_lines(predicted)) and "stiction" not in " ".join(rows.values())
 
 
 @pytest.mark.parametrize(

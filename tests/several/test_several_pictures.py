@@ -26,16 +26,16 @@ def test_one_quantity_is_curves_at_each_load():
 
 def test_a_short_quantity_is_a_line_for_each_value_against_a_long_one():
     data = solved({"theta": [20, 40, 80], "lam": {"start": 1, "stop": 100, "count": 5, "spacing": "log"}})
-    first, second = swept_figure(data).axes
+    figure = swept_figure(data)
+    first, second = figure.axes
     for axes, place in ((first, 0), (second, 1)):
+        low, high = axes.get_ylim()
+        assert all(low <= y <= high for line in axes.lines for y in line.get_ydata())  # of a panel whose values are larger, too
         assert axes.get_xscale() == "log" and r"\lambda" in axes.get_xlabel()
         drawn = [line.get_ydata() for line in axes.lines]
         np.testing.assert_array_equal(drawn, data["friction_coefficient"].transpose("theta", "lam", "load")[..., place])
-    assert first.get_title() == "P = 0.001" and [text.get_text() for text in second.get_legend().get_texts()] == [
-        "20",
-        "40",
-        "80",
-    ]
+    (legend,) = figure.legends
+    assert first.get_title() == "P = 0.001" and [text.get_text() for text in legend.get_texts()] == ["20", "40", "80"]
 
 
 def test_two_long_quantities_are_a_map_at_each_load():

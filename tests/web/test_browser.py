@@ -22,6 +22,7 @@ import pytest
 import stiction as st
 from cases import of_one_model
 from stiction.case.text import as_toml
+from stiction.report.html_words import letters
 from stiction.report.views.comparison import groups_of
 from stiction.web.address import encoded
 from stiction.web.compare_tab import tables_of
@@ -194,7 +195,7 @@ def test_the_first_screen_has_the_answer_and_the_whole_form_in_110_words(opened,
         page.get_by_role("tab", name=name, selected=True).wait_for()
         assert _card(page) == said, name
     page.get_by_text("Why", exact=True).click()
-    page.get_by_text(answer["regime"], exact=True).wait_for()
+    page.get_by_text(letters(answer["regime"]), exact=True).wait_for()
 
 
 FORM = ["Load", "Bodies", "Film", "Roughness", "Adhesion", "Interface"]
@@ -398,7 +399,7 @@ def test_a_bad_scan_is_refused_in_a_sentence(page):
     page.get_by_text(re.compile("^unit: not given; allowed: the length unit of the numbers in the file")).wait_for()
     assert page.evaluate("window.broken") is None
     _tab(page, "Contact")
-    page.get_by_text(re.compile(r"^mu = 0\.")).first.wait_for()
+    page.get_by_text(re.compile(r"^μ = 0\.")).first.wait_for()
 
 
 OF_MODEL = "at a load of"
@@ -575,7 +576,7 @@ def test_a_scan_is_the_roughness_of_the_case(of_model):
     page.get_by_text(re.compile("256 x 256 points")).wait_for()
     page.get_by_role("switch", name="use it in the case").click()
     page.get_by_text("measured: see the tab Surface").wait_for()
-    page.wait_for_function("() => !document.querySelector('header').innerText.includes('mu ≈ 0.046')")
+    page.wait_for_function("() => !document.querySelector('header').innerText.includes('μ ≈ 0.046')")
     _tab(page, "Share")
     page.get_by_text(re.compile("Not in the address: .*Who opens it has to have these files")).wait_for()
 

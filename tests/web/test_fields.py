@@ -59,14 +59,15 @@ def test_text_and_slider_mean_the_same():
 @pytest.mark.parametrize(
     ("given", "text"),
     [
-        ({"median": "1 J/m^2", "factor": 3}, "1 J/m^2 within a factor 3"),
+        ({"median": "1 J/m^2", "factor": 3}, "1 J/m² within a factor 3"),
         ({"low": "30 nm", "high": "70 nm"}, "30 nm to 70 nm"),
         (["48 nm", "60 nm"], '["48 nm", "60 nm"]'),
         ({"values": [1.5, 2], "along": "a"}, '{ values = [1.5, 2], along = "a" }'),
         ("48 nm", "48 nm"),
+        ("0.1 um", "0.1 µm"),
     ],
 )
-def test_a_list_and_a_distribution_stand_in_a_field_as_in_a_case_file(given, text):
+def test_a_list_and_a_distribution_stand_in_a_field_and_units_have_their_signs(given, text):
     sigma = next(one for one in _numbers(first_case()) if one.path[-1] == "asperity_height_deviation")
     assert as_written(given) == text and sigma.written(text) == given
     assert sigma.written("{ median = ") == "{ median = " and as_written(None) == "" and as_written(True) == "true"

@@ -16,6 +16,7 @@ from nicegui.testing.user_interaction import UserInteraction
 
 import stiction as st
 from cases import of_one_model
+from stiction.report.html_words import letters
 from stiction.web.address import encoded
 from stiction.web.fields import first_case
 
@@ -81,13 +82,13 @@ def _card(user: User) -> str:
 
 
 def _mu(user: User) -> str:
-    return next(text for text in _texts(user) if text.startswith("mu "))
+    return next(text for text in _texts(user) if text.startswith("μ "))
 
 
 def _predicted(tables) -> str:
     """What the page has to say of the prediction of a case."""
     found = st.predict(tables)
-    return f"mu = {float(found['friction_coefficient'].sel(load=found.attrs['working_load'])):.2g}"
+    return f"μ = {float(found['friction_coefficient'].sel(load=found.attrs['working_load'])):.2g}"
 
 
 @in_a_loop
@@ -101,8 +102,9 @@ async def test_the_first_screen_shows_the_prediction():
         assert f"{low} to {high} (90% interval) at 1 N" in card and found.shares["interface"] > 0.5
         assert f"{found.shares['interface']:.0%} interface strength</dd>" in card
         rows = dict(pairwise(_texts(user)))
-        assert rows["state"] == found.attrs["regime"]  # below "Why"
-        assert rows["next"].startswith(found.attrs["next_step"]) and "narrows mu to" in rows["next"]
+        assert rows["state"] == letters(found.attrs["regime"])  # below "Why"
+        assert rows["next"].startswith("measure μ once and fit the case to it; ") and "narrows μ to" in rows["next"]
+        assert rows["confidence"].startswith("fair, of high (the interval ends within a factor of 1.5 of μ)")
 
 
 @in_a_loop
@@ -140,13 +142,13 @@ async def test_a_surface_is_known_by_its_finish():
 @in_a_loop
 async def test_a_named_model_answers_with_its_warnings_and_the_prediction_as_large_beside_it():
     async with _page(encoded(of_one_model())) as user:
-        assert _mu(user) == "mu ≈ 0.046"
+        assert _mu(user) == "μ ≈ 0.046"
         assert any("valid range" in text for text in _texts(user))
         predicted = _predicted({name: table for name, table in of_one_model().items() if name != "solve"} | {
             "solve": {"separation": of_one_model()["solve"]["separation"]}})  # fmt: skip
-        await _until(user, lambda: predicted.replace("mu", "μ") in _card(user))
+        await _until(user, lambda: predicted in _card(user))
         big = [part.partition("</span>")[0] for part in _card(user).split('line-height:1.2">')[1:]]
-        assert big == ["μ ≈ 0.046", predicted.replace("mu", "μ")] and "by soft coating 2015" in _card(user)
+        assert big == ["μ ≈ 0.046", predicted] and "by soft coating 2015" in _card(user)
 
 
 @in_a_loop
@@ -165,12 +167,12 @@ async def test_examples_undo_and_reset():
     async with _page() as user:
         _input(user, "asperity tip radius R").set_value("30 um")
         await _until(user, lambda: "tip radius R" in _texts(user) and _mu(user) != "")
-        _labelled(user, ui.select, "examples").set_value("Titanium nitride, 2 um, on steel")
-        await _until(user, lambda: "Titanium nitride, 2 um, on steel" in _texts(user))
+        _labelled(user, ui.select, "examples").set_value("Titanium nitride, 2 µm, on steel")
+        await _until(user, lambda: "Titanium nitride, 2 µm, on steel" in _texts(user))
         _click(user, "undo")
-        await _until(user, lambda: _input(user, "asperity tip radius R").value == "30 um")
+        await _until(user, lambda: _input(user, "asperity tip radius R").value == "30 µm")
         _click(user, "reset")
-        await _until(user, lambda: _input(user, "asperity tip radius R").value == "50 um" and _mu(user) == _predicted(EXAMPLE))
+        await _until(user, lambda: _input(user, "asperity tip radius R").value == "50 µm" and _mu(user) == _predicted(EXAMPLE))
 
 
 @in_a_loop
@@ -185,13 +187,13 @@ async def test_a_knob_that_moves_changes_the_number():
 async def test_a_film_that_is_switched_off_and_on_keeps_its_numbers_and_the_title_follows():
     async with _page(encoded(of_one_model())) as user:
         steel, silver = "hardened steel 52100 on hardened steel 52100", of_one_model()["title"]
-        assert silver in _texts(user) and _mu(user) == "mu ≈ 0.046"
+        assert silver in _texts(user) and _mu(user) == "μ ≈ 0.046"
         _labelled(user, ui.switch, "there is a film").set_value(False)
         await _until(user, lambda: steel.capitalize() in _texts(user))
-        assert silver not in _texts(user) and _mu(user) != "mu ≈ 0.046"
+        assert silver not in _texts(user) and _mu(user) != "μ ≈ 0.046"
         _labelled(user, ui.switch, "there is a film").set_value(True)
         await _until(user, lambda: silver in _texts(user))
-        assert _mu(user) == "mu ≈ 0.046" and "0.4 GPa" in [one.value for one in _elements(user, ui.input)]
+        assert _mu(user) == "μ ≈ 0.046" and "0.4 GPa" in [one.value for one in _elements(user, ui.input)]
         _input(user, "film thickness, of both films together if there are two t").set_value("300 nm")
         await _until(user, lambda: f"Silver film, 300 nm, {steel}" in _texts(user))
 
@@ -213,7 +215,7 @@ async def test_the_address_holds_the_case():
     tables = of_one_model()
     tables["contact"]["work_of_adhesion"] = "0.3 J/m^2"
     async with _page(encoded(tables)) as user:
-        assert _input(user, "work of adhesion gamma").value == "0.3 J/m^2" and _mu(user) != "mu ≈ 0.046"
+        assert _input(user, "work of adhesion gamma").value == "0.3 J/m²" and _mu(user) != "μ ≈ 0.046"
 
 
 @in_a_loop
@@ -304,4 +306,4 @@ async def test_what_one_visitor_does_no_other_sees():
         before = _mu(one)
         _input(other, "work of adhesion gamma").set_value("0.1 J/m^2")
         await _until(other, lambda: _mu(other) != before)
-        assert _mu(one) == before and _input(one, "work of adhesion gamma").value == "1 J/m^2"
+        assert _mu(one) == before and _input(one, "work of adhesion gamma").value == "1 J/m²"

@@ -11,6 +11,7 @@ import numpy as np
 
 from stiction.quantities.units import show
 from stiction.records.registry import GRADES
+from stiction.report.html_words import letters
 from stiction.solving.choice import LAWS
 from stiction.studies.prediction.measured import USUAL_ERROR
 
@@ -30,6 +31,7 @@ PREDICTION_HEADS = {
 _MU, _FORCE, _AREA = "friction_coefficient", "friction_force", "contact_area"
 _MUCH_WIDER = 1.5  # ratio of the upper ends above which the widest interval over the loads is printed too
 _LEAST, _MOST_SOURCES = 0.05, 3  # smallest share of the variance, and largest number, of named sources
+_NO_REST = 0.005  # largest share of the other sources that is not shown
 _ENOUGH = 2 / 3  # fraction of handbook contacts that must agree
 _CONFIDENCE = {1.5: "high", 3.0: "fair", math.inf: "low"}  # largest factor from mu to an end of its interval -> word
 _NAMES = {
@@ -81,6 +83,13 @@ def confidence_in(data: "xarray.Dataset") -> str:
     held, contacts = data.attrs["in_handbooks"]
     mu, low, high = ends_of_mu(data)
     return confidence(mu, low, high) if "measured" in data.attrs or held >= _ENOUGH * contacts else "low"
+
+
+def confidence_scale(word: str) -> str:
+    """Return a confidence with the three words of its scale and their meanings."""
+    high, fair, _ = (f"{factor:g}" for factor in _CONFIDENCE)
+    scale = f"high (the interval ends within a factor of {high} of mu), fair (within {fair})"
+    return f"{word}, of {scale} and low (wider, or fewer than two of three handbook contacts agree)"
 
 
 class PredictionAnswer(TypedDict):
@@ -222,18 +231,20 @@ def beside_area(attrs: dict[str, Any]) -> str:
     return "".join(f"; {name}" for name in attrs["beside_area"])
 
 
-def answer_lines(data: "xarray.Dataset") -> list[tuple[str, str]]:
+def answer_lines(data: "xarray.Dataset", terminal: bool = True) -> list[tuple[str, str]]:
     """Return the answer of a prediction at its working load as pairs (heading, text); headings without text are left out.
 
-    data: result of `predict`.
+    data: result of `predict`. terminal: whether the reader is at a terminal. Other readers get Greek letters, no commands, and
+    a row on the scale of confidence.
     """
     point, attrs = at_working_load(data), data.attrs
     force = show(float(point[_FORCE]), _FORCE, 2)
     area = show(float(point[_AREA]), _AREA, 2).replace("m^2", "m²")
-    warnings, sure = attrs["warnings"], confidence_in(data)
+    warnings, sure, worn = attrs["warnings"], confidence_in(data), worn_through(attrs["bare_metal"])
     at = f"at {working_load_in_words(data)}; confidence: {sure}"
     rows = [
         (f"mu = {number(float(point[_MU]))}", f"{attrs['level']:.0%} interval {span(point, _MU)}, {at}"),
+        ("confidence", "" if terminal else confidence_scale(sure)),
         ("friction force", f"{force} ({span(point, _FORCE, _FORCE)}); real contact {area}"),
         ("along the load", _along(data)),
         ("measured", _of_measured(data)),
@@ -242,13 +253,14 @@ def answer_lines(data: "xarray.Dataset") -> list[tuple[str, str]]:
         ("uncertainty from", sources_in_words(attrs["shares"])),
         ("sliding", _sliding(point)),
         ("model", models_in_words(attrs["models"]) + beside_area(attrs)),
-        ("if worn through", worn_through(attrs["bare_metal"])),
+        ("if worn through", f"{worn} of the clean metals; not counted in the interval above" if worn else ""),
         ("checked against", "" if "measured" in attrs else attrs["checked_against"]),
         ("warning", warnings[0] if warnings else ""),
         ("not used", "; ".join(attrs["inputs_not_used"])),
-        ("next", next_in_words(data)),
+        ("next", next_in_words(data, terminal)),
     ]
-    return [(head, text) for head, text in rows if text]
+    typeset = str if terminal else letters
+    return [(typeset(head), typeset(text)) for head, text in rows if text]
 
 
 def _sliding(point: "xarray.Dataset") -> str:
@@ -317,7 +329,7 @@ def worn_through(interval: list[float]) -> str:
     """Format the interval [low, high] of mu after film or oxide has worn through to the bare metals; "" for an empty list."""
     if not interval:
         return ""
-    return f"mu = {number(interval[0])} to {number(interval[1])} of the clean metals; not counted in the interval above"
+    return f"mu = {number(interval[0])} to {number(interval[1])}"
 
 
 def part_name(name: str) -> str:
@@ -331,10 +343,12 @@ def main_sources(shares: dict[str, float]) -> list[tuple[str, float]]:
     """Return the main sources of uncertainty as pairs (name, share of the variance of ln mu), the largest first.
 
     shares: share of the variance by name of the source. The list has at most three sources. All but the largest must have a
-    share of at least 5 %.
+    share of at least 5 %. The last entry is "other", the rest to 100 %, unless it is below half a per cent.
     """
     ordered = sorted(shares.items(), key=lambda item: -item[1])
-    return [item for rank, item in enumerate(ordered[:_MOST_SOURCES]) if not rank or item[1] >= _LEAST]
+    named = [item for rank, item in enumerate(ordered[:_MOST_SOURCES]) if not rank or item[1] >= _LEAST]
+    rest = 1.0 - sum(round(share, 2) for _, share in named)  # of the rounded shares, which a reader adds up
+    return [*named, ("other", rest)] if named and rest > _NO_REST else named
 
 
 def sources_in_words(shares: dict[str, float]) -> str:
@@ -345,17 +359,32 @@ def sources_in_words(shares: dict[str, float]) -> str:
     return ", ".join(f"{share:.0%} {part_name(name)}" for name, share in main_sources(shares))
 
 
-def next_in_words(data: "xarray.Dataset") -> str:
+def next_in_words(data: "xarray.Dataset", terminal: bool = True) -> str:
     """Return the recommended next step after a prediction, as text.
 
     If the step is to measure mu once, the text also states the interval of mu that would remain after that measurement.
+    terminal: whether the reader is at a terminal, where the step includes its command.
     """
-    point, ends = at_working_load(data), data.attrs["after_measuring"]
-    step = data.attrs["next_step"]
+    point, ends, step = at_working_load(data), data.attrs["after_measuring"], str(data.attrs["next_step"])
+    step = step if terminal else without_commands(step)
     if not ends or "measure mu once" not in step:
         return step
     found = f"{number(float(point[_MU]))} found with {USUAL_ERROR:.0%} standard error"
     return f"{step}; {found} narrows mu to {number(ends[0])} to {number(ends[1])}"
+
+
+def without_commands(step: str, fit: str = " and fit the case to it", scan: str = "") -> str:
+    """Return a next step for readers without a terminal or a case file.
+
+    fit: text in place of the command `stiction fit`. scan: text in place of the command `stiction surface`.
+
+    >>> without_commands("state the interface (stiction interfaces), or measure mu once: stiction fit CASE.toml --data FILE")
+    'state the interface, or measure mu once and fit the case to it'
+    """
+    words = {": stiction fit CASE.toml --data FILE": fit, " (stiction surface FILE)": scan, " (stiction interfaces)": ""}
+    for command, text in {**words, ', e.g. kind = "ground"': ", e.g. ground"}.items():
+        step = step.replace(command, text)
+    return step
 
 
 def model_line(used: Mapping[str, Any]) -> str:

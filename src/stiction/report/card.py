@@ -15,6 +15,7 @@ from stiction.report.answer import (
     working_load_in_words,
     worn_through,
 )
+from stiction.report.html_words import letters
 
 if TYPE_CHECKING:
     import xarray
@@ -88,7 +89,9 @@ class Card(NamedTuple):
         big = 'style="font-size:2em;font-weight:650;line-height:1.2"'
         value, by, model = map(escape, self.named.partition(" by "))
         named = f"<p><span {big}>{value}</span>{by}{model}</p>" if self.named else ""
-        rows = "".join(f"<dt><strong>{head}</strong></dt><dd>{escape(text)}</dd>" for head, text in self.lines)
+        rows = "".join(
+            f"<dt><strong>{letters(head)}</strong></dt><dd>{escape(letters(text))}</dd>" for head, text in self.lines
+        )
         folded = f"<details><summary>why</summary>{html.table('', self.rows)}</details>" if why else ""
         return (
             f'<div class="card">{named}<p><span {big}>μ = {number(self.mu)}</span> '
@@ -106,11 +109,10 @@ def card_of(data: "xarray.Dataset", named: str = "") -> Card:
     mu, low, high = ends_of_mu(data)
     decides = sources_in_words(attrs["shares"])
     warning = shortened(next(iter(attrs["warnings"]), ""))
-    worn = worn_through(attrs["bare_metal"])
     rows = answer_lines(data)
     return Card(
         mu, low, high, attrs["level"], working_load_in_words(data), confidence_in(data), decides, warning, next_in_words(data),
-        rows, named, worn, attrs["lowered_by"],
+        rows, named, worn_through(attrs["bare_metal"]), attrs["lowered_by"],
     )  # fmt: skip
 
 

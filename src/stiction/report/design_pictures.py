@@ -7,7 +7,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from stiction.report.pictures import BLUE, GREY, ORANGE, RED, along, canvas, look_of, say
+from stiction.report.pictures import BLUE, GREY, ORANGE, RED, along, canvas, finish, look_of, say
 from stiction.report.scales import scale_friction
 from stiction.report.table import shown
 from stiction.report.views.design import columns_of
@@ -111,3 +111,4 @@ def _draw_evaluated(axes: Axes, data: "xarray.Dataset", objective: str) -> None:
     along(axes, "y", objective, seen)
     if seen.size and seen.min() > 0.0:
         scale_friction(axes, seen)
+        finish(axes)

@@ -136,4 +136,4 @@ def _profile_panel(axes: Axes, parameter: "xarray.Dataset") -> None:
     ends = [show(float(parameter[end]), quantity, 3) for end in ("low", "high")]
     opened = "open at an end: " if bool(parameter["open_low"]) or bool(parameter["open_high"]) else ""
     along(axes, "x", quantity, value[there], title=f"{opened}95 %: {ends[0]} to {ends[1]}", ylabel="rise of $\\chi^2$")
-    axes.set_xlabel(f"{name} {axes.get_xlabel().rpartition('$')[2]}".strip())
+    axes.set_xlabel(f"{name.replace('_', ' ')} {axes.get_xlabel().rpartition('$')[2].strip()}".strip())

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from markupsafe import Markup, escape
 
-from stiction.report.table import Table
+from stiction.report.table import Table, with_signs
 
 _GREEK = {"alpha": "α", "beta": "β", "gamma": "γ", "epsilon": "ε", "eta": "η", "theta": "θ", "lambda": "λ", "lam": "λ",
           "mu": "μ", "nu": "ν", "omega": "ω", "pi": "π", "psi": "ψ", "sigma": "σ", "tau": "τ", "Delta": "Δ"}  # fmt: skip
@@ -13,8 +13,8 @@ _WORD = re.compile(rf"(?<![A-Za-z])({'|'.join(sorted(_GREEK, key=len, reverse=Tr
 
 
 def letters(text: str) -> str:
-    """Replace the names of Greek letters in a text by the letters: "sigma/R" becomes "σ/R"."""
-    return _WORD.sub(lambda match: _GREEK[match[1]], text).replace("sqrt(", "√(").replace("+-", "±")
+    """Replace names of Greek letters and units on a keyboard by their signs: "sigma = 2 um" becomes "σ = 2 µm"."""
+    return with_signs(_WORD.sub(lambda match: _GREEK[match[1]], text).replace("sqrt(", "√(").replace("+-", "±"))
 
 
 def on_page(table: Table, caption: str) -> Table:

@@ -19,16 +19,21 @@ if TYPE_CHECKING:
 _MU = "friction_coefficient"
 _COLOURS = (BLUE, GREEN, ORANGE)  # of named models
 _WIDE = 1e4  # groups with a mu smaller than the largest by more than this factor are not drawn
-_AROUND = 100.0  # lines are drawn from the working load over this factor to the working load times this factor
+_AROUND = 10.0  # the axis runs from the working load over this factor to the working load times this factor
+_BEYOND = 1.2 * _AROUND  # to which lines are drawn
 
 
 def models_figure(
-    data: "xarray.Dataset", groups: Sequence[Group] | None = None, prediction: "xarray.Dataset | None" = None, title: str = ""
+    data: "xarray.Dataset",
+    groups: Sequence[Group] | None = None,
+    prediction: "xarray.Dataset | None" = None,
+    title: str = "",
+    curve: "xarray.Dataset | None" = None,
 ) -> Figure:
     """Draw mu against load for each model that is possible, with the interval of the prediction at the working load.
 
     data: result of `compare`. groups: groups of its models that agree on mu; the legend names the first three. prediction:
-    result of `predict` at its working load. Dots mark the working load.
+    result of `predict` at its working load. curve: prediction over several loads, drawn as a band. Dots mark the working load.
     """
     figure, (axes,) = canvas(8.53, 4.8)
     known = groups_of(data) if groups is None and "working_load" in data.attrs else groups or ()
@@ -43,16 +48,23 @@ def models_figure(
     if prediction is not None:
         mu, low, high = ends_of_mu(prediction)
         text = f"prediction, {prediction.attrs['level']:.0%} interval"
-        axes.axhspan(low, high, color=RED, alpha=0.1, linewidth=0.0)
+        ends += [low, high]
+        if curve is not None and curve["load"].size > 1:
+            x, line, *band = (curve.sortby("load")[name].values for name in ("load", _MU, f"{_MU}_low", f"{_MU}_high"))
+            near = (x > load / _BEYOND) & (x < load * _BEYOND) & np.isfinite(line)
+            axes.fill_between(x[near], band[0][near], band[1][near], color=RED, alpha=0.1, linewidth=0.0)
+            axes.plot(x[near], line[near], color=RED, linewidth=2.0)
+            ends += [band[0][near].min(), band[1][near].max()]
+        else:
+            axes.axhspan(low, high, color=RED, alpha=0.1, linewidth=0.0)
         axes.errorbar(
             [load], [mu], [[mu - low], [high - mu]], color=RED, marker="o", capsize=5, linewidth=2.5, label=text, zorder=5
         )
-        ends += [low, high]
     for name in (name for group in groups for name in group.names):
         candidate = data.sel(model=name)
         order = np.argsort(candidate["load"].values)
         x, y = candidate["load"].values[order], candidate[_MU].values[order]
-        near = (x > load / _AROUND) & (x < load * _AROUND) & (y > 0.0)
+        near = (x > load / _BEYOND) & (x < load * _BEYOND) & (y > 0.0)
         colour, width = named.get(name, GREY), 2.0 if name in named else 0.8
         axes.plot(x[near], y[near], color=colour, linewidth=width, alpha=1.0 if name in named else 0.5)
         axes.plot(load, float(candidate[f"{_MU}_at_load"]), "o", color=colour, markersize=6 if name in named else 3)

@@ -16,16 +16,13 @@ if TYPE_CHECKING:
 _MU = "friction_coefficient"
 
 
-def prediction_figure(data: "xarray.Dataset", title: str = "") -> Figure:
+def prediction_figure(data: "xarray.Dataset", title: str = "", curve: "xarray.Dataset | None" = None) -> Figure:
     """Draw the mu of a prediction: with its interval against load or, for a single load, as a histogram of the samples.
 
-    data: result of `predict`.
+    data: result of `predict`. curve: prediction at loads around a single load, which is then marked on it.
     """
     figure, (axes,) = canvas(8.53, 4.8)
-    if data["load"].size > 1:
-        _band(axes, data, data)
-    else:
-        _histogram(axes, data)
+    _draw_mu(axes, data if curve is None else curve, data)
     if title:
         figure.suptitle(title, fontsize=11)
     return figure
@@ -34,14 +31,18 @@ def prediction_figure(data: "xarray.Dataset", title: str = "") -> Figure:
 def answer_figure(data: "xarray.Dataset", prediction: "xarray.Dataset") -> Figure:
     """Draw mu against load with the prediction at its working load; for a prediction at a single load, the samples of mu.
 
-    data: result of the model that the user named, or the prediction itself. prediction: result of `predict`.
+    data: result of the model that the user named, or the curve of the prediction. prediction: result of `predict`.
     """
     figure, (axes,) = canvas(5.0, 3.4)
+    _draw_mu(axes, data, prediction)
+    return figure
+
+
+def _draw_mu(axes: Axes, data: "xarray.Dataset", prediction: "xarray.Dataset") -> None:
     if _MU in data and (data is not prediction or data["load"].size > 1):
         _band(axes, data, prediction)
     else:
         _histogram(axes, prediction)
-    return figure
 
 
 def sources_figure(prediction: "xarray.Dataset") -> Figure:

@@ -61,7 +61,7 @@ def _adhesion(axes: Axes, contact: "Contact", data: "xarray.Dataset", load: floa
     )
     if touching > 0.0 and (work := contact.work_of_adhesion) is not None:
         each = load / touching / (np.pi * float(work) * float(contact.roughness.asperity_radius))
-        axes.plot(tabor, np.clip(each, 1e-3, 1e8), "o", color=RED, markersize=9, label="mean asperity of this contact")
+        _dot(axes, (tabor, each), ((1e-3, 1e3), (1e-3, 1e8)), RED, "mean asperity of this contact")
     else:
         axes.axvline(tabor, color=RED, label="this contact")
     name = f"{QUANTITIES['tabor_parameter'].short} ${QUANTITIES['tabor_parameter'].latex}$"
@@ -90,12 +90,17 @@ def _plasticity(axes: Axes, contact: "Contact", pressure: float) -> None:
     axes.text(10.0, 1e-3, "plastic", ha="center", fontsize=9)
     axes.text(0.25, 1e-3, "elastic", ha="center", fontsize=9)
     hardness = min(float(contact.first.hardness), float(contact.second.hardness))
-    axes.plot(
-        np.clip(index, 0.1, 100.0), np.clip(pressure / hardness, 1e-8, 1.0), "o", color=BLUE, markersize=9, label="this contact"
-    )
+    _dot(axes, (index, pressure / hardness), ((0.1, 100.0), (1e-8, 1.0)), BLUE, "this contact")
     finish(axes, xscale="log", yscale="log", xlim=(0.1, 100.0), ylim=(1e-8, 1.0), xlabel=f"{row.short} ${row.latex}$")
     axes.set_ylabel("nominal pressure over hardness")
     axes.legend(fontsize=8, loc="lower left", bbox_to_anchor=(0.0, 1.0), frameon=False)
+
+
+def _dot(axes: Axes, place: tuple[float, float], ends: tuple[tuple[float, float], ...], colour: str, name: str) -> None:
+    """Draw a dot; beyond an end of the map it stands on the edge, and its name says so."""
+    x, y = (float(np.clip(value, low, high)) for value, (low, high) in zip(place, ends, strict=True))
+    name += "" if (x, y) == place else ", beyond the edge"
+    axes.plot(x, y, "o", color=colour, markersize=9, label=name, clip_on=False, zorder=5)
 
 
 def pressure_of_first_flow(index: float, density: float) -> float:

@@ -12,7 +12,7 @@ from stiction.records.validity_warning import ValidityWarning
 from stiction.report import answer
 from stiction.report.significant_digits import rounded
 from stiction.report.swept_tables import coordinates_along, of_point, of_value, points_dimension, shown_quantity, varied
-from stiction.report.table import with_powers, with_unit
+from stiction.report.table import with_signs, with_unit
 from stiction.solving.choice import RECOMMENDED
 from stiction.studies.report_data import ReportData
 from stiction.surfaces.finished import Finished
@@ -68,7 +68,7 @@ def question(findings: ReportData) -> str:
         film = f", with a film of {plain_name(coating.material.name)} ({thickness}) on {where}"
     between = f", interface: {subject.interface.name}" if subject.interface is not None else ""
     bodies = f"{plain_name(subject.first.name)} against {plain_name(subject.second.name)}{film}{between}"
-    area = with_powers(dict(subject.listed())["nominal_area"])
+    area = with_signs(dict(subject.listed())["nominal_area"])
     return f"What is the {what} of rough {bodies}, with a nominal area of {area}, {_where(findings)}?"
 
 

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from stiction.report.answer import at_working_load
+from stiction.report.html_words import letters
 from stiction.report.method_pictures import method_spread_figure
 from stiction.report.model_pictures import models_figure
 from stiction.report.pictures import panel_of_curve, panels, uncertainty_figure
@@ -97,7 +98,7 @@ class Picture:
 def _picture(make: "Callable[[], Figure]", name: str, caption: str, words: str = "", wide: bool = False) -> Picture:
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", UserWarning)  # matplotlib warns of letters that its font lacks, and draws boxes
-        return Picture(inline(make(), name, words or caption), caption, wide)
+        return Picture(inline(make(), name, words or caption), letters(caption), wide)
 
 
 def _in_words(data: "xarray.Dataset", what: str, against: str) -> str:
@@ -192,7 +193,9 @@ def pictures_of_comparison(findings: ReportData) -> Iterator[Picture]:
 
     point = None if data is None else at_working_load(data)
     words = "Friction against load by each possible model, and the prediction with its interval (numbers: table of all models)."
-    yield _picture(lambda: models_figure(data_of_models, groups_of(data_of_models), point), "models", words, wide=True)
+    yield _picture(
+        lambda: models_figure(data_of_models, groups_of(data_of_models), point, "", findings.curve), "models", words, wide=True
+    )
 
 
 def pictures_of_uncertainty(findings: ReportData) -> Iterator[Picture]:

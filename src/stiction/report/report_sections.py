@@ -18,12 +18,20 @@ from stiction.quantities.table import QUANTITIES
 from stiction.records.claims import KINDS_OF_WARNING
 from stiction.records.sources import bibliography
 from stiction.records.validity_warning import ValidityWarning
-from stiction.report.answer import PREDICTION_HEADS, answer_lines, grade_line, main_sources, model_line, part_name
+from stiction.report.answer import (
+    PREDICTION_HEADS,
+    answer_lines,
+    grade_line,
+    main_sources,
+    model_line,
+    next_in_words,
+    part_name,
+)
 from stiction.report.card import card_of
 from stiction.report.html_words import letters, on_page
 from stiction.report.report_answer import headline, load_in_words, plain_name, stated_roughness, value_in_words, warnings_here
 from stiction.report.swept_tables import swept_table
-from stiction.report.table import Column, Table, numbers, with_powers
+from stiction.report.table import Column, Table, numbers, with_signs
 from stiction.report.tables import HEADS, curve_table, group_in_words, run_notes
 from stiction.report.views.comparison import GROUP_HEADS, group_row, groups_of
 from stiction.report.views.run import draws_in_words, in_draws, with_meaning
@@ -59,7 +67,7 @@ def groups_of_inputs(findings: ReportData) -> list[Table]:
     subject, places = findings.case.subject, places_in(findings.text)
     table = "contact" if isinstance(subject, Contact) else "indices"
     known = {
-        ".".join(candidate.path[1:]): with_powers(f"{candidate.distribution.words}: counted")
+        ".".join(candidate.path[1:]): with_signs(f"{candidate.distribution.words}: counted")
         for candidate in findings.case.uncertain
     }
     counted = findings.prediction is not None and "ranges" not in findings.case.uncertainty.model_fields_set
@@ -73,7 +81,7 @@ def groups_of_inputs(findings: ReportData) -> list[Table]:
         path = (table, *dotted.split("."))
         source = _source_of_material(material, name, path, places) if material else _source(findings, dotted, path, places)
         meaning, symbol = _meaning(name)
-        grouped[part].append([meaning, symbol, with_powers(text), known.get(dotted) or _range(material, name, counted), source])
+        grouped[part].append([meaning, symbol, with_signs(text), known.get(dotted) or _range(material, name, counted), source])
     return [Table(_COLUMNS, rows, _title(subject, part), stacked=True) for part, rows in grouped.items() if rows]
 
 
@@ -109,7 +117,7 @@ def _range(material: Material | None, name: str, counted: bool) -> str:
     if material is None or name not in material.range:
         return ""
     known = range_in_words(*material.range[name], name)
-    return with_powers(f"{known}, {'in' if counted else 'not in'} the interval of mu")
+    return letters(f"{known}, {'in' if counted else 'not in'} the interval of mu")
 
 
 def _source_of_material(material: Material, name: str, path: tuple[str, ...], places: frozenset) -> str:
@@ -132,7 +140,7 @@ def _source(findings: ReportData, dotted: str, path: tuple[str, ...], places: fr
         by = "their moments" if dotted.startswith(f"roughness.{_MOMENTS}") else measured.method
         return f"measured in scans, by {by}"
     if dotted.startswith("interface.") and path[:2] in places:
-        return "the case" if dotted == "interface.name" else "the state of the interface (stiction interfaces)"
+        return "the case" if dotted == "interface.name" else "the state of the interface"
     return "the case" if path in places or not places else "default of stiction"
 
 
@@ -148,26 +156,21 @@ _RESULTS = ("friction_coefficient", "friction_force", "contact_area", "area_frac
 _PACKAGES = ("numpy", "scipy", "numba", "xarray", "pydantic", "pint", "matplotlib")
 
 
-def answer_table(findings: ReportData, name: str) -> Table:
-    """Return the answer of a prediction as a table of headings and texts.
-
-    name: name of the case file, for the commands in it.
-    """
+def answer_table(findings: ReportData) -> Table:
+    """Return the answer of a prediction as a table of headings and texts."""
     assert findings.prediction is not None  # the template calls this for a prediction only
-    rows = [(letters(head), letters(text.replace("CASE.toml", name))) for head, text in answer_lines(findings.prediction)]
-    return Table([Column(""), Column("")], rows, "Basis of the answer")
+    return Table([Column(""), Column("")], answer_lines(findings.prediction, terminal=False), "Basis of the answer")
 
 
-def card(findings: ReportData, name: str) -> Markup:
+def card(findings: ReportData) -> Markup:
     """Return the answer card as HTML; empty if there is no prediction.
 
-    The result of a model that the user named stands above the prediction. name: name of the case file.
+    The result of a model that the user named stands above the prediction.
     """
     if findings.recommended is None:
         return Markup("")
     named = "" if findings.prediction is not None else f"{headline(findings)} by {findings.data.attrs['model']}"
-    answer = card_of(findings.recommended, named)
-    answer = answer._replace(next_step=answer.next_step.replace("CASE.toml", name))
+    answer = card_of(findings.recommended, named)._replace(next_step=next_in_words(findings.recommended, terminal=False))
     return Markup(answer.html(why=False))  # safe, because Card.html escapes its texts
 
 
@@ -197,10 +200,7 @@ def main_inputs(findings: ReportData) -> Table | None:
     rows.append(("interface", getattr(subject.interface, "name", "") or in_short("", strength) or "not stated"))
     rows += [("work of adhesion", texts["work_of_adhesion"])] if "work_of_adhesion" in texts else []
     rows.append(("load", load_in_words(findings) if findings.load is not None else "the loads or separations of the case"))
-    cells = [
-        (name, letters(with_powers(_LONG.sub(lambda match: f"{float(match[0]):.3g}", text))).replace("e+", "e"))
-        for name, text in rows
-    ]
+    cells = [(name, letters(_LONG.sub(lambda match: f"{float(match[0]):.3g}", text)).replace("e+", "e")) for name, text in rows]
     return Table([Column("input"), Column("value")], cells, "Main inputs; the appendix lists all inputs", stacked=True)
 
 
@@ -257,7 +257,8 @@ def curve_rows(findings: ReportData) -> Table:
     """Return a table of some points of the curve, or of some combinations of array parameters."""
     data = findings.data
     if findings.prediction is not None:
-        return on_page(curve_table(data, heads=PREDICTION_HEADS), "mu along the loads")
+        curve = data if findings.curve is None else findings.curve
+        return on_page(curve_table(curve, heads=PREDICTION_HEADS), "μ along the loads")
     if findings.case.is_swept:
         return on_page(swept_table(data), "Some of the combinations")
     return on_page(curve_table(data, heads=HEADS | {"touching_asperities": "touching asperities"}), "Some points of the curve")
@@ -279,7 +280,7 @@ def comparison_lines(findings: ReportData) -> dict[str, Any]:
     used = findings.comparison.attrs
     return {
         "lines": [letters(f"{line}.") for line in used["criteria"].splitlines()],
-        "not_applicable": used["not_applicable"].splitlines(),
+        "not_applicable": letters(used["not_applicable"]).splitlines(),
     }
 
 
@@ -305,7 +306,7 @@ def _unknown(some: "list[Uncertain]") -> str:
     """Describe inputs that vary together: meanings, places in the case, and distribution."""
     names = dict.fromkeys(QUANTITIES[uncertain.quantity].meaning for uncertain in some)
     places = ", ".join(uncertain.where for uncertain in some)
-    return f"{' and '.join(names)} ({places}): {with_powers(some[0].distribution.words)}"
+    return f"{' and '.join(names)} ({places}): {with_signs(some[0].distribution.words)}"
 
 
 def validity_table(findings: ReportData) -> Table | None:

@@ -1,7 +1,7 @@
 """Draw a parameter sweep: lines for one array parameter, heat maps for two that have many values."""
 
 from itertools import product
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -56,10 +56,15 @@ def swept_figure(data: "xarray.Dataset", title: str = "") -> Figure:
         by, against = sorted(dims, key=lambda dim: data.sizes[dim])
         places = [{points: int(point)} for point in spread_rows(data.sizes[points], _PANELS)] if points else [{}]
         figure, panels = canvas(5.2 * len(places) + 0.5, 4.8, 1, len(places), sharey=True)
+        seen = []
         for axes, place in zip(panels, places, strict=True):
-            _lines(axes, data.isel(place), against, by)
+            seen += _lines(axes, data.isel(place), against, by)
             axes.set_title(_place_in_words(data, place), fontsize=9)
+        if seen:
+            scale_friction(panels[0], np.concatenate(seen))  # for all panels: they share the axis
+        for axes in panels:
             axes.label_outer()
+        _legend_below(figure, panels)
     else:
         along_load = points is not None and data.sizes[points] > 1
         figure, panels = canvas(11.0 if along_load else 6.5, 4.8, 1, 1 + along_load)
@@ -70,10 +75,22 @@ def swept_figure(data: "xarray.Dataset", title: str = "") -> Figure:
     return figure
 
 
-def _lines(axes: Axes, data: "xarray.Dataset", against: str, by: str | None) -> None:
+def _legend_below(figure: Figure, panels: list[Axes]) -> None:
+    """Replace the legends of panels that have the same lines by one below them."""
+    legends = [legend for axes in panels if (legend := axes.get_legend())]
+    if not legends:
+        return
+    lines, title = legends[0].legend_handles, legends[0].get_title().get_text()
+    for legend in legends:
+        legend.remove()
+    look: dict[str, Any] = {"loc": "outside lower center", "ncols": min(len(lines), _LINES), "frameon": False}
+    figure.legend(handles=lines, title=title, title_fontsize=9, fontsize=9, **look)
+
+
+def _lines(axes: Axes, data: "xarray.Dataset", against: str, by: str | None) -> list[np.ndarray]:
     """Draw a result against the dimension `against`, one line for each of a few positions along the dimension `by`.
 
-    by: None draws a single line, with its interval if that is known.
+    by: None draws a single line, with its interval if that is known. Returns the drawn values.
     """
     name = shown_quantity(data)
     x, seen = _x_values(data, against), []
@@ -93,13 +110,14 @@ def _lines(axes: Axes, data: "xarray.Dataset", against: str, by: str | None) -> 
     axes.set_ylabel(label(data[name], longest=42))
     if not seen:
         say(axes, NOT_PRESSED)
-        return
+        return seen
     scale_friction(axes, np.concatenate(seen))
     if data[name].attrs.get("units", "1") != "1":
         along(axes, "y", name, np.concatenate(seen), log=False)
     _name_axis(axes, "x", data, against)
     if by in varied(data) and (legend := axes.get_legend()):
         legend.set_title(", ".join(coordinates_along(data, str(by))).replace("_", " "))
+    return seen
 
 
 def _place_in_words(data: "xarray.Dataset", place: "dict[str, int]") -> str:

@@ -1,6 +1,7 @@
 """Represent tables as data that terminal, page and report can render, and format their numbers."""
 
 import math
+import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
@@ -22,6 +23,7 @@ if TYPE_CHECKING:
 
 _MARK = "\ue000"  # a character for private use, which no name contains
 _WIDE = 10_000
+_MICRO = re.compile(r"(?<![A-Za-z])u(?=(?:m|N|Pa|J)\b)")  # of a unit that is written on a keyboard
 
 
 @dataclass(frozen=True)
@@ -132,9 +134,13 @@ def short(value: float, digits: int = 4) -> str:
     return f"{float(f'{value:.{digits}g}'):g}" if np.isfinite(value) else "-"
 
 
-def with_powers(text: str) -> str:
-    """Replace m^2 by m² and m^3 by m³ in a text."""
-    return text.replace("m^2", "m²").replace("m^3", "m³")
+def with_signs(text: str) -> str:
+    """Replace um by µm, m^2 by m² and m^3 by m³ in a text with units.
+
+    >>> with_signs("50 um, 1.7e10 1/m^2")
+    '50 µm, 1.7e10 1/m²'
+    """
+    return _MICRO.sub("µ", text).replace("m^2", "m²").replace("m^3", "m³")
 
 
 def notes(lines: Iterable[str], look: str = "dim") -> list[Table]:
@@ -151,7 +157,7 @@ def shown(value: float, name: str, digits: int = 4) -> str:
 
     name: key of QUANTITIES.
     """
-    return with_powers(show(value, name, digits)) if np.isfinite(value) else "-"
+    return with_signs(show(value, name, digits)) if np.isfinite(value) else "-"
 
 
 def with_unit(variable: "xarray.DataArray", value: float | None = None, digits: int = 4) -> str:
@@ -171,7 +177,7 @@ def prefix(quantity: str, largest: float) -> tuple[float, str]:
     """
     size = 10.0 ** math.floor(math.log10(largest)) if largest > 0.0 else 1.0
     text, _, unit = show(size, quantity).partition(" ")
-    return float(text) / size, with_powers(unit)
+    return float(text) / size, with_signs(unit)
 
 
 def unit_for(quantity: str, largest: float) -> tuple[float, str]:

@@ -8,7 +8,7 @@ from nicegui import ui
 from stiction.laws.validity import warnings_of
 from stiction.quantities.units import show
 from stiction.records.claims import KINDS_OF_WARNING
-from stiction.report.answer import answer_lines, at_working_load
+from stiction.report.answer import answer_lines, at_working_load, without_commands
 from stiction.report.card import Card, card_of, shortened
 from stiction.report.html_words import letters
 from stiction.web.background import Latest
@@ -64,9 +64,9 @@ class AnswerCard:
         else:
             card = card_on_page(prediction, named)
             html = (card._replace(warning=shortened(warnings[0].why)) if warnings else card).html(why=False)
-            rows += answer_lines(prediction)[1:]
+            rows += answer_lines(prediction, terminal=False)[1:]
         self._card.set_content(html)
-        self._rows.show([*rows, *(("computed", one) for one in remarks(answer))])
+        self._rows.show([*rows, *(("computed", letters(one)) for one in remarks(answer))])
 
     def _show_beside(self, found: tuple[Answer, xarray.Dataset | None]) -> None:
         self._beside = found
@@ -89,17 +89,8 @@ class AnswerCard:
         self._load_moved.set_visibility(moved)
 
 
-# Words of a next step that name a case file or a command -> words for the page.
-_ON_PAGE = {
-    ": stiction fit CASE.toml --data FILE": " (tab Studies)",
-    " (stiction interfaces)": "",
-    ', e.g. kind = "ground"': "",
-    "stiction surface FILE": "tab Surface",
-}
-
-
 def card_on_page(prediction: xarray.Dataset, named: str = "") -> Card:
-    """Return the short answer card of a prediction for the page, without commands, because a visitor has no case file.
+    """Return the short answer card of a prediction for the page, which names tabs in place of commands.
 
     A warning that the next step repeats is left out. named: result of the model that the case names, as text, or "". With such
     a result the card keeps only both values of mu and the main warning.
@@ -107,12 +98,10 @@ def card_on_page(prediction: xarray.Dataset, named: str = "") -> Card:
     card = card_of(at_working_load(prediction), named)  # without the range of loads: the form shows the load
     if named:
         return card._replace(decides="", next_step="")
-    action = str(prediction.attrs["next_step"])  # the interval after a measurement stands below "Why"
-    for words, on_page in _ON_PAGE.items():
-        action = action.replace(words, on_page)
+    # the interval after a measurement stands below "Why"
+    action = without_commands(str(prediction.attrs["next_step"]), " (tab Studies)", " (tab Surface)")
     repeated = action.startswith("state") and card.warning.removesuffix(" is not stated").lower() in action
-    worn = card.worn_through.partition(" of ")[0]
-    return card._replace(next_step=action, worn_through=worn, warning="" if repeated else card.warning)
+    return card._replace(next_step=action, warning="" if repeated else card.warning)
 
 
 def _beside(answer: Answer, load: float) -> tuple[Answer, xarray.Dataset | None]:

@@ -12,7 +12,7 @@ from stiction.report.html_words import letters
 from stiction.report.pictures import BLUE, GREEN, ORANGE, RED, SKY
 from stiction.report.scales import LOG, is_log, log_ticks
 from stiction.report.share_pictures import part_in_words, shares_of, stacks
-from stiction.report.table import prefix, with_powers
+from stiction.report.table import prefix, with_signs
 
 COLOURS = (BLUE, ORANGE, GREEN, RED, SKY, "#CC79A7")  # Okabe and Ito's
 SHADES = ["#440154", "#3b528b", "#21918c", "#5ec962", "#fde725"]  # viridis, dark to light for everybody
@@ -37,7 +37,7 @@ def numbers(values: Any) -> list[float | None]:
 
 def axis_name(variable: xarray.DataArray) -> str:
     """Return the axis name of a result: meaning, symbol and unit, short enough for a telephone."""
-    row, unit = QUANTITIES[str(variable.name)], with_powers(unit_of(variable))
+    row, unit = QUANTITIES[str(variable.name)], with_signs(unit_of(variable))
     return f"{(row.short or row.meaning).partition(',')[0]} {letters(row.symbol)}".strip() + (f" [{unit}]" if unit else "")
 
 
@@ -136,7 +136,7 @@ def _axis(variable: xarray.DataArray, values: list[np.ndarray], tight: bool = Fa
     if (unit := variable.attrs.get("units", "1")) != "1":
         line = values[0][np.isfinite(values[0])]
         factor, prefixed = prefix(str(variable.name), float(np.max(np.abs(line), initial=0.0)))
-        name = name.replace(f"[{with_powers(unit)}]", f"[{prefixed}]")
+        name = name.replace(f"[{with_signs(unit)}]", f"[{prefixed}]")
     if not is_log(known):
         return factor, {"name": name}
     low, high = (float(end) * factor for end in (known.min(), known.max()))

@@ -10,6 +10,7 @@ from typing import Any
 from weakref import WeakSet
 
 from stiction.quantities.errors import InputError
+from stiction.report.table import with_signs
 from stiction.web.background import Latest
 from stiction.web.fields import value_at, with_value_at
 from stiction.web.query import Answer, Query, headline, solved
@@ -176,7 +177,7 @@ def _described(tables: Mapping[str, Any]) -> str:
         return bodies.capitalize()
     thickness = value_at(tables, ("contact", "coating", "thickness"))  # a list or a distribution would be too long for a title
     film = f"{_material(tables, 'coating', 'material').capitalize()} film"
-    return ", ".join([film, *([thickness] if isinstance(thickness, str) else []), bodies])
+    return ", ".join([film, *([with_signs(thickness)] if isinstance(thickness, str) else []), bodies])
 
 
 def _material(tables: Mapping[str, Any], *path: str) -> str:

@@ -22,6 +22,7 @@ from stiction.quantities.errors import InputError
 from stiction.quantities.quantity import Quantity
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show, to_si
+from stiction.report.table import with_signs
 from stiction.surfaces.finished import Finished, is_finished
 from stiction.surfaces.finishes import SURFACE_KINDS, finish_names
 
@@ -72,14 +73,14 @@ class Number:
     @property
     def help(self) -> str:
         """Return the help text of the number field: label, allowed range, example, and whether it is optional."""
-        return f"{self.label}: {self.quantity.wanted}" + ("" if self.required else "; may be left out")
+        return with_signs(f"{self.label}: {self.quantity.wanted}") + ("" if self.required else "; may be left out")
 
     def text(self, value: float) -> str:
-        """Format a value in SI units as in a case file, with four digits."""
-        return show(value, self.quantity.name, 4)
+        """Format a value in SI units as a field shows it, with four digits."""
+        return with_signs(show(value, self.quantity.name, 4))
 
     def written(self, text: str) -> Any:
-        """Convert typed text to an entry of a case table: a number, a text with a unit, a list or a distribution.
+        """Convert the text of a field to an entry of a case table: a number, a text with a unit, a list or a distribution.
 
         Text that is none of these is returned unchanged, and reading the case then raises the error.
         """
@@ -90,7 +91,7 @@ class Number:
                 if found := form.fullmatch(text):
                     given = dict(zip(keys, found.groups(), strict=True))
                     return {key: float(one) if key == "factor" else self.written(one) for key, one in given.items()}
-            return text if self.quantity.unit else float(text)
+            return text.translate(_ON_KEYBOARD) if self.quantity.unit else float(text)
         except ValueError:
             return text  # reading the case raises the error
 
@@ -117,7 +118,7 @@ class Number:
             return self.written(self.text(value))
         if isinstance(given, str):
             deviation = read_distribution(given, self.quantity.name, "").parameters[-1] / abs(before)
-            return f"{self.text(value)} +/- {100.0 * deviation:.3g} %"
+            return f"{self.written(self.text(value))} +/- {100.0 * deviation:.3g} %"
         ends = {key: self.si(one) for key, one in given.items() if key in ("low", "high", "median")}
         return {**given, **{key: self.written(self.text(end * value / before)) for key, end in ends.items() if end is not None}}
 
@@ -207,17 +208,21 @@ def _is_record(annotation: Any) -> bool:
     return isinstance(annotation, type) and issubclass(annotation, BaseModel)
 
 
+_ON_KEYBOARD = str.maketrans({"µ": "u", "μ": "u", "²": "^2", "³": "^3"})  # sign of a unit -> its text in a case file
 # Text of an uncertain number on the page -> its keys in a case file.
 _UNCERTAIN = {re.compile("(.+) within a factor (\\S+)"): ("median", "factor"), re.compile("(.+) to (.+)"): ("low", "high")}
 
 
 def as_written(given: Any) -> str:
-    """Return an entry of a case table as one line of text, as a user would type it; "" for None."""
+    """Return an entry of the case tables as one line of text; "" for None.
+
+    Units have their signs, "µm" for "um", except in lists and tables, which stand as in a case file.
+    """
     if isinstance(given, Mapping) and given.keys() == {"median", "factor"}:
-        return f"{given['median']} within a factor {given['factor']}"
+        given = f"{given['median']} within a factor {given['factor']}"
     if isinstance(given, Mapping) and given.keys() == {"low", "high"}:
-        return f"{given['low']} to {given['high']}"
-    return "" if given is None else given if isinstance(given, str) else inline(given)
+        given = f"{given['low']} to {given['high']}"
+    return "" if given is None else with_signs(given) if isinstance(given, str) else inline(given)
 
 
 def value_at(tables: Any, path: Path) -> Any:
@@ -268,7 +273,7 @@ OPTIONAL_PARTS: dict[str, dict[str, Any]] = {
 ENDINGS = {"first": "first body", "second": "second body", "coating": "film"}
 # Ways to state a surface, each with the numbers that the form starts with.
 SURFACE_KNOWN_BY: dict[str, dict[str, Any]] = {
-    "sigma, R and N": {"asperity_height_deviation": "48 nm", "asperity_radius": "50 um", "asperity_density": "1.7e10 1/m^2"},
+    "σ, R and N": {"asperity_height_deviation": "48 nm", "asperity_radius": "50 um", "asperity_density": "1.7e10 1/m^2"},
     "its finish and Sq or Ra": {"finish": "ground"},
 }
 

@@ -65,7 +65,7 @@ def draw_number(explorer: Explorer, number: Number, otherwise: str = "") -> ui.i
         return value_at(explorer.query.tables, number.path)
 
     async def typed(wanted: str) -> None:
-        if wanted != as_written(given()):  # equal text was written by the slider
+        if as_written(wanted) != as_written(given()):  # equal text was written by the slider
             await explorer.put(number.path, number.written(wanted) if wanted else None)
 
     async def moved(value: float) -> None:
@@ -125,13 +125,13 @@ def _at_load(tables: Mapping[str, Any], before: float, load: float) -> dict[str,
     """
     given = tables.get("solve", {}).get("load")
     if given is not None and not isinstance(given, Mapping) and (not isinstance(given, list) or len(given) == 1):
-        return with_points(tables, {"load": [_LOAD.text(load)]})
+        return with_points(tables, {"load": [_LOAD.written(_LOAD.text(load))]})
     if isinstance(given, Mapping):
         ends = {end: (_LOAD.si(given[end]) or load) * load / before for end in ("start", "stop")}
     else:
         given = {"count": len(AROUND), "spacing": "log"}
         ends = {"start": load * AROUND[0], "stop": load * AROUND[-1]}
-    return with_points(tables, {"load": {**given, **{end: _LOAD.text(value) for end, value in ends.items()}}})
+    return with_points(tables, {"load": {**given, **{end: _LOAD.written(_LOAD.text(value)) for end, value in ends.items()}}})
 
 
 def label_of(path: tuple[str, ...]) -> str:

@@ -6,6 +6,7 @@ from typing import Any
 from nicegui import context, ui
 
 from stiction.quantities.errors import InputError
+from stiction.report.html_words import letters
 from stiction.web.address import decoded, encoded
 from stiction.web.answer_card import AnswerCard
 from stiction.web.asperity_tab import AsperityTab
@@ -37,6 +38,8 @@ _STYLE = """
 .of-three > :first-child { grid-column: 1 / -1 }
 @container (min-width: 701px) { .of-three > * { height: 222px !important } }
 .legend { display: flex; flex-wrap: wrap; gap: 2px 20px } .legend svg { vertical-align: -2px }
+.head { flex-wrap: nowrap } .title { min-width: 0; line-height: 1.3; overflow-wrap: anywhere }
+.title { display: -webkit-box; -webkit-box-orient: vertical; -webkit-line-clamp: 3; overflow: hidden }
 .frame { display: grid; grid-template-columns: minmax(280px, 392px) minmax(0, 1fr); gap: 16px; width: 100% }
 .q-page { padding: 8px 12px }
 .group { display: grid; grid-template-columns: 74px minmax(0, 1fr); gap: 0 8px; width: 100%; padding: 3px 0 }
@@ -73,7 +76,8 @@ _STYLE = """
 @container (max-width: 700px) { .card { grid-template-columns: minmax(0, 1fr) }
   .card > dl { grid-column: 1; grid-row: auto } .card dl { grid-template-columns: minmax(0, 1fr); gap: 0 }
   .card dd { margin-bottom: 4px } }
-@media (max-width: 800px) { .frame { grid-template-columns: minmax(0, 1fr) } .no-wrap-wide { flex-wrap: wrap }
+@media (max-width: 800px) { .head { flex-wrap: wrap; row-gap: 0 } .head > .q-btn { margin-left: auto }
+  .title { order: 1; flex: 1 0 100% } .frame { grid-template-columns: minmax(0, 1fr) } .no-wrap-wide { flex-wrap: wrap }
   .q-page { padding: 4px } .frame > .results { order: -1 } .knobs { position: static; max-height: none } }
 /* the colours of the library are important in a layer, which nothing after it outranks: so its variables are changed */
 .body--light .text-negative { --q-negative: #b00020 } .body--dark .text-negative { --q-negative: #ff8a80 }
@@ -126,10 +130,10 @@ def _frame(explorer: Explorer, error: InputError | None) -> None:
         explorer.view.dark = not explorer.view.dark
         explorer.redraw()
 
-    with ui.header().classes("items-center gap-4 py-1 no-wrap").style("background: #0B3C5D"):
+    with ui.header().classes("items-center gap-4 py-1 head").style("background: #0B3C5D"):
         ui.label("stiction").classes("text-lg font-bold").props('role="heading" aria-level="1"')
         number = ui.label().classes("font-bold one-line answer").style("flex: none; max-width: 50%")
-        title = ui.label().classes("grow text-sm one-line")
+        title = ui.label().classes("grow text-sm title")
         ui.label("Computing: the numbers are of the case before.").classes("text-sm one-line pending")
         ui.button(icon="contrast", on_click=switch).props('flat dense color="white" aria-label="light or dark"')
     if error is not None:
@@ -146,7 +150,7 @@ def _frame(explorer: Explorer, error: InputError | None) -> None:
 
     def show() -> None:
         title.set_text(str(explorer.answer.query.tables.get("title", "")))
-        number.set_text(explorer.headline[0])
+        number.set_text(letters(explorer.headline[0]))
 
     def moved() -> None:
         show()

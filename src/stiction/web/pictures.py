@@ -1,5 +1,6 @@
 """Show a view, the texts, tables and pictures of a result, on the page."""
 
+import textwrap
 from collections.abc import Callable
 from itertools import count
 from typing import Any, NamedTuple
@@ -12,6 +13,7 @@ from stiction.report.table import Table
 from stiction.report.view import View
 
 _NARROW = 5.6  # inches; letters of eight points can then be read on a telephone
+_LETTERS = 72  # of a line of a title on a narrow page
 _PANEL = 3.9  # inches, the height of a panel on a narrow page
 _FEW = 3  # steps of an axis on a narrow page
 _PIXELS = 105  # pixels of the page for an inch of a picture
@@ -95,11 +97,17 @@ def _make_narrow(figure: Any) -> None:
         for at, axes in enumerate(panels):
             axes.set_subplotspec(below[at])
     figure.set_size_inches(_NARROW, _PANEL * len(panels) if alone else max(0.75 * _NARROW, _NARROW * height / width))
-    if (title := figure.get_suptitle()) and alone:
-        figure.suptitle(title, fontsize=9, wrap=True)
+    if title := figure.get_suptitle():
+        figure.suptitle(_in_lines(title, _LETTERS), fontsize=9)
+    for axes in figure.axes:
+        axes.title.set_text(_in_lines(axes.get_title(), _LETTERS - 10))
     for axis in (one for axes in figure.axes for one in (axes.xaxis, axes.yaxis)):
         if axis.get_scale() == "linear" and isinstance(axis.get_major_locator(), AutoLocator):
             axis.set_major_locator(MaxNLocator(_FEW))
+
+
+def _in_lines(text: str, most: int) -> str:
+    return "\n".join(line for part in text.splitlines() for line in textwrap.wrap(part, most))
 
 
 def show_drawing(drawing: str) -> None:

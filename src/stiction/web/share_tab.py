@@ -23,7 +23,9 @@ KINDS = ("case.toml", "curve.csv", "curve.nc", "curve.svg", "curve.png")
 
 def _view(answer: Answer) -> View:
     """Return the view (texts, tables, files and pictures) that `stiction run` shows of the case."""
-    return prediction_view(answer.case, answer.data, KINDS[0]) if answer.is_prediction else run_view(answer.case, answer.data)
+    if answer.is_prediction:
+        return prediction_view(answer.case, answer.data, KINDS[0], curve=answer.curve_data)
+    return run_view(answer.case, answer.data)
 
 
 def content(answer: Answer, name: str) -> bytes:

@@ -71,7 +71,7 @@ def run_fit_study(query: Query, load: str | float, data: Path, free: dict[str, A
 
     fit = {"fit": {"free": free}} if free else {}
     if (answer := fit_prediction({**query.at_load(load).tables, **fit}, data, query.folder)) is not None:
-        rows = answer_lines(answer[1])
+        rows = answer_lines(answer[1], terminal=False)
         return replace(prediction_view(*answer, "case.toml"), parts=lambda: [facts(rows)])
     return fit_view(run_fit(make_fit_plan({**query.tables, **fit}, data, query.folder), progress))
 

@@ -72,7 +72,7 @@ class SurfaceTab:
 
     def _source(self) -> None:
         with ui.row().classes("items-end gap-2"):
-            fields = {"size": "size along x, e.g. 40 um", "unit": "unit of the numbers", "height_unit": "unit of the heights"}
+            fields = {"size": "size along x, e.g. 40 µm", "unit": "unit of the numbers", "height_unit": "unit of the heights"}
             inputs = {name: ui.input(label).props("dense outlined").classes("w-48") for name, label in fields.items()}
         ui.label("Needed only for files that do not state it, such as tables of numbers.").classes("text-sm")
 

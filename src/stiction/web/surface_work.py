@@ -198,7 +198,7 @@ def solid_chart(surface: HeightMap, dark: bool) -> dict[str, Any]:
     look = {"axisLine": {"lineStyle": {"color": ink}}, "axisLabel": {"color": ink}, "nameTextStyle": {"color": ink}}
     axes = {
         f"{name}Axis3D": {"type": "value", "name": said, "nameGap": 30, "splitNumber": 3, **look}
-        for name, said in zip("xyz", ("x [um]", "y [um]", "z [nm]"), strict=True)
+        for name, said in zip("xyz", ("x [µm]", "y [µm]", "z [nm]"), strict=True)
     }
     return axes | {
         "grid3D": {"boxHeight": 30, "viewControl": {"distance": 230}},

@@ -17,12 +17,14 @@ from stiction.quantities.units import show
 from stiction.report.answer import answer_lines, answer_record, number
 from stiction.report.files import write_csv, write_netcdf
 from stiction.report.table import Column, Table, facts, notes, numbers
-from stiction.report.view import MOST_LINES, View, lines_of, picture
+from stiction.report.view import MOST_LINES, Picture, View, lines_of
 from stiction.studies.comparison.compare import FAMILIES, RESULTS
+from stiction.studies.prediction.around import curve_of
 from stiction.studies.prediction.unused import refusal_of
 
 if TYPE_CHECKING:
     import xarray
+    from matplotlib.figure import Figure
 
     from stiction.case.read import Case
 
@@ -299,9 +301,16 @@ def comparison_view(
         "compare.csv": partial(write_csv, data[list(RESULTS)].reset_coords(drop=True)),
         "compare.nc": partial(write_netcdf, data),
     }
+
+    def draw() -> "Figure":
+        from stiction.report.model_pictures import models_figure
+
+        curve = None if prediction is None else curve_of(case, prediction)
+        return models_figure(data, groups, prediction, case.title, curve)
+
     pictures = {}
     if "working_load" in data.attrs:
         files["compare_at_load.csv"] = partial(write_csv, at_working_load(data))
         description = "friction at the working load by groups of models that agree"
-        pictures["compare.png"] = picture(description, "model_pictures.models_figure", data, groups, prediction, case.title)
+        pictures["compare.png"] = Picture(description, draw)
     return View("compare", None, parts, record, files, pictures, is_brief=True)

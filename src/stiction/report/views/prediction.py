@@ -8,15 +8,17 @@ from typing import TYPE_CHECKING, Any
 
 from rich.text import Text
 
-from stiction.report.answer import PREDICTION_HEADS, answer_lines, answer_record, beside_area
+from stiction.report.answer import PREDICTION_HEADS, answer_lines, answer_record, beside_area, confidence_in, confidence_scale
 from stiction.report.files import comment_lines, record, write_csv
 from stiction.report.swept_tables import swept_table
 from stiction.report.table import facts
 from stiction.report.tables import curve_table
-from stiction.report.view import MOST_LINES, View, lines_of, picture, regime_picture
+from stiction.report.view import MOST_LINES, Picture, View, lines_of, picture, regime_picture
+from stiction.studies.prediction.around import curve_of
 
 if TYPE_CHECKING:
     import xarray
+    from matplotlib.figure import Figure
 
     from stiction.case.read import Case
 
@@ -24,12 +26,25 @@ _RESULTS = ("friction_coefficient", "friction_force", "contact_area")
 _COLUMNS = [f"{name}{end}" for name in _RESULTS for end in ("", "_low", "_high")]
 
 
-def prediction_view(case: "Case", data: "xarray.Dataset", file: str, details: bool = False, saved: bool = False) -> View:
+def prediction_view(
+    case: "Case",
+    data: "xarray.Dataset",
+    file: str,
+    details: bool = False,
+    saved: bool = False,
+    curve: "xarray.Dataset | None" = None,
+) -> View:
     """Return the view (texts, tables, files and pictures) of a prediction.
 
     data: result of `predict` for the case. file: name of the case file, for the commands that the view suggests. details:
-    whether to show the full answer. saved: whether files are written, for which the output needs one more line.
+    whether to show the full answer. saved: whether files are written, for which the output needs one more line. curve:
+    prediction over the loads of the picture; by default computed when the picture is drawn.
     """
+
+    def draw() -> "Figure":
+        from stiction.report.prediction_pictures import prediction_figure
+
+        return prediction_figure(data, case.title, curve_of(case, data) if curve is None else curve)
 
     def parts() -> Iterator[Any]:
         if case.title:
@@ -52,7 +67,7 @@ def prediction_view(case: "Case", data: "xarray.Dataset", file: str, details: bo
     if case.is_swept:
         return _swept_view(case, data, details)
     files = {"curve.csv": partial(write_csv, data[_COLUMNS], comments=_comments(case, data[_COLUMNS]))}
-    pictures = {"curve.png": picture("mu with its interval", "prediction_pictures.prediction_figure", data, case.title)}
+    pictures = {"curve.png": Picture("mu with its interval", draw)}
     pictures |= regime_picture(case.subject, data, case.title)
     return View("curve", plain(data), parts, as_record, files, pictures, is_brief=True)
 
@@ -96,7 +111,7 @@ def _details(case: "Case", data: "xarray.Dataset") -> Iterator[Any]:
     yield ""
     contact: Any = case.subject
     rows = [(("warning", "")[number > 0], text) for number, text in enumerate(data.attrs["warnings"])]
-    rows += [("models", _models(data))]
+    rows += [("confidence", confidence_scale(confidence_in(data))), ("models", _models(data))]
     rows += [("samples", f"{data.sizes['sample']}; {data.attrs['excluded']:.1%} are impossible and excluded")]
     rows += [("inputs", "\n".join(_inputs(contact)))]
     if contact.interface is not None:

@@ -16,6 +16,16 @@ AROUND = np.geomspace(0.1, 10.0, 21)  # loads of a curve over its working load
 _MIDDLE = len(AROUND) // 2
 
 
+def curve_of(case: Case, data: "xarray.Dataset") -> "xarray.Dataset":
+    """Return the curve over load of a prediction; the prediction itself if it has several loads or measured friction.
+
+    case: the case of the prediction.
+    """
+    if data["load"].size != 1 or "measured" in data.attrs:
+        return data
+    return predict_with_curve(replace(case, separation=None, load=np.atleast_1d(data["load"].values)))[1]
+
+
 def predict_with_curve(case: Case) -> "tuple[xarray.Dataset, xarray.Dataset]":
     """Return the prediction of a case at its loads, and a prediction over a range of loads.
 
