@@ -100,7 +100,7 @@ async def test_the_first_screen_shows_the_prediction():
         low, high = (f"{float(here[f'friction_coefficient_{end}']):.2g}" for end in ("low", "high"))
         card = _card(user)
         assert f"{low} to {high} (90% interval) at 1 N" in card and found.shares["interface"] > 0.5
-        assert f"{found.shares['interface']:.0%} interface strength</dd>" in card
+        assert f"{found.shares['interface']:.0%} interface strength, 3% other</dd>" in card
         rows = dict(pairwise(_texts(user)))
         assert rows["state"] == letters(found.attrs["regime"])  # below "Why"
         assert rows["next"].startswith("measure μ once and fit the case to it; ") and "narrows μ to" in rows["next"]

@@ -20,7 +20,7 @@ _MU = "friction_coefficient"
 _COLOURS = (BLUE, GREEN, ORANGE)  # of named models
 _WIDE = 1e4  # groups with a mu smaller than the largest by more than this factor are not drawn
 _AROUND = 10.0  # the axis runs from the working load over this factor to the working load times this factor
-_BEYOND = 1.2 * _AROUND  # to which lines are drawn
+_BEYOND = 3.0 * _AROUND  # to which lines are drawn, so that they cross the edge
 
 
 def models_figure(
@@ -51,7 +51,7 @@ def models_figure(
         ends += [low, high]
         if curve is not None and curve["load"].size > 1:
             x, line, *band = (curve.sortby("load")[name].values for name in ("load", _MU, f"{_MU}_low", f"{_MU}_high"))
-            near = (x > load / _BEYOND) & (x < load * _BEYOND) & np.isfinite(line)
+            near = (np.abs(np.log(x / load)) < np.log(1.01 * _AROUND)) & np.isfinite(line)
             axes.fill_between(x[near], band[0][near], band[1][near], color=RED, alpha=0.1, linewidth=0.0)
             axes.plot(x[near], line[near], color=RED, linewidth=2.0)
             ends += [band[0][near].min(), band[1][near].max()]

@@ -9,6 +9,7 @@ from matplotlib.ticker import MaxNLocator
 
 from stiction.quantities.table import QUANTITIES
 from stiction.report.answer import part_name
+from stiction.report.html_words import letters
 from stiction.report.pictures import BLUE, COLOURS, ORANGE, along_points, canvas, finish, heading, look_of, say
 from stiction.report.swept_tables import of_point, points_dimension
 from stiction.report.views.sensitivity import at_working_load, head_of, ranked, results_of, working_place
@@ -77,7 +78,7 @@ def _indices(axes: Axes, data: "xarray.Dataset", name: str) -> None:
     for other, mark in zip(results_of(data, "total_order")[1:], "so^", strict=False):
         axes.plot(results[f"{other}_total_order"].values[order], y + 0.2, mark, color="black", mfc="none", markersize=5,
                   label=f"total, {head_of(other)}")  # fmt: skip
-    axes.set_yticks(y, [str(results["input"].values[place]) for place in order], fontsize=9)
+    axes.set_yticks(y, [part_name(str(results["input"].values[place])) for place in order], fontsize=9)
     axes.set(xlabel=f"share of the variance, 95 % intervals; {of_point(data, working_place(data))}")
     axes.set_xlim(left=0.0)
     finish(axes, title="which input should be measured better?")
@@ -89,7 +90,7 @@ def _over_load(axes: Axes, data: "xarray.Dataset", name: str, dim: str) -> None:
     for place, number in enumerate(order):
         chosen = data.isel(input=int(number))
         y = chosen[f"{name}_total_order"].values
-        axes.plot(data[dim].values, y, label=str(chosen["input"].item()), **look_of("", place))
+        axes.plot(data[dim].values, y, label=part_name(str(chosen["input"].item())), **look_of("", place))
     along_points(axes, data[dim])
     axes.set(ylabel=f"total Sobol index of ln {_symbol(name)}", ylim=(0.0, None))
 
@@ -100,13 +101,13 @@ def _screening(axes: Axes, data: "xarray.Dataset", name: str) -> None:
     if not np.isfinite(size).any():
         say(axes, "not known")
         return
-    axes.errorbar(size, deviation, xerr=error, linestyle="", marker="o", color=BLUE, elinewidth=0.8)
+    axes.errorbar(size, deviation, xerr=error, linestyle="", marker="o", color=BLUE, elinewidth=0.8, clip_on=False)
     for place in ranked(results, name, "effect", "input")[:_SHOWN]:
         if size[place] > _NAMED * np.nanmax(size):  # names of small effects would overlap
             left = size[place] > 0.6 * np.nanmax(size)
             side = {"xytext": (-4, 4), "ha": "right"} if left else {"xytext": (4, 4), "ha": "left"}
-            name = str(results["input"].values[place])
-            axes.annotate(name, (size[place], deviation[place]), fontsize=8, textcoords="offset points", **side)
+            text = part_name(str(results["input"].values[place]))
+            axes.annotate(text, (size[place], deviation[place]), fontsize=8, textcoords="offset points", **side)
     axes.set_xlim(0.0, 1.1 * max(float(np.nanmax(size)), 1e-9))
     axes.xaxis.set_major_locator(MaxNLocator(_TICKS))
     axes.set(xlabel=f"mean size of its effect on ln {_symbol(name)}, from end to end", ylabel="deviation: it depends on others")
@@ -126,11 +127,11 @@ def _log_sensitivities(axes: Axes, data: "xarray.Dataset") -> None:
     y, height = np.arange(len(order))[::-1], 0.8 / len(names)
     for number, (name, colour) in enumerate(zip(names, COLOURS, strict=False)):
         values = [_known(results, name, place) for place in order]
-        axes.barh(y + 0.4 - (number + 0.5) * height, values, height=height, color=colour, label=head_of(name))
-    axes.set_yticks(y, [str(results["number"].values[number]) for number in order], fontsize=9)
+        axes.barh(y + 0.4 - (number + 0.5) * height, values, height=height, color=colour, label=letters(head_of(name)))
+    axes.set_yticks(y, [part_name(str(results["number"].values[number])) for number in order], fontsize=9)
     axes.axvline(0.0, color="black", linewidth=0.8)
     axes.xaxis.set_major_locator(MaxNLocator(_TICKS))
-    heads = "the result" if len(names) > 1 else head_of(names[0])
+    heads = "the result" if len(names) > 1 else letters(head_of(names[0]))
     finish(axes, len(names) > 1, xlabel=f"change of {heads} [%] per 1 % of the input", title="at nominal inputs")
     axes.grid(False, axis="y")
 
