@@ -134,7 +134,7 @@ async def test_a_surface_is_known_by_its_finish():
         tables = first_case()
         tables["contact"]["roughness"] = {"finish": "polished"}
         await _until(user, lambda: _mu(user) == _predicted(tables))
-        _labelled(user, ui.select, "the surface is known by").set_value("sigma, R and N")
+        _labelled(user, ui.select, "the surface is known by").set_value("σ, R and N")
         await _until(user, lambda: _mu(user) == _predicted(EXAMPLE))
         await _until(user, lambda: _labelled(user, ui.select, "kind").value == "polished")
 
@@ -267,7 +267,7 @@ async def test_no_field_shows_python():
     tables["uncertainty"] = {"count": 64}
     tables["solve"] = {"separation": [2, 0.5]}
     async with _page(encoded(tables)) as user:
-        assert _input(user, "work of adhesion gamma").value == "1 J/m^2 within a factor 3"
+        assert _input(user, "work of adhesion gamma").value == "1 J/m² within a factor 3"
         assert "separation: [2, 0.5]" in _texts(user)
         assert _labelled(user, ui.slider, "work of adhesion gamma, slider").value == 0.0  # of the median, 10^0 J/m^2
         _input(user, "work of adhesion gamma").set_value("1 J/m^2 within a factor 1.5")
