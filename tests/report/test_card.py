@@ -14,11 +14,11 @@ from stiction.report.answer import (
     confidence,
     main_sources,
     sources_in_words,
-    without_commands,
     working_load_in_words,
 )
 from stiction.report.card import Card, card_of, shortened
 from stiction.studies.prediction.measured import interval_after_measuring
+from stiction.studies.prediction.regime import without_commands
 
 CASE = """
 [contact]

@@ -14,6 +14,7 @@ from stiction.records.registry import GRADES
 from stiction.report.html_words import letters
 from stiction.solving.choice import LAWS
 from stiction.studies.prediction.measured import USUAL_ERROR
+from stiction.studies.prediction.regime import without_commands
 
 if TYPE_CHECKING:
     import xarray
@@ -371,20 +372,6 @@ def next_in_words(data: "xarray.Dataset", terminal: bool = True) -> str:
         return step
     found = f"{number(float(point[_MU]))} found with {USUAL_ERROR:.0%} standard error"
     return f"{step}; {found} narrows mu to {number(ends[0])} to {number(ends[1])}"
-
-
-def without_commands(step: str, fit: str = " and fit the case to it", scan: str = "") -> str:
-    """Return a next step for readers without a terminal or a case file.
-
-    fit: text in place of the command `stiction fit`. scan: text in place of the command `stiction surface`.
-
-    >>> without_commands("state the interface (stiction interfaces), or measure mu once: stiction fit CASE.toml --data FILE")
-    'state the interface, or measure mu once and fit the case to it'
-    """
-    words = {": stiction fit CASE.toml --data FILE": fit, " (stiction surface FILE)": scan, " (stiction interfaces)": ""}
-    for command, text in {**words, ', e.g. kind = "ground"': ", e.g. ground"}.items():
-        step = step.replace(command, text)
-    return step
 
 
 def model_line(used: Mapping[str, Any]) -> str:

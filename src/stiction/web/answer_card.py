@@ -8,9 +8,10 @@ from nicegui import ui
 from stiction.laws.validity import warnings_of
 from stiction.quantities.units import show
 from stiction.records.claims import KINDS_OF_WARNING
-from stiction.report.answer import answer_lines, at_working_load, without_commands
+from stiction.report.answer import answer_lines, at_working_load
 from stiction.report.card import Card, card_of, shortened
 from stiction.report.html_words import letters
+from stiction.studies.prediction.regime import without_commands
 from stiction.web.background import Latest
 from stiction.web.elements import Rows
 from stiction.web.explorer import Explorer

@@ -208,3 +208,17 @@ def next_step(shares: Mapping[str, float], mixture: Mixture) -> str:
 
 def _step(part: str) -> str:
     return _STEPS.get(part, f"measure {part.replace('_', ' ')}")
+
+
+def without_commands(step: str, fit: str = " and fit the case to it", scan: str = "") -> str:
+    """Return a next step for readers without a terminal or a case file.
+
+    fit: text in place of the command `stiction fit`. scan: text in place of the command `stiction surface`.
+
+    >>> without_commands("state the interface (stiction interfaces), or measure mu once: stiction fit CASE.toml --data FILE")
+    'state the interface, or measure mu once and fit the case to it'
+    """
+    words = {": stiction fit CASE.toml --data FILE": fit, " (stiction surface FILE)": scan, " (stiction interfaces)": ""}
+    for command, text in {**words, ', e.g. kind = "ground"': ", e.g. ground"}.items():
+        step = step.replace(command, text)
+    return step
