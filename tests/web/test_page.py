@@ -128,7 +128,7 @@ async def test_an_interface_or_a_strength_is_stated():
 @in_a_loop
 async def test_a_surface_is_known_by_its_finish():
     async with _page() as user:
-        _labelled(user, ui.select, "the surface is known by").set_value("its finish and Sq or Ra")
+        _labelled(user, ui.select, "the surface is known by").set_value("finish and Sq or Ra")
         await _until(user, lambda: any(one.props.get("aria-label") == "finish" for one in _elements(user, ui.select)))
         _labelled(user, ui.select, "finish").set_value("polished")
         tables = first_case()

@@ -37,7 +37,7 @@ _ENOUGH = 2 / 3  # fraction of handbook contacts that must agree
 _CONFIDENCE = {1.5: "high", 3.0: "fair", math.inf: "low"}  # largest factor from mu to an end of its interval -> word
 _NAMES = {
     "interface": "interface strength",
-    "area model": "model of the contact area",
+    "area model": "contact area model",
     "adhesion": "adhesion and liquid",
     "junctions": "plastic junctions",
     "chance": "chance, few asperities",
@@ -340,24 +340,24 @@ def part_name(name: str) -> str:
     return words.replace("_", " ").replace("youngs", "Young's").replace("poissons", "Poisson's")
 
 
-def main_sources(shares: dict[str, float]) -> list[tuple[str, float]]:
+def main_sources(shares: dict[str, float], most: int = _MOST_SOURCES) -> list[tuple[str, float]]:
     """Return the main sources of uncertainty as pairs (name, share of the variance of ln mu), the largest first.
 
-    shares: share of the variance by name of the source. The list has at most three sources. All but the largest must have a
+    shares: share of the variance by name of the source. The list has at most `most` sources. All but the largest must have a
     share of at least 5 %. The last entry is "other", the rest to 100 %, unless it is below half a per cent.
     """
     ordered = sorted(shares.items(), key=lambda item: -item[1])
-    named = [item for rank, item in enumerate(ordered[:_MOST_SOURCES]) if not rank or item[1] >= _LEAST]
+    named = [item for rank, item in enumerate(ordered[:most]) if not rank or item[1] >= _LEAST]
     rest = 1.0 - sum(round(share, 2) for _, share in named)  # of the rounded shares, which a reader adds up
     return [*named, ("other", rest)] if named and rest > _NO_REST else named
 
 
-def sources_in_words(shares: dict[str, float]) -> str:
+def sources_in_words(shares: dict[str, float], most: int = _MOST_SOURCES) -> str:
     """Return the main sources of uncertainty with their shares of the variance as text: "60% interface strength, 9% load".
 
     shares: share of the variance of ln mu, by name of the source.
     """
-    return ", ".join(f"{share:.0%} {part_name(name)}" for name, share in main_sources(shares))
+    return ", ".join(f"{share:.0%} {part_name(name)}" for name, share in main_sources(shares, most))
 
 
 def next_in_words(data: "xarray.Dataset", terminal: bool = True) -> str:

@@ -274,7 +274,7 @@ ENDINGS = {"first": "first body", "second": "second body", "coating": "film"}
 # Ways to state a surface, each with the numbers that the form starts with.
 SURFACE_KNOWN_BY: dict[str, dict[str, Any]] = {
     "σ, R and N": {"asperity_height_deviation": "48 nm", "asperity_radius": "50 um", "asperity_density": "1.7e10 1/m^2"},
-    "its finish and Sq or Ra": {"finish": "ground"},
+    "finish and Sq or Ra": {"finish": "ground"},
 }
 
 
