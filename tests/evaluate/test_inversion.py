@@ -244,3 +244,20 @@ def test_sigmas_of_a_contact_are_counted():
     assert float(st.solve(contact, separation="47.9 mm", model="greenwood_williamson_1966")["load"]) == 0.0
     with refusal("separation", "1e+06"):
         st.solve(contact, separation="48.1 mm", model="greenwood_williamson_1966")
+
+
+def test_sparse_asperities_of_nearly_equal_heights_are_pressed_until_they_carry_the_load():
+    """All of them touch at -16 sigma: the mean of (z + 16)^(3/2) over a Gaussian, by Gauss-Hermite quadrature."""
+    radius, sigma, density, area = 1e-5, 2e-8, 8e9, 1e-4
+    rough = {"asperity_height_deviation": sigma, "asperity_radius": radius, "asperity_density": density}
+    body = {"youngs_modulus": 4e6, "poissons_ratio": 0.4, "hardness": 1e9}
+    contact = st.Contact(first=body, second=body, roughness=rough, nominal_area=area)
+    z, weights = np.polynomial.hermite_e.hermegauss(20)
+    mean = weights @ (z + 16.0) ** 1.5 / math.sqrt(2.0 * math.pi)
+    load = density * area * 4.0 / 3.0 * (4e6 / 1.68) * math.sqrt(radius) * sigma**1.5 * mean
+    for asperity in ("chang_etsion_bogy_1987", "zhao_maietta_chang_2000"):
+        solved = st.solve(contact, load=load, model="greenwood_williamson_1966", tangential="none", asperity=asperity)
+        assert float(solved["mean_separation"]) == pytest.approx(-16.0 * sigma, rel=1e-9)
+        assert float(solved["contact_area"]) == pytest.approx(math.pi * radius * 16.0 * sigma * density * area, rel=1e-9)
+    with refusal("load"):  # the spheres would fill the plane before
+        st.solve(contact, load=1e4 * load, model="greenwood_williamson_1966", asperity=asperity, tangential="none")

@@ -296,3 +296,30 @@ def test_adhesion_of_an_elastomer_that_is_not_stated_is_told():
         for more in ({}, {"work_of_adhesion": "0 J/m^2"})
     ]
     assert told == [True, False]
+
+
+@pytest.mark.parametrize(
+    ("name", "values"), [("asperity_height_deviation", (23e-9, 24e-9)), ("asperity_density", (1e9, 1.02e9))]
+)
+def test_adhesion_of_sparse_bumps_does_not_leap(name, values):
+    """Bumps of rubber that are pressed further than ten deviations of their heights."""
+    bumps = {"asperity_height_deviation": 1e-7, "asperity_radius": 1e-5, "asperity_density": 8e9, "kind": "blasted"}
+    body = {"youngs_modulus": "2 MPa", "poissons_ratio": 0.49, "hardness": "20 MPa"}
+    pair = {"first": body, "second": "borosilicate_glass", "work_of_adhesion": "40 mJ/m^2", "nominal_area": "1 cm^2"}
+    pair["interfacial_shear_strength"] = "0.1 MPa"
+    found = [st.predict(st.Contact(**pair, roughness=bumps | {name: value}), load="1 N") for value in values]
+    for end in ("_low", "", "_high"):
+        first, second = (float(one[f"friction_coefficient{end}"].item()) for one in found)
+        assert first == pytest.approx(second, rel=0.05)
+
+
+def test_a_strength_near_that_of_the_body_is_the_same_however_it_is_written():
+    """The interval holds what the three laws of growth say, and its median is none of its ends."""
+    soft = {"youngs_modulus": "115 GPa", "poissons_ratio": 0.34, "hardness": "0.9 GPa"}
+    rough = {"rms_height": "0.2 um", "finish": "ground"}
+    pair = {"first": "hardened_steel_52100", "second": soft, "roughness": rough, "nominal_area": "1 cm^2"}
+    ways = {"interfacial_shear_strength": "160 MPa"}, {"interface": {"interfacial_shear_strength": "160 MPa"}}
+    found = [st.predict(st.Contact(**pair, **way), load="10 N") for way in ways]
+    low, mu, high = (found[0][f"friction_coefficient{end}"].item() for end in ("_low", "", "_high"))
+    assert low < 0.9 * mu and high > 1.1 * mu
+    np.testing.assert_allclose(found[0].friction_coefficient_samples, found[1].friction_coefficient_samples, rtol=1e-12)

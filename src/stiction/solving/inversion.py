@@ -329,9 +329,9 @@ def largest_tension(load: Callable, h: np.ndarray, loads: np.ndarray) -> tuple[n
 def _loads_past(problem: Problem, targets: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return descending separations (H,), over sigma, the loads (n, H) there, and the scale (n,) of the loads.
 
-    The separations start where the load is below the smallest target and almost nothing touches. They end far beyond the range
-    of any model, where compression exceeds all tension. Asperities of listed heights, which may be nearly alike, are pressed
-    until they carry the largest target. The scale does not depend on this range.
+    The separations start where the load is below the smallest target and almost nothing touches. They end at -10 or where
+    compression exceeds all tension. Sparse asperities of nearly equal heights are pressed further, until they carry the largest
+    target or would fill the nominal area. The scale does not depend on this range.
     """
     h, loads = _FIRST, problem.loads_on_grid(_FIRST)
     size = np.abs(loads).max(axis=1)
@@ -344,11 +344,23 @@ def _loads_past(problem: Problem, targets: np.ndarray) -> tuple[np.ndarray, np.n
     while h[0] < FARTHEST and _touches(loads, size, smallest).any():
         farther = np.minimum(h[0] * _BEYOND[::-1], FARTHEST)
         h, loads = np.concatenate([farther, h]), np.concatenate([more(farther), loads], axis=1)
-    largest = targets.max(axis=1, initial=0.0) if problem.heights.listed.size else 0.0
-    while -h[-1] < FARTHEST and (loads[:, -1] < np.maximum(-loads.min(axis=1), largest)).any():
+    tension, largest, deepest = -loads.min(axis=1), targets.max(axis=1, initial=0.0), _deepest(problem)
+    while -h[-1] < FARTHEST and (loads[:, -1] < np.where(-h[-1] < deepest, np.maximum(tension, largest), tension)).any():
         nearer = np.maximum(h[-1] * _BEYOND, -FARTHEST)
         h, loads = np.concatenate([h, nearer]), np.concatenate([loads, more(nearer)], axis=1)
     return h, loads, size
+
+
+def _deepest(problem: Problem) -> np.ndarray | float:
+    """Return how far below the mean plane, over sigma, asperities may be pressed to carry a load, (n,) or a number.
+
+    An asperity pressed by delta touches pi R delta/2 or more, so N asperities per area fill the plane at 2/(pi N R sigma)
+    deviations. Listed heights may be nearly equal, and have no such bound.
+    """
+    density = problem.groups.roughness_parameter  # N R sigma
+    if problem.heights.listed.size:
+        return FARTHEST
+    return 0.0 if not isinstance(problem, AsperitySum) or density is None else 2.0 / (math.pi * density)
 
 
 def _touches(loads: np.ndarray, size: np.ndarray, smallest: np.ndarray) -> np.ndarray:

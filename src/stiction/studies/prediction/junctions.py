@@ -6,7 +6,8 @@ interface over that of the body. A junction that stays elastic up to the pressur
 assumptions are sampled with weights set by judgement: no growth; a bulk that shears at Y/sqrt(3) (yield stress Y, von Mises);
 and a junction that hardens until its bulk shears at up to H/3 if the interface is as strong as the body (alpha = 9, Tabor's
 experiments, the largest weight). As the body hardens, an interface that is given by its state hardens too. An
-interface whose strength is stated as a number well below that of the body does not, so that such a junction grows less. None
+interface whose strength is stated as a number well below that of the body does not, so that such a junction grows less. Above
+half the body's strength, how far such an interface hardens is sampled. None
 of the three assumptions limits growth for c near 1, so that c is limited to 0.999. On a film of thickness t the growth is
 raised to the power 1/(1 + a/t) for a spot of radius a (judgement): a narrow spot is a junction of the bulk film, a wide one is
 carried by the body below. A state of the interface that was measured on films includes its growth.
@@ -45,17 +46,27 @@ def grown(
     strength, hardness, shear_strength : numpy.ndarray, shape (n, 1)
         Shear strength of the interface, and hardness and shear strength of the weaker body [Pa].
     hardens : numpy.ndarray, shape (n, 1), or float
-        How far the interface hardens with the body: 1 for a named state of the interface, 0 for a stated strength well below
-        that of the body.
+        How far the interface hardens with the body, in the mean: 1 for a named state of the interface, 0 for a stated strength
+        well below that of the body.
     """
     ratio = np.minimum(strength / shear_strength, _MOST) ** 2
     most = np.maximum((hardness / shear_strength) ** 2 / _TABOR, 1.0)
     hardened = 1.0 + (most - 1.0) * ratio
     alone = 1.0 / np.sqrt(1.0 - ratio)
-    factors = np.stack([np.ones_like(alone), alone, np.sqrt(hardened**hardens / (1.0 - ratio / hardened ** (1.0 - hardens)))])
     which = np.searchsorted(np.cumsum(GROWTH)[:-1], level)
+    share = _share_that_hardens(np.clip((level - sum(GROWTH[:2])) / GROWTH[2], 0.0, 1.0)[:, None], hardens)
+    factors = np.stack([np.ones_like(alone), alone, np.sqrt(hardened**share / (1.0 - ratio / hardened ** (1.0 - share)))])
     factor = factors[which, np.arange(len(level))]
     return np.maximum(np.minimum(pressure / hardness, 1.0) * factor, 1.0)
+
+
+def _share_that_hardens(level: np.ndarray, mean: np.ndarray | float) -> np.ndarray:
+    """Return samples of how far the interface hardens, 0 to 1, (n, m or 1), with this mean (judgement).
+
+    The distribution of level^((1 - mean)/mean) spreads over 0 to 1 and narrows to one value where the mean is 0 or 1. level:
+    quantile levels (n, 1).
+    """
+    return np.maximum(level, 1e-12) ** ((1.0 - mean) / np.maximum(mean, 1e-9))
 
 
 def squeezed(

@@ -4,8 +4,11 @@ tau_0 is stated as a number, or given by the state of the interface. If neither 
 the pair of materials allows.
 """
 
+from typing import Any
+
 import numpy as np
 
+from stiction.contact.contact import Contact
 from stiction.contact.indices import Groups
 from stiction.contact.interfaces import Interface, interface, interface_weights
 from stiction.laws.ageing.berthoud_1999 import factor
@@ -33,11 +36,12 @@ class Strength:
 
         contact, self.bodies = sampled.drawn, sampled.bodies
         self.states, self.stated, self.coefficient = _states(sampled), None, sampled.column(0.0)
-        if contact.interfacial_shear_strength is not None:
-            self.stated = sampled.column(contact.interfacial_shear_strength)
+        number = exact_strength(contact)
+        if number is not None:
+            self.stated = sampled.column(number)
         if contact.pressure_coefficient is not None:
             self.coefficient = sampled.column(contact.pressure_coefficient)
-        self.varied = _varied(contact.interface, sampled) if self.stated is None and contact.interface is not None else {}
+        self.varied = _varied(contact.interface, sampled) if self.states and contact.interface is not None else {}
         self.metallic = sampled.metallic
         self.takes_states = contact.pressure_coefficient is None
         self.aged = sampled.column(1.0)
@@ -106,25 +110,35 @@ class Strength:
             table[rows % len(table)] for table in (bodies.hardness, bodies.shear_strength, bodies.shear_modulus)
         )
         alpha = self.coefficient[rows % len(self.coefficient)]
+        varied = {name: table[rows % len(table)] for name, table in self.varied.items()}
+        shapes = [table.shape for table in varied.values()]
+        tau = np.zeros(np.broadcast_shapes(hardness.shape, modulus.shape, *shapes))
+        alpha = np.broadcast_to(alpha, np.broadcast_shapes((len(rows), alpha.shape[1]), *shapes)).copy()
+        which = self.states_drawn(state)
+        for index, (table, _) in enumerate(self.states):
+            mine = which == index
+            of_state = {name: values[mine] for name, values in varied.items()}
+            tau[mine] = table.strength_at(strength[mine, None], hardness[mine], modulus[mine], of_state.get(table.strength))
+            if self.takes_states:
+                alpha[mine] = table.pressure_coefficient_at(coefficient[mine, None], of_state.get("pressure_coefficient"))
         if self.stated is not None:
             tau = self.stated[rows % len(self.stated)]
-        else:
-            varied = {name: table[rows % len(table)] for name, table in self.varied.items()}
-            shapes = [table.shape for table in varied.values()]
-            tau = np.zeros(np.broadcast_shapes(hardness.shape, modulus.shape, *shapes))
-            alpha = np.broadcast_to(alpha, np.broadcast_shapes((len(rows), alpha.shape[1]), *shapes)).copy()
-            which = self.states_drawn(state)
-            for index, (table, _) in enumerate(self.states):
-                mine = which == index
-                of_state = {name: values[mine] for name, values in varied.items()}
-                tau[mine] = table.strength_at(strength[mine, None], hardness[mine], modulus[mine], of_state.get(table.strength))
-                if self.takes_states:
-                    alpha[mine] = table.pressure_coefficient_at(coefficient[mine, None], of_state.get("pressure_coefficient"))
         tau = tau * self.aged[rows % len(self.aged)]
         if self.stated is not None and self.over_body > _NEAR_BODY:  # a strong metal interface fails as clean metal does
             clean = interface("clean metal").strength_at(strength[:, None], hardness, modulus)
             tau = np.where(self.metallic, np.minimum(tau, clean), tau)
         return _capped(tau, shear, strength[:, None], self.metallic), alpha
+
+
+def exact_strength(contact: Contact) -> Any:
+    """Return tau_0 [Pa] of a contact if it is stated as a number without a range, directly or as a state of its own; else None.
+
+    It is a number or a labelled array (xarray).
+    """
+    state = contact.interface
+    if contact.interfacial_shear_strength is None and state is not None and "interfacial_shear_strength" not in state.range:
+        return state.interfacial_shear_strength
+    return contact.interfacial_shear_strength
 
 
 def _capped(tau: np.ndarray, shear: np.ndarray, level: np.ndarray, metallic: np.ndarray) -> np.ndarray:
