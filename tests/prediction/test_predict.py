@@ -12,6 +12,7 @@ from scipy.stats import norm
 import stiction as st
 from stiction.studies.prediction.area import grown_to
 from stiction.studies.prediction.junctions import grown, squeezed
+from stiction.surfaces.theory.moments import LEAST_DENSITY
 
 ROUGH = {"asperity_height_deviation": 2e-7, "asperity_radius": 2e-5, "asperity_density": 1e10}
 # Hard to the touch of a tenth of its modulus: all contacts are plastic.
@@ -323,3 +324,19 @@ def test_a_strength_near_that_of_the_body_is_the_same_however_it_is_written():
     low, mu, high = (found[0][f"friction_coefficient{end}"].item() for end in ("_low", "", "_high"))
     assert low < 0.9 * mu and high > 1.1 * mu
     np.testing.assert_allclose(found[0].friction_coefficient_samples, found[1].friction_coefficient_samples, rtol=1e-12)
+
+
+@pytest.mark.parametrize("coating", (None, {"material": {"preset": "silver", "hardness": "0.4 GPa"}, "thickness": "200 nm"}))
+@pytest.mark.parametrize("limit", (1.0, 0.5))
+def test_where_asperities_are_too_few_for_a_gaussian_surface_mu_does_not_leap(coating, limit):
+    """From the least N R sigma of a Gaussian surface to half of it, one set of models replaces another."""
+    mu = []
+    for around in (0.99, 1.01):
+        sigma = limit * around * LEAST_DENSITY / (1.7e10 * 50e-6)
+        rough = {"asperity_height_deviation": sigma, "asperity_radius": "50 um", "asperity_density": "1.7e10 1/m^2"}
+        pair = {"first": "hardened_steel_52100", "second": "hardened_steel_52100", "nominal_area": "1 mm^2", "roughness": rough}
+        more = {"coating": coating | {"bodies": "first"}} if coating else {}
+        mu.append(st.predict(st.Contact(**pair, **more, interfacial_shear_strength="40 MPa"), load="1 N"))
+    for end in ("_low", "", "_high"):
+        low, high = (float(one[f"friction_coefficient{end}"].item()) for one in mu)
+        assert low == pytest.approx(high, rel=0.05)

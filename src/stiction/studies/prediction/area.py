@@ -138,24 +138,26 @@ def area_laws(sampled: SampledCase) -> list[AreaLaw]:
     """Return the area models that apply to a contact, with weights that sum to 1 at each point.
 
     A point is a contact at a load. Sets of models are tried in turn: a later set is used at the points where no model of an
-    earlier set applies. Raises InputError if no model applies.
+    earlier set applies, and in part where one applies in part (see `_law`). Raises InputError if no model applies.
     """
-    answers, refusal, left = [], None, np.ones(len(sampled.loads), dtype=bool)
+    answers, refusal, left = [], None, np.ones(len(sampled.loads))
     for choices in _in_turn(sampled):
-        laws = []
+        laws, applies = [], np.zeros(len(left))
         for choice, weight in choices:
             try:
                 laws.append(_law(sampled, choice, weight))
+                applies = np.maximum(applies, laws[-1].weight / weight)
             except (InputError, ArithmeticError) as error:
                 if sampled.contacts > 1 and any(_answers(end, choice) for end in sampled.ends()):
                     raise  # the model applies to some of these contacts; the caller then divides them into smaller batches
                 refusal = error
         total = np.sum([law.weight for law in laws], axis=0)
-        fresh = left & (total > 0.0)
-        answers += [replace(law, weight=np.where(fresh, law.weight / np.where(fresh, total, 1.0), 0.0)) for law in laws]
-        left = left & ~fresh
+        answers += [replace(law, weight=left * applies * law.weight / np.where(total > 0.0, total, 1.0)) for law in laws]
+        left = left * (1.0 - applies)
         if not left.any():
             return answers
+    if answers and (left < 1.0).all():
+        return [replace(law, weight=law.weight / (1.0 - left)) for law in answers]
     assert refusal is not None
     raise refusal
 
@@ -184,18 +186,18 @@ def _answers(sampled: SampledCase, choice: Choice) -> bool:
 def _law(sampled: SampledCase, choice: Choice, weight: float) -> AreaLaw:
     """Return the area of all samples by one model, with its errors on benchmark surfaces.
 
-    choice: the model. weight: its weight. Of many contacts, the model may refuse those whose product of asperity density,
-    radius and height deviation is too small for a Gaussian surface; there the weight is 0. Raises InputError or ArithmeticError
-    if the model refuses all contacts.
+    choice: the model. weight: its weight. If the product of asperity density, radius and height deviation is too small for a
+    Gaussian surface, and the model therefore refuses it, the area is that of the smallest product, and the weight falls to 0 at
+    half of it. Raises InputError or ArithmeticError if the model refuses all contacts for another reason or has no weight.
     """
     try:
         points, tables = _solved(sampled, choice)
     except InputError as error:
-        is_gaussian = sampled.is_gaussian
-        if error.field != _FEWEST or is_gaussian.all() or not is_gaussian.any():
+        share = sampled.gaussian_share
+        if error.field != _FEWEST or (share == 1.0).all() or not share.any():
             raise
         law = _law(sampled.as_gaussian(), choice, weight)
-        return replace(law, weight=np.where(is_gaussian, law.weight, 0.0))
+        return replace(law, weight=share * law.weight)
     nominal = sampled.nominal(choice.model_key)
     errors = measured_errors(points.problem, tables, most_points=math.inf)
     places = sampled.places(points.dims)

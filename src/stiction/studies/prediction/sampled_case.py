@@ -131,14 +131,15 @@ class SampledCase:
         return replace(self, case=replace(self.case, subject=self.contact.as_numbers()))
 
     @cached_property
-    def is_gaussian(self) -> np.ndarray:
-        """Return a mask (m,) of the points (contacts at a load) at which N R sigma is large enough for a Gaussian surface.
+    def gaussian_share(self) -> np.ndarray:
+        """Return how far the surface is like a Gaussian one at each point, a contact at a load: (m,), 0 to 1.
 
-        N, R and sigma are density, radius and height deviation of asperities.
+        It is 1 if N R sigma is large enough for a Gaussian surface, and 0 from half of that on. N, R and sigma are density,
+        radius and height deviation of asperities. The range between is a judgement.
         """
         rough = self.contact.roughness
         numbers = self.column(rough.asperity_density * rough.asperity_radius * rough.asperity_height_deviation)[0]
-        return np.broadcast_to(numbers >= LEAST_DENSITY, self.loads.shape)
+        return np.broadcast_to(np.clip(1.0 + np.log2(numbers / LEAST_DENSITY), 0.0, 1.0), self.loads.shape)
 
     def as_gaussian(self) -> "SampledCase":
         """Return the case with the asperity density raised to the smallest that a Gaussian surface can have.
