@@ -15,6 +15,7 @@ from stiction.engine import summation
 from stiction.engine.heights import gaussian
 from stiction.engine.summation import scattered
 from stiction.laws.film.layered import elastic, regimes
+from stiction.laws.film.shared import layered_rows
 from stiction.laws.film.shared.layered_rows import coefficients
 from stiction.laws.film.shared.layered_yield import Hardness, cut_at_yield
 from stiction.laws.joining import Law, coordinates, coordinates_at_area, normal_states
@@ -323,6 +324,21 @@ def test_compliances_of_the_bodies_add(bodies):
         assert w == pytest.approx(exact.approach * u[0] ** 4, rel=4e-3)
         bare = 1.0 / (1.0 / first + 1.0 / second)
         assert load == pytest.approx(exact.load * surfaces / bare * u[0] ** 6, rel=4e-3)
+
+
+def test_unlike_coated_bodies_are_not_solved_as_one_film_too(monkeypatch):
+    """Of three contacts of coated bodies, those of the first are alike: one film, the others two."""
+    films = []
+    solve = lambda *columns: (films.append(len(columns[0])), curves_of_films(*columns))[1]  # noqa: E731
+    monkeypatch.setattr(layered_rows, "curves_of_films", solve)
+    given = FILM | {"n_E": 0.2, "film_nu": 0.4, "layer_nu": 0.4, "films": 2.0, "film_aspect": 1.0, "coated_nu": 0.2}
+    together = coefficients(groups(**given, coated_share=np.array([0.5, 0.3, 0.5]), counter_nu=np.array([0.2, 0.2, 0.4])))
+    assert films == [1]
+    for row, (first, nu) in enumerate([(0.5, 0.2), (0.3, 0.2), (0.5, 0.4)]):
+        (alone,) = coefficients(groups(**given, coated_share=first, counter_nu=nu))
+        assert_allclose(together[row], alone, rtol=1e-9, atol=1e-12)
+    pair = tuple(Layer.of(0.5, 0.4 * share, 0.4, below) for share, below in ((0.3, 0.2), (0.7, 0.2)))
+    assert_allclose(together[1], curves(pair), rtol=1e-9)
 
 
 def test_halves_on_like_bodies_are_one_film_on_a_rigid_plane():

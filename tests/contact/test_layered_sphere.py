@@ -8,7 +8,8 @@ import pytest
 from numpy.testing import assert_allclose
 
 from stiction.solvers.layered.compliance import Layer, compliance, modulus_without_film
-from stiction.solvers.layered.curves import curves
+from stiction.solvers.layered.curves import curves, curves_of_pairs
+from stiction.solvers.layered.many_spheres import STIFFEST, respond_many
 from stiction.solvers.layered.sphere import Response, respond
 from tables import REFERENCE, column, read
 
@@ -58,6 +59,28 @@ def test_exact_sphere():
     expected = np.stack([column(ROWS, name) for name in FIELDS], axis=1)
     assert_allclose(found[:, :3], expected[:, :3], rtol=1e-6)
     assert_allclose(found[:, 3], expected[:, 3], rtol=1e-5)  # of which the table is a difference
+
+
+@pytest.mark.parametrize(("stiffest", "error"), [(100.0, 1e-8), (2000.0, 1e-4)])
+def test_many_spheres_together_are_those_of_each(stiffest, error):
+    """Single films and two, soft and stiff, over rigid bodies too; slopes by their own size or by 1."""
+    rng = np.random.default_rng(7)
+    ratios, nu, radii = stiffest ** rng.uniform(-1.5, 1.0, (12, 2)), rng.uniform(0.0, 0.5, (12, 2, 2)), [1e-5, 0.3, 20.0, 600.0]
+    pairs = [tuple(Layer.of(0.5, *film) for film in zip(row, *one, strict=True)) for row, one in zip(ratios, nu, strict=True)]
+    pairs[:4] = [
+        (Layer.of(share, ratio, 0.2, 0.4),) for share, ratio in ((1.0, 0.0), (1.0, stiffest), (0.1, stiffest), (0.6, 0.3))
+    ]
+    found, expected = respond_many(pairs, radii), np.array([[respond(pair, radius) for radius in radii] for pair in pairs])
+    assert_allclose(found[..., :4], expected[..., :4], rtol=error)
+    assert_allclose(found[..., 4:], expected[..., 4:], rtol=error, atol=error)
+
+
+def test_many_pairs_keep_their_order_and_stiff_ones_are_solved_alone():
+    pairs = [(Layer.of(1.0, ratio, 0.3, 0.2),) for ratio in np.geomspace(0.1, 1e4, 70)]
+    assert sum(pair[0].ratio > STIFFEST for pair in pairs) > 5
+    found = curves_of_pairs(pairs)
+    for place in (0, 30, 60, 69):
+        assert_allclose(found[place], curves(pairs[place]), rtol=1e-3, atol=1e-5)
 
 
 def test_curves():

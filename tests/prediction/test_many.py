@@ -107,6 +107,17 @@ def test_a_swept_number_of_the_harder_body_leaves_the_same_prediction():
     np.testing.assert_allclose(mu.isel(place=0), mu.isel(place=1), rtol=1e-12)
 
 
+def test_loads_that_do_not_press_are_left_out_of_a_sweep():
+    """They make no other point refuse: all others are solved at once."""
+    contact = with_value(OXIDISED, "asperity_height_deviation", ["0.1 um", "0.2 um"])
+    found = st.predict({"contact": contact, "solve": {"load": ["-1 N", "1 N", "0 N", "10 N"]}})
+    pressed = st.predict({"contact": contact, "solve": {"load": ["1 N", "10 N"]}})
+    np.testing.assert_allclose(found["friction_coefficient"][:, [1, 3]], pressed["friction_coefficient"], rtol=1e-12)
+    assert np.isnan(found["friction_coefficient"][:, [0, 2]]).all() and found.attrs["refused"] == 4
+    with refusal("load", "0", "above 0 N"):
+        st.predict({"contact": contact, "solve": {"load": ["-1 N", "0 N"]}})
+
+
 def test_arrays_of_python_are_predicted_too():
     sigma = st.axis("asperity_height_deviation", ["0.1 um", "0.2 um"])
     contact = st.Contact(**{**BARE, "interface": "oxidised metal", "roughness": ROUGH | {"asperity_height_deviation": sigma}})

@@ -9,6 +9,7 @@ import stiction as st
 from stiction.case.read import parse_case
 from stiction.laws.validity import warnings_of
 from stiction.report.views.run import uncertain_notes
+from stiction.studies.uncertainty import drawing
 
 # Surfaces of an elastomer under a tenth of a millinewton, from rough to smooth: the smoothest would touch all over.
 HEIGHTS = [0.5e-6, 0.4e-6, 0.3e-6, 0.12e-6]
@@ -84,3 +85,18 @@ def test_draws_above_the_hardness():
     tables["contact"]["second"] = body | {"hardness": "9 GPa"}
     data = st.solve_case(parse_case(tables)).squeeze()
     assert data.attrs["impossible_draws"] == pytest.approx(0.25, abs=0.02)
+
+
+def test_samples_that_yield_above_their_hardness_have_no_result_and_the_others_are_solved_together(monkeypatch):
+    """Searching for each of many such samples by halves took minutes."""
+    body = {"youngs_modulus": "10 GPa", "poissons_ratio": 0.3, "hardness": "100 MPa", "material_class": "polymer"}
+    tables = case("0.5 um", "kogut_etsion_2004", first=body | {"yield_stress": {"low": "50 MPa", "high": "150 MPa"}})
+    del tables["contact"]["work_of_adhesion"]
+    found, attempts = parse_case(tables), []
+    solve = drawing.evaluate_many
+    monkeypatch.setattr(drawing, "evaluate_many", lambda *given, **more: (attempts.append(1), solve(*given, **more))[1])
+    levels = np.linspace(0.01, 0.99, 50)[:, None]
+    area = drawing.draw(found, levels, [drawing.Variant(found.choice)], names=("contact_area",)).tables["contact_area"][:, 0]
+    assert (np.isnan(area) == (50.0 + 100.0 * levels[:, 0] > 100.0)).all() and attempts == [1]
+    tables["contact"]["first"] = body | {"yield_stress": f"{50.0 + 100.0 * levels[3, 0]} MPa"}
+    assert area[3] == pytest.approx(st.solve_case(parse_case(tables))["contact_area"].item(), rel=1e-9)

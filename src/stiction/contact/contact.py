@@ -1,6 +1,7 @@
 """Define the class Contact, which computes the dimensionless groups of two rough bodies (docs/explanation/theory.md)."""
 
-from functools import cached_property
+import operator
+from functools import cached_property, reduce
 from math import pi
 from typing import TYPE_CHECKING, Any
 
@@ -154,6 +155,13 @@ class Contact(Subject):
             raise InputError("contact", "numbers that overflow", "numbers of the size that real materials have") from None
         names = {} if self.unlabelled is self else coordinates(self.arrays())
         return Indices(**{name: labelled(value, names) for name, value in groups.items()} if names else groups)
+
+    @property
+    def impossible(self) -> Any:
+        with np.errstate(all="ignore"):
+            groups = {name: value for name, value in self.unlabelled._groups().items() if value is not None}
+        outside = (np.logical_not(QUANTITIES[name].holds(value)) for name, value in groups.items())
+        return reduce(operator.or_, outside, np.False_)
 
     def known(self, name: str) -> object:
         """Return the property or dimensionless group called `name`; None if the contact does not determine it."""

@@ -5,6 +5,8 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import Input
 from stiction.quantities.units import values_in_words
@@ -65,6 +67,11 @@ class Subject(Input):
     @abstractmethod
     def has_film(self) -> bool:
         """Return whether at least one body has a film."""
+
+    @property
+    def impossible(self) -> Any:
+        """Return a mask over the dimensions of the arrays: where a dimensionless group is out of its bounds."""
+        return np.False_
 
     @cached_property
     def prepared(self) -> list[object]:

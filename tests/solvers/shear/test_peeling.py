@@ -77,6 +77,19 @@ def test_a_disc_releases_what_savkoor_and_briggs_have(nu, radius):
     assert released[touching & ~inner].mean() == pytest.approx((2.0 - nu) / (32.0 * math.pi * counted**3), rel=0.03)
 
 
+def test_the_energy_at_the_edge_turns_with_the_contact():
+    """An ellipse off its middle, turned by half a turn: shear along one axis of like points cannot tell both apart."""
+    count, nu = 40, 0.3
+    x = np.arange(count) - count / 2 + 0.63
+    touching = np.hypot(x[None] / 11.0, (x[:, None] + 2.4) / 7.0) < 1.0
+    half_spaces = HalfSpace(2.0 * (1.0 + nu), nu), HalfSpace(math.inf, 0.3)
+    operator = FreeShear(ShearCompliance(half_spaces), (count, count), (float(count), float(count)))
+    edge = touching & (sum(np.roll(~touching, step, axis) for axis in (0, 1) for step in (1, -1)) > 0)
+    released = energy_released(operator, touching, 1.0)[edge]
+    turned = energy_released(operator, touching[::-1, ::-1], 1.0)[::-1, ::-1][edge]
+    np.testing.assert_allclose(turned, released, rtol=1e-6)
+
+
 @pytest.mark.parametrize(
     ("law", "zeta"),
     [

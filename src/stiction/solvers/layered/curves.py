@@ -17,6 +17,7 @@ them the error is at most 0.2 % in E_P, D and E_S, and 0.5 % in B, for a ratio o
 (tests/contact/test_layered_sphere.py).
 """
 
+from collections.abc import Sequence
 from functools import lru_cache
 
 import numpy as np
@@ -24,11 +25,14 @@ from numpy.polynomial import chebyshev
 
 from stiction.engine.one_thread import on_one_thread
 from stiction.solvers.layered.compliance import Pair, modulus_without_film
+from stiction.solvers.layered.many_spheres import STIFFEST, respond_many
 from stiction.solvers.layered.sphere import Response, respond
 
 CURVES, TERMS = 3, 19
 # Contact radii of the exact solutions, over the thickness of one film.
 RADII = np.concatenate([[1e-5, 1e-4, 5e-4], np.geomspace(0.002, 600.0, 24)])
+# Pairs that are solved faster together than one by one.
+_MANY = 64
 # Weight of a slope relative to a value in the fit.
 _SLOPE = 0.3
 # Coefficients of Chebyshev's polynomials in powers of z, one row for each polynomial.
@@ -51,6 +55,24 @@ def curves(pair: Pair) -> np.ndarray:
     bodies are not supported, because their modulus without films is infinite.
     """
     return np.array(_solved(pair)).reshape(CURVES, TERMS)
+
+
+def curves_of_pairs(pairs: Sequence[Pair]) -> np.ndarray:
+    """Return the coefficients (n, CURVES, TERMS) of n pairs of bodies, as `curves` does for one.
+
+    Many pairs are solved together, which is ten times as fast. Films that are too stiff for this are solved one by one.
+    """
+    together = [i for i, pair in enumerate(pairs) if all(film.ratio <= STIFFEST for film in pair)]
+    solved = _solved_together(tuple(pairs[i] for i in together)) if len(together) >= _MANY else np.empty(0)
+    at = {i: row for i, row in zip(together, solved, strict=False)}
+    return np.array([at[i] if i in at else curves(pair) for i, pair in enumerate(pairs)]).reshape(-1, CURVES, TERMS)
+
+
+@lru_cache(maxsize=4)
+@on_one_thread
+def _solved_together(pairs: tuple[Pair, ...]) -> np.ndarray:
+    responses = respond_many(pairs, RADII)
+    return np.array([fit(solved, modulus_without_film(pair)) for solved, pair in zip(responses, pairs, strict=True)])
 
 
 def fit(solved: np.ndarray, below: float) -> np.ndarray:

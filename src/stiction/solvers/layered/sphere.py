@@ -58,15 +58,24 @@ def respond(pair: Pair, radius: float) -> Response:
 
     radius: contact radius divided by the thickness of one film, > 0; tested up to 1000. The numbers are accurate to 1e-6.
     """
-    _, _, even, at_edge, edge_slope = _waves(float(radius))
+    _, _, even, at_edge, edge_slope = waves(float(radius))
     softer, g_0, g_2, wider, to_edge = _solve(pair, float(radius))
-    to_edge_slope = even @ (softer * edge_slope)
+    return response_of(g_0, g_2, wider, to_edge, even @ (softer * edge_slope), softer @ (at_edge * at_edge))
+
+
+def response_of(
+    g_0: np.ndarray, g_2: np.ndarray, wider: np.ndarray, to_edge: np.ndarray, to_edge_slope: np.ndarray, edge: float
+) -> Response:
+    """Return the response from the coefficients (n,) of the three solutions, and from sums over the excess compliance.
+
+    to_edge, to_edge_slope: sums (n,) that give edge values and their slopes. edge: the sum over squared edge values.
+    """
     edge_0, edge_2 = 1.0 - to_edge @ g_0, 1.0 - to_edge @ g_2
     slope_0, slope_2 = -to_edge_slope @ g_0, 2.0 - to_edge_slope @ g_2
     stiffness, approach = g_0[0], edge_2 / edge_0
     load = 1.5 * (approach * stiffness - g_2[0])
     rise = (slope_2 - approach * slope_0) / edge_0  # d delta/da, from dg/ds + dg/da = 0 at the edge
-    growth = slope_0 - edge_0 * (softer @ (at_edge * at_edge) + to_edge @ wider)
+    growth = slope_0 - edge_0 * (edge + to_edge @ wider)
     return Response(
         float(load),
         float(approach),
@@ -96,7 +105,7 @@ def spherical_waves(radius: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     The arrays are the wavenumbers k a (m,), the integration weights times 2/pi (m,), and the transforms (n, m) of n orthonormal
     even polynomials on 0 to 1. radius: contact radius a over the thickness of one film.
     """
-    k, weights, even, _, _ = _waves(float(radius))
+    k, weights, even, _, _ = waves(float(radius))
     return k, weights, even
 
 
@@ -127,19 +136,24 @@ def _solve(pair: Pair, radius: float) -> tuple[np.ndarray, ...]:
     (m,); the coefficients (n,) of the flat punch's solution g_0, of the solution g_2 for s^2, and of the change of g_0 with the
     contact radius; and the factors (n,) that give the edge value g(1) from coefficients.
     """
-    k, weights, even, at_edge, _ = _waves(radius)
+    k, weights, even, at_edge, _ = waves(radius)
     softer = weights * (compliance(k / radius, pair) - 1.0)
     matrix = (even * softer) @ even.T
     matrix[np.diag_indices_from(matrix)] += 1.0
     to_edge = even @ (softer * at_edge)
-    flat, square = np.zeros((2, len(matrix)))
-    flat[0], square[:2] = 1.0, (1.0 / 3.0, 2.0 / (3.0 * 5.0**0.5))
-    g_0, g_2, wider = np.linalg.solve(matrix, np.stack([flat, square, -to_edge], axis=1)).T
+    g_0, g_2, wider = np.linalg.solve(matrix, np.column_stack([right_sides(len(matrix)), -to_edge])).T
     return softer, g_0, g_2, wider, to_edge
 
 
+def right_sides(size: int) -> np.ndarray:
+    """Return the coefficients (size, 2) of the displacements 1 and s^2."""
+    sides = np.zeros((size, 2))
+    sides[0, 0], sides[:2, 1] = 1.0, (1.0 / 3.0, 2.0 / (3.0 * 5.0**0.5))
+    return sides
+
+
 @lru_cache(maxsize=256)
-def _waves(radius: float) -> tuple[np.ndarray, ...]:
+def waves(radius: float) -> tuple[np.ndarray, ...]:
     """Return wavenumbers k a (m,), integration weights, transforms (n, m), cos(k a) and -k a sin(k a).
 
     radius: contact radius a over the thickness of one film. Weights include the factor 2/pi. Transforms are those of even

@@ -16,7 +16,7 @@ from numpy.polynomial import chebyshev
 
 from stiction.engine.one_thread import on_one_thread
 from stiction.solvers.layered.compliance import Layer, Pair
-from stiction.solvers.layered.curves import CURVES, POWERS, TERMS, curves
+from stiction.solvers.layered.curves import CURVES, POWERS, TERMS, curves, curves_of_pairs
 
 _RANGE = float(np.log(200.0))
 _SIZES = 13, 13, 9
@@ -37,8 +37,7 @@ def curves_of_films(share: np.ndarray, ratio: np.ndarray, excess: np.ndarray) ->
     out = np.empty((len(places), CURVES, TERMS))
     if tabled.any():
         out[tabled] = _interpolated(places[tabled])
-    for i in np.flatnonzero(~tabled):
-        out[i] = curves((Layer(share[i], ratio[i], excess[i]),))
+    out[~tabled] = curves_of_pairs([(Layer(*film),) for film in np.stack([share, ratio, excess], axis=1)[~tabled].tolist()])
     return out
 
 

@@ -177,11 +177,14 @@ def predict_swept(case: Case, level: float = 0.9) -> "xarray.Dataset":
 
     if case.load is None:
         raise InputError("solve.separation", "given", "a load; only a named model accepts separations")
-    loads = xarray.DataArray(case.load, dims=("load",))
-    sizes = dimensions([*case.swept.values(), loads])
-    count = count_of(math.prod(sizes.values()))
+    sizes = dimensions([*case.swept.values(), xarray.DataArray(case.load, dims=("load",))])
+    count, contacts = count_of(math.prod(sizes.values())), math.prod(size for dim, size in sizes.items() if dim != "load")
+    pressing = np.flatnonzero(case.load > 0.0)
+    if not pressing.size:
+        raise InputError("load", float(case.load.max()), "above 0 N, because mu is friction force over load")
+    loads = xarray.DataArray(case.load[pressing], dims=("load",))
     tables: dict[str, tuple] = {}
-    refused = 0
+    refused = contacts * (case.load.size - pressing.size)
     for region, _, solved in predict_many(case, case.swept, loads, case.uncertain, level=level, count=count):
         if solved is None:
             refused += 1
@@ -189,7 +192,8 @@ def predict_swept(case: Case, level: float = 0.9) -> "xarray.Dataset":
         refused += int(np.count_nonzero(solved.validity_warnings[1]))
         for name, (dims, values, attributes) in solved.variables.items():
             table = tables.setdefault(name, (tuple(sizes), np.full(tuple(sizes.values()), np.nan), attributes))[1]
-            table[tuple(region[dim] for dim in sizes)] = arranged(values, dims, sizes)
+            places = {**region, "load": pressing[region["load"]]}
+            table[np.ix_(*(np.arange(size)[places[dim]] for dim, size in sizes.items()))] = arranged(values, dims, sizes)
     coords = coordinates(case.subject.arrays())
     coords["load"] = xarray.Variable("load", case.load, {"units": "N", "long_name": "load"})
     attributes = {"level": level, "draws": count, "refused": refused, "model": RECOMMENDED}

@@ -22,7 +22,6 @@ from dataclasses import replace
 
 import numpy as np
 
-from stiction.contact.indices import Groups
 from stiction.laws.criterion.persson_tosatti_2001 import elastic_over_adhesion
 from stiction.quantities.errors import InputError
 from stiction.solving.choice import Choice
@@ -127,6 +126,6 @@ def _merging(sampled: SampledCase) -> np.ndarray:
     """
     from xarray import DataArray
 
-    groups, dims = Groups.of(sampled.drawn.indices())
+    groups, dims = sampled.groups
     ratio = np.nan_to_num(elastic_over_adhesion(groups), nan=np.inf) / _STICKY
     return sampled.column(DataArray((1.0 + 1.0 / (1.0 + ratio**2)).reshape(tuple(dims.values())), dims=list(dims)))

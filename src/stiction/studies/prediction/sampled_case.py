@@ -12,6 +12,7 @@ from stiction.case.read import Case
 from stiction.case.swept import Address
 from stiction.case.uncertain import SAMPLE
 from stiction.contact.contact import Contact
+from stiction.contact.indices import HARDNESS_TO_YIELD, Groups
 from stiction.contact.materials import class_of
 from stiction.contact.pair import Pair
 from stiction.contact.size_effect import at_radius
@@ -190,6 +191,14 @@ class SampledCase:
     def drawn(self) -> Contact:
         """Return the contact with the samples of its uncertain numbers as arrays along `sample`, without coordinates."""
         return _contact(self.case.at(self.case.numbers_at(self.levels)) if self.case.unknowns else self.case).unlabelled
+
+    @cached_property
+    def groups(self) -> tuple[Groups, dict[str, int]]:
+        """Return the dimensionless groups of all samples and points, and their dimensions, except hardness over yield stress.
+
+        That ratio is the default, because some samples of hardness and yield stress may make it less than 1.
+        """
+        return Groups.of(self.drawn.replace(hardness_to_yield=HARDNESS_TO_YIELD).indices())
 
     @cached_property
     def bodies(self) -> Bodies:

@@ -9,7 +9,6 @@ from typing import Any
 import numpy as np
 
 from stiction.contact.contact import Contact
-from stiction.contact.indices import Groups
 from stiction.contact.interfaces import Interface, interface, interface_weights
 from stiction.laws.ageing.berthoud_1999 import factor
 from stiction.studies.prediction.sampled_case import SampledCase
@@ -46,7 +45,7 @@ class Strength:
         self.takes_states = contact.pressure_coefficient is None
         self.aged = sampled.column(1.0)
         if contact.hold_time is not None:
-            groups, dims = Groups.of(contact.indices())
+            groups, dims = sampled.groups
             self.aged = sampled.column(DataArray(factor(groups).reshape(tuple(dims.values())), dims=list(dims)))
 
     @property

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from stiction.case.read import Case
+from stiction.case.swept import Address
 from stiction.case.uncertain import SAMPLE
 from stiction.quantities.dimensions import arranged
 from stiction.quantities.errors import InputError
@@ -19,6 +20,7 @@ from stiction.records.registry import RoughSurface, find
 from stiction.solving.choice import Choice
 from stiction.solving.conditions import excludes
 from stiction.solving.pointwise import WHY_NOT, BatchResult, meanings_of
+from stiction.solving.problem import with_surface_moments
 from stiction.studies.evaluate_many import evaluate_many, evaluate_together
 
 # Results that are computed for samples.
@@ -126,9 +128,33 @@ def draw(
     cases, points = [variant.case(case) for variant in variants], _points(case)
     for index, some in progress(_steps(variants, rows, draws.points)):
         numbers, choice = case.numbers_at(shares[some]), variants[index].choice
+        try:
+            _, solved = evaluate_together(cases[index], numbers, points, choice, names)
+            _keep(draws, some, solved)
+            continue
+        except (InputError, ArithmeticError):
+            possible = _are_possible(cases[index], numbers, choice, len(some))
+        _keep(draws, some[~possible], None)
+        some = some[possible]
+        numbers = case.numbers_at(shares[some])
         for region, _, solved in evaluate_many(cases[index], numbers, points, choice, names, along=(SAMPLE,)):
             _keep(draws, some[region.get(SAMPLE, slice(None))], solved)
     return draws
+
+
+def _are_possible(case: Case, numbers: Mapping[Address, Any], choice: Choice, count: int) -> np.ndarray:
+    """Return a mask of the samples (count,) without those that have a dimensionless group out of its bounds.
+
+    Searching for these by bisection would take longer than solving all others. The mask is True everywhere if the numbers
+    themselves are refused.
+    """
+    try:
+        impossible = with_surface_moments(case.at(numbers).subject, choice.model_key).impossible
+    except (InputError, ArithmeticError):
+        return np.ones(count, dtype=bool)
+    if SAMPLE not in getattr(impossible, "dims", ()):
+        return np.ones(count, dtype=bool)
+    return np.asarray(~impossible.any([dim for dim in impossible.dims if dim != SAMPLE]))
 
 
 def _points(case: Case) -> dict[str, Any] | None:

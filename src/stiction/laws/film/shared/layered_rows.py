@@ -6,8 +6,8 @@ import numpy as np
 
 from stiction.contact.indices import Groups
 from stiction.solvers.layered.bodies import columns_of, film_share, per_root
-from stiction.solvers.layered.compliance import Layer, poisson_excess
-from stiction.solvers.layered.curves import curves
+from stiction.solvers.layered.compliance import Layer, Pair, poisson_excess
+from stiction.solvers.layered.curves import CURVES, TERMS, curves_of_pairs
 from stiction.solvers.layered.table import curves_of_films
 
 
@@ -47,15 +47,19 @@ def _curves(columns: np.ndarray) -> np.ndarray:
     """
     n_E, bodies, first, nu, nu_first, nu_second = columns
     alike = (bodies == 2.0) & (first == 0.5) & (nu_first == nu_second)
-    share, ratio = film_share(columns)
-    out = curves_of_films(share, np.maximum(ratio, 1e-12), poisson_excess(ratio, nu, nu_first))
-    for i in np.flatnonzero((bodies == 2.0) & ~alike):
-        films = [
-            Layer.of(0.5, 2.0 * n_E[i] * part, nu[i], below)
-            for part, below in ((first[i], nu_first[i]), (1.0 - first[i], nu_second[i]))
-        ]
-        out[i] = curves(tuple(sorted(films, key=lambda film: (film.ratio, film.excess))))
+    unlike = (bodies == 2.0) & ~alike
+    (share, ratio), out = film_share(columns), np.empty((len(n_E), CURVES, TERMS))
+    one = ~unlike
+    out[one] = curves_of_films(share[one], np.maximum(ratio[one], 1e-12), poisson_excess(ratio, nu, nu_first)[one])
+    out[unlike] = curves_of_pairs([_films(*column) for column in columns[:, unlike].T.tolist()])
     return out
+
+
+def _films(n_E: float, bodies: float, first: float, nu: float, nu_first: float, nu_second: float) -> Pair:
+    """Return the films on both bodies, for one material column of `columns_of`; swapped bodies give the same pair."""
+    sides = ((first, nu_first), (1.0 - first, nu_second))
+    films = [Layer.of(0.5, 2.0 * n_E * share, nu, below) for share, below in sides]
+    return tuple(sorted(films, key=lambda film: (film.ratio, film.excess)))
 
 
 def edge_pull(groups: Groups) -> np.ndarray:
