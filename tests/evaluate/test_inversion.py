@@ -16,6 +16,15 @@ from stiction.solving.choice import Choice
 from stiction.solving.inversion import Unreachable, separations_at
 from stiction.solving.problem import make_problem
 
+
+def test_some_of_several_contacts_are_those_that_are_chosen():
+    theta = np.array([20.0, 30.0, 40.0])
+    problem = make_problem(st.Indices(theta=xarray.DataArray(theta, dims="n"), lam=10.0), Choice())
+    for rows in (slice(1, 2), slice(0, 2), np.array([2, 0, 1])):
+        assert_allclose(problem.with_groups(rows).groups.theta, theta[rows])
+    assert problem.with_groups(slice(0, 3)) is problem
+
+
 # ---- tension far out in the tail of Weibull heights
 
 

@@ -80,6 +80,16 @@ def test_a_grid_is_what_solve_gives(tmp_path):
     assert data.attrs["sources"] == whole.attrs["sources"] and data.attrs["model"] == "soft_coating_2015"
 
 
+def test_one_worker_compiles_nothing_beforehand(tmp_path, monkeypatch):
+    """Kernels are made ready for other processes; a sweep in this process compiles what it needs, if anything."""
+    ready = []
+    monkeypatch.setattr(sweep_run, "make_ready", lambda: ready.append(1))
+    sweep(GRID, tmp_path / "store", workers=1)
+    assert not ready
+    sweep(GRID, tmp_path / "others", workers=2)
+    assert ready == [1]
+
+
 def test_drawn_points_are_those_of_scipy_in_the_ranges_given(tmp_path):
     from scipy.stats import qmc
 

@@ -9,7 +9,7 @@ import pytest
 
 import stiction as st
 from stiction.quantities.errors import InputError
-from stiction.report.share_pictures import shares_of, stacks
+from stiction.report.share_pictures import share_figure, shares_of, stacks
 from stiction.studies.paper.place import place_of, plasticity_line
 from stiction.studies.stresses.one_asperity import one_asperity
 from stiction.web.background import Progress
@@ -82,6 +82,13 @@ def test_shares_are_shares_of_the_parts():
         assert total not in parts
     total, parts = known["contact area, by state"]
     np.testing.assert_allclose(sum(curve[name].values for name in parts), curve[total].values, rtol=1e-9)
+
+
+def test_shares_fill_their_picture():
+    """All of the sum from the least to the largest load that presses, and nothing above."""
+    curve = st.solve(_steel(), load=["1 mN", "10 mN", "1 N"])
+    (axes,) = share_figure(curve, "contact area, by state").axes
+    assert axes.get_ylim() == (0.0, 1.0) and axes.get_xlim() == (1e-3, 1.0)
 
 
 def test_a_study_is_stopped_at_its_next_step_and_after_its_time():
