@@ -100,3 +100,16 @@ def test_samples_that_yield_above_their_hardness_have_no_result_and_the_others_a
     assert (np.isnan(area) == (50.0 + 100.0 * levels[:, 0] > 100.0)).all() and attempts == [1]
     tables["contact"]["first"] = body | {"yield_stress": f"{50.0 + 100.0 * levels[3, 0]} MPa"}
     assert area[3] == pytest.approx(st.solve_case(parse_case(tables))["contact_area"].item(), rel=1e-9)
+
+
+def test_a_swept_number_may_count_for_samples_only():
+    """The yield stress is that of the harder body, but the softer one in the other half of the samples; fuzz seed 9004407."""
+    body = {"youngs_modulus": "10 GPa", "poissons_ratio": 0.3, "hardness": "100 MPa", "material_class": "polymer"}
+    swept = body | {"hardness": {"low": "99 MPa", "high": "103 MPa"}, "yield_stress": ["30 MPa", "60 MPa"]}
+    tables = case("0.5 um", "kogut_etsion_2004", first=swept, second=body)
+    del tables["contact"]["work_of_adhesion"]
+    data = st.solve_case(parse_case(tables))
+    quantiles = data["contact_area_quantile"].squeeze()
+    assert quantiles.dims == ("quantile", "yield_stress") and np.isfinite(quantiles).all()
+    low, high = quantiles.transpose("yield_stress", "quantile").values
+    np.testing.assert_allclose(high, low, rtol=1e-9)  # under this load nothing yields

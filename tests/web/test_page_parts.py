@@ -1,5 +1,6 @@
 """Parts of the page without a page: what is ready before it is asked, charts at every width, studies that end, digits."""
 
+import asyncio
 import math
 import re
 import subprocess
@@ -14,6 +15,7 @@ from matplotlib.figure import Figure
 
 import stiction as st
 import stiction.web
+import stiction.web.explorer as explorer_module
 from cases import of_one_model
 from stiction.quantities.errors import InputError
 from stiction.report.html_report import report_record
@@ -21,6 +23,7 @@ from stiction.studies.report_data import collect_report_data
 from stiction.web.background import Progress
 from stiction.web.chart_layout import fitted
 from stiction.web.charts import chart, curve_chart, curve_legend, line
+from stiction.web.explorer import Explorer
 from stiction.web.fields import first_case
 from stiction.web.pictures import drawing_of
 from stiction.web.query import Query, headline, solved
@@ -207,3 +210,21 @@ def test_digits_are_those_that_the_draws_leave():
     band = answer.curve["friction_coefficient_quantile"].values[:, answer.middle()]
     assert band[-1] > 2.0 * band[0]
     assert re.fullmatch(r"mu ≈ 0\.0\d", headline(answer, answer.middle())[0])
+
+
+def test_what_a_slider_passes_within_a_second_is_undone_at_once(answer, monkeypatch):
+    clock = [100.0]
+    monkeypatch.setattr(explorer_module.time, "monotonic", lambda: clock[0])
+    explorer = Explorer(answer.query, answer)
+
+    async def slide():
+        for at, load in ((100.0, "1 mN"), (100.4, "2 mN"), (100.8, "3 mN"), (102.0, "4 mN")):
+            clock[0] = at
+            await explorer.put(("solve", "load"), [load])
+        states = []
+        for _ in range(2):
+            await explorer.undo()
+            states.append(explorer.query.tables["solve"].get("load"))
+        return states
+
+    assert asyncio.run(slide()) == [["3 mN"], answer.query.tables["solve"].get("load")]

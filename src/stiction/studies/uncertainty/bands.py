@@ -88,8 +88,8 @@ def _with_stated_values_beyond(data: "xarray.Dataset") -> "xarray.Dataset":
     """
     if "friction_coefficient_quantile" not in data:
         return data
-    mu, ends = data["friction_coefficient"].values, data["friction_coefficient_quantile"].values
-    if not ((1.01 * mu < ends[0]) | (0.99 * mu > ends[-1])).any():
+    mu, ends = data["friction_coefficient"], data["friction_coefficient_quantile"]
+    if not ((1.01 * mu < ends.isel(quantile=0)) | (0.99 * mu > ends.isel(quantile=-1))).any():
         return data
     why = "mu at the stated values lies outside its interval: they give nearly the largest or the smallest mu of all samples"
     return with_warnings(data, [ValidityWarning(why)])

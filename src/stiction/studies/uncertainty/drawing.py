@@ -220,7 +220,7 @@ def _keep(draws: Draws, rows: np.ndarray, solved: BatchResult | None) -> None:
             have = ["mean_separation" if dim == "separation" and dim not in wanted else dim for dim in dims]
             _extend(draws, name, dict(zip(have, values.shape, strict=True)))
             draws.tables[name][rows] = arranged(values, have, (SAMPLE, *draws.dims[name]))
-    times = len(rows) * draws.points // bits.size
-    draws.impossible += times * int(impossible.sum())
+    count = len(rows) * draws.points
+    draws.impossible += round(count * float(impossible.mean()))
     for bit, text in enumerate(meanings_of(solved.rules)):
-        draws.validity_warnings[text] += times * int(((bits >> np.uint32(bit)) & 1).sum())
+        draws.validity_warnings[text] += round(count * float(((bits >> np.uint32(bit)) & 1).mean()))
