@@ -1,5 +1,6 @@
 """Serve the page in one process, to this machine only unless another address is given."""
 
+import gc
 import socket
 from pathlib import Path
 from typing import Any
@@ -16,6 +17,9 @@ from stiction.web.page import make_page
 from stiction.web.query import Query, law_names, option_values, solved
 
 _MOST_CONNECTIONS = 1000
+# Objects between two garbage collections, and collections of the young between two of older ones. A page is some 10,000 objects
+# that refer to each other: those of visitors who have left stay until the oldest are collected, here after some 30 visitors.
+_COLLECTED = 10_000, 10, 3
 _PATIENCE = 600.0  # seconds until a page must be there; the first use of a model compiles its kernels
 
 
@@ -58,6 +62,9 @@ def serve(query: Query, host: str, port: int) -> None:
         await make_page(query, s)
 
     app.on_shutdown(close_all)
+    gc.collect()
+    gc.freeze()  # what is imported stays: to go through it in every collection would take longer than a page
+    gc.set_threshold(*_COLLECTED)
     # Nothing is compressed for a browser on this machine: that takes longer than sending it. Tailwind, which makes styles in
     # the browser, is off, as it takes half of the time of a page: page.py has the few styles that are used.
     middleware: dict[str, Any] = {"gzip_middleware_factory": None} if names_for(host) else {}
