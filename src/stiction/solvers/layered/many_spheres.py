@@ -7,7 +7,7 @@ nodes instead of up to 8,000 waves, a tenth of that time. Responses differ from 
 films are at most 100 times as stiff as their body, and by up to 1e-5 at the limit STIFFEST.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from functools import lru_cache
 from itertools import pairwise
 from typing import NamedTuple
@@ -39,7 +39,7 @@ class _Sums(NamedTuple):
     edge: np.ndarray
 
 
-def respond_many(pairs: Sequence[Pair], radii: Sequence[float]) -> np.ndarray:
+def respond_many(pairs: Sequence[Pair], radii: Iterable[float]) -> np.ndarray:
     """Return the fields of `sphere.Response` (p, r, 7) for p pairs of bodies.
 
     radii: contact radii over the thickness of one film (r,).

@@ -129,8 +129,8 @@ def draw(
     for index, some in progress(_steps(variants, rows, draws.points)):
         numbers, choice = case.numbers_at(shares[some]), variants[index].choice
         try:
-            _, solved = evaluate_together(cases[index], numbers, points, choice, names)
-            _keep(draws, some, solved)
+            _, together = evaluate_together(cases[index], numbers, points, choice, names)
+            _keep(draws, some, together)
             continue
         except (InputError, ArithmeticError):
             possible = _are_possible(cases[index], numbers, choice, len(some))
