@@ -18,8 +18,8 @@ from stiction.web.query import Query, law_names, option_values, solved
 
 _MOST_CONNECTIONS = 1000
 # Objects between two garbage collections, and collections of the young between two of older ones. A page is some 10,000 objects
-# that refer to each other: those of visitors who have left stay until the oldest are collected, here after some 30 visitors.
-_COLLECTED = 10_000, 10, 3
+# that refer to each other: those of visitors who have left stay until the oldest are collected, here after some five pages.
+_COLLECTED = 5_000, 5, 2
 _PATIENCE = 600.0  # seconds until a page must be there; the first use of a model compiles its kernels
 
 

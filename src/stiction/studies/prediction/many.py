@@ -192,7 +192,7 @@ def predict_swept(case: Case, level: float = 0.9) -> "xarray.Dataset":
         refused += int(np.count_nonzero(solved.validity_warnings[1]))
         for name, (dims, values, attributes) in solved.variables.items():
             table = tables.setdefault(name, (tuple(sizes), np.full(tuple(sizes.values()), np.nan), attributes))[1]
-            places = {**region, "load": pressing[region["load"]]}
+            places: dict[str, Any] = {**region, "load": pressing[region["load"]]}
             table[np.ix_(*(np.arange(size)[places[dim]] for dim, size in sizes.items()))] = arranged(values, dims, sizes)
     coords = coordinates(case.subject.arrays())
     coords["load"] = xarray.Variable("load", case.load, {"units": "N", "long_name": "load"})
