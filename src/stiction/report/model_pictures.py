@@ -20,7 +20,6 @@ _MU = "friction_coefficient"
 _COLOURS = (BLUE, GREEN, ORANGE)  # of named models
 _WIDE = 1e4  # groups with a mu smaller than the largest by more than this factor are not drawn
 _AROUND = 10.0  # the axis runs from the working load over this factor to the working load times this factor
-_BEYOND = 3.0 * _AROUND  # to which lines are drawn, so that they cross the edge
 
 
 def models_figure(
@@ -64,9 +63,9 @@ def models_figure(
         candidate = data.sel(model=name)
         order = np.argsort(candidate["load"].values)
         x, y = candidate["load"].values[order], candidate[_MU].values[order]
-        near = (x > load / _BEYOND) & (x < load * _BEYOND) & (y > 0.0)
+        x, y = _within(x, y, load / _AROUND, load * _AROUND)
         colour, width = named.get(name, GREY), 2.0 if name in named else 0.8
-        axes.plot(x[near], y[near], color=colour, linewidth=width, alpha=1.0 if name in named else 0.5)
+        axes.plot(x, y, color=colour, linewidth=width, alpha=1.0 if name in named else 0.5)
         axes.plot(load, float(candidate[f"{_MU}_at_load"]), "o", color=colour, markersize=6 if name in named else 3)
     for group in groups[: len(named)]:
         fits = "" if group.fits else ", out of range"
@@ -85,3 +84,17 @@ def models_figure(
     handles = handles[-1:] + handles[:-1] if prediction is not None else handles
     figure.legend(handles=handles, loc="outside lower center", fontsize=8, frameon=False, ncols=2)
     return figure
+
+
+def _within(x: np.ndarray, y: np.ndarray, low: float, high: float) -> tuple[np.ndarray, np.ndarray]:
+    """Return the part of a line between two loads, with its ends interpolated: nothing of it lies beyond the axis.
+
+    x: loads in ascending order; those that are not positive are left out, as is mu that is not.
+    """
+    known = (x > 0.0) & (y > 0.0)
+    x, y = x[known], y[known]
+    if not x.size:
+        return x, y
+    ends = [end for end in (low, high) if x[0] < end < x[-1]]
+    places = np.sort(np.concatenate([x[(x >= low) & (x <= high)], ends]))
+    return places, np.exp(np.interp(np.log(places), np.log(x), np.log(y)))
