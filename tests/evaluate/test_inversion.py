@@ -2,6 +2,7 @@
 on heights whose tension is far out, narrow or met more than once, and among very many contacts."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -15,6 +16,16 @@ from stiction.engine.heights import height_distribution
 from stiction.solving.choice import Choice
 from stiction.solving.inversion import Unreachable, separations_at
 from stiction.solving.problem import make_problem
+
+
+def test_a_closed_form_without_a_first_estimate_has_the_same_loads():
+    """As a law of a user may be: its loads are computed for one contact after the other."""
+    density = xarray.DataArray([0.05, 0.08], dims="n")
+    problem = make_problem(st.Indices(theta=20.0, lam=10.0, roughness_parameter=density), Choice("greenwood_2006"))
+    record = replace(problem.record, separation_near=None)
+    alone = replace(problem, chosen=replace(problem.chosen, model=record))
+    h, law = np.array([1.0, 2.0, 1.5]), np.array([0, 1, 0])
+    assert_allclose(alone.loads(h, law), problem.loads(h, law), rtol=1e-12)
 
 
 def test_some_of_several_contacts_are_those_that_are_chosen():
