@@ -12,6 +12,7 @@ from stiction.report.answer import (
     answer_lines,
     at_working_load,
     confidence,
+    confidence_in,
     main_sources,
     sources_in_words,
     working_load_in_words,
@@ -120,10 +121,19 @@ def test_a_reader_without_a_terminal_gets_no_command(step, words):
     assert without_commands(step) == words
 
 
+def test_a_warning_leaves_at_most_fair_confidence(predicted):
+    sure = predicted.assign(friction_coefficient_low=0.9 * predicted.friction_coefficient)
+    sure["friction_coefficient_high"] = 1.1 * predicted.friction_coefficient
+    words = [
+        confidence_in(sure.assign_attrs(in_handbooks=(1, 1), warnings=warnings)) for warnings in ([], ["The scan is small."])
+    ]
+    assert words == ["high", "fair"]
+
+
 def test_the_scale_of_confidence_stands_beside_its_word(predicted):
     rows = dict(answer_lines(predicted, terminal=False))
     assert rows["confidence"].startswith(
-        "low, of high (the interval ends within a factor of 1.5 of μ), fair (within 3) and low"
+        "low, of high (the interval ends within a factor of 1.5 of μ, and no warning), fair (within 3) and low"
     )
     assert "confidence" not in dict(answer_lines(predicted)) and "stiction" not in " ".join(rows.values())
 

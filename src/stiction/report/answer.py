@@ -77,19 +77,22 @@ def confidence(mu: float, low: float, high: float) -> str:
 def confidence_in(data: "xarray.Dataset") -> str:
     """Return the confidence in mu of a prediction at its working load: "high", "fair" or "low".
 
-    The width of the interval decides, see `confidence`. The confidence is "low" in any case if predictions for this interface
-    state agree with fewer than two thirds of the contacts whose friction is printed in handbooks. That condition does not apply
-    if friction measured by the user is part of the prediction. data: result of `predict`.
+    The width of the interval decides, see `confidence`. With a warning the confidence is at most "fair". It is "low" in any case
+    if predictions for this interface state agree with fewer than two thirds of the contacts whose friction is printed in
+    handbooks. That condition does not apply if friction measured by the user is part of the prediction. data: result of
+    `predict`.
     """
     held, contacts = data.attrs["in_handbooks"]
-    mu, low, high = ends_of_mu(data)
-    return confidence(mu, low, high) if "measured" in data.attrs or held >= _ENOUGH * contacts else "low"
+    if "measured" not in data.attrs and held < _ENOUGH * contacts:
+        return "low"
+    word = confidence(*ends_of_mu(data))
+    return "fair" if word == "high" and data.attrs["warnings"] else word
 
 
 def confidence_scale(word: str) -> str:
     """Return a confidence with the three words of its scale and their meanings."""
     high, fair, _ = (f"{factor:g}" for factor in _CONFIDENCE)
-    scale = f"high (the interval ends within a factor of {high} of mu), fair (within {fair})"
+    scale = f"high (the interval ends within a factor of {high} of mu, and no warning), fair (within {fair})"
     return f"{word}, of {scale} and low (wider, or fewer than two of three handbook contacts agree)"
 
 
