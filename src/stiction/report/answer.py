@@ -77,8 +77,8 @@ def confidence(mu: float, low: float, high: float) -> str:
 def confidence_in(data: "xarray.Dataset") -> str:
     """Return the confidence in mu of a prediction at its working load: "high", "fair" or "low".
 
-    The width of the interval decides, see `confidence`. With a warning the confidence is at most "fair". It is "low" in any case
-    if predictions for this interface state agree with fewer than two thirds of the contacts whose friction is printed in
+    The width of the interval decides, see `confidence`. With a warning the confidence is at most "fair". It is "low" in any
+    case if predictions for this interface state agree with fewer than two thirds of the contacts whose friction is printed in
     handbooks. That condition does not apply if friction measured by the user is part of the prediction. data: result of
     `predict`.
     """
