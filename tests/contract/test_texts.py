@@ -13,6 +13,7 @@ import numpy as np
 import stiction as st
 from stiction.case.read import parse_case
 from stiction.quantities.errors import InputError
+from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import to_si
 from stiction.records.registry import records
 from stiction.records.validity_warning import ValidityWarning
@@ -110,12 +111,20 @@ def refused(call) -> str:
     raise AssertionError("nothing was refused")
 
 
+def outside(rule) -> float:
+    """Return a value outside the range of a validity rule that its quantity can have."""
+    values = 2.0 * rule.high, 0.5 * rule.low, 2.0 * rule.low, rule.low - 1.0
+    bounds = QUANTITIES[rule.quantity]
+    possible = (value for value in values if math.isfinite(value) and bounds.lower <= value <= bounds.upper)
+    return next(value for value in possible if not rule.low <= value <= rule.high)
+
+
 def warnings_of_laws() -> list[str]:
     """Return a line for each range of validity that a record states, as a result outside of it would show it."""
     lines = set()
     for record in records():
         for rule in record.validity:
-            value = 2.0 * rule.high if math.isfinite(rule.high) else 0.5 * rule.low
+            value = outside(rule)
             lines.add(str(ValidityWarning(rule.why, rule.quantity, value, value, rule.low, rule.high, 1, 1, rule.kind)))
     return sorted(lines)
 

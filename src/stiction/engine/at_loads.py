@@ -48,7 +48,7 @@ def _sample(way, w_top, nodes):
 
     way: tuple (h, loads, slopes). h (H,): the grid, falling, over sigma. loads, slopes (n, H): filled with the load and its
     derivative by h. w_top: displacement at which the recurrence factors are scaled to 1, to avoid overflow. nodes:
-    displacements (n, room), weights (n, room) and number (n,) of integration nodes.
+    displacements (n, room), weights (n, room) and number (n,) of integration nodes, with space for `room` nodes per law.
     """
     h, loads, slopes = way
     place, weights, used = nodes

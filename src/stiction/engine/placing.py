@@ -77,11 +77,12 @@ def _weigh(weight, state, count, quantity, out):
 
 @engine_kernel
 def append_nodes(evaluated, nodes):
-    """Append evaluated integration nodes to the table of nodes of each law (parameter set).
+    """Append evaluated integration nodes, in place, to the table of nodes of each law (parameter set).
 
-    evaluated: fields of `nodes.Evaluated`. nodes: displacements (n, room) of the nodes of n laws, weights times summed values
-    (n, rows, room), and number (n,) of nodes so far. rows: one for the load alone; three for load, area and total resistance;
-    or five for number touching, load, area, slip-limited and yield-limited resistance.
+    evaluated: fields of `nodes.Evaluated`. nodes: displacements (n, room) of the nodes of n laws, with space for `room` nodes
+    per law; weights times summed values (n, rows, room); and number (n,) of nodes in use, which is increased. rows: one for
+    the load alone; three for load, area and total resistance; or five for number touching, load, area, slip-limited and
+    yield-limited resistance.
     """
     (owner, counts, weights, states), (places, values, used) = evaluated, nodes
     rows = values.shape[1]

@@ -133,9 +133,9 @@ def _places(cutoffs: np.ndarray) -> np.ndarray:
 
 
 def _apart(places: np.ndarray, gap: float = 0.13) -> list[float]:
-    """Select tick positions that are far enough apart for their labels.
+    """Return the positions on a logarithmic axis that are far enough apart for their labels, always with the first.
 
-    places: ascending positions. gap: least distance, as a fraction of the axis.
+    places: ascending positions, > 0. gap: least distance, as a fraction of the length of the logarithmic axis.
     """
     logs = np.log(places / places[0])
     chosen = [0]

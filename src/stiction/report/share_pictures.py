@@ -57,7 +57,7 @@ def part_in_words(name: str, total: str) -> str:
 
 
 def share_figure(curve: "xarray.Dataset", what: str) -> Figure:
-    """Draw the shares of one sum as a stack against compressive load, with hatches for colour-blind readers.
+    """Draw each part's share of one total as a stack against compressive load, with hatches for colour-blind readers.
 
     what: key of `stacks(curve)`, for example "contact area, by state".
     """

@@ -77,7 +77,7 @@ class MapProblem(Problem):
 
     @cached_property
     def factors(self) -> dict[str, Any]:
-        """Return the units by which normalised results are multiplied, by name of the SI unit, e.g. "N"."""
+        """Return unit ("N", "m^2" ...) -> number by which normalised results in this unit are multiplied."""
         return self.contact.scales().factors()
 
     @property

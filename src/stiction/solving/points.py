@@ -27,9 +27,9 @@ class Points:
     """Store the loads or mean separations at which the contacts of a problem are solved.
 
     name: "load" or "mean_separation". value: the requested number or array with named dimensions, in the units of the contact.
-    factors: units of the contact, by name of the SI unit. dims: dimensions of the results with their sizes, those of the
-    contacts first. wanted: normalised values in the shape of dims. narrow: the same values, with length 1 along dimensions on
-    which they do not depend.
+    factors: unit ("N", "m") -> number by which normalised values in this unit are multiplied. dims: dimensions of the results
+    with their sizes, those of the contacts first. wanted: normalised values in the shape of dims. narrow: the same values,
+    with length 1 along dimensions on which they do not depend.
     """
 
     problem: Problem

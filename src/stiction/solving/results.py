@@ -32,8 +32,8 @@ def labelled(
 ) -> "xarray.Dataset":
     """Return normalised arrays as a dataset in the units of the contact.
 
-    tables: arrays by name, in the shape of dims or broadcasting to it. factors: units by name of the SI unit, by which the
-    arrays are multiplied. dims, coords: dimensions with their sizes, and coordinates.
+    tables: arrays by name, in the shape of dims or broadcasting to it. factors: key of a scale ("N", "m^2", "count") -> number
+    by which arrays of this unit are multiplied. dims, coords: dimensions with their sizes, and coordinates.
     """
     return as_dataset(as_variables(subject, tables, factors, dims), coords)
 
@@ -43,7 +43,7 @@ def as_variables(
 ) -> dict[str, tuple]:
     """Return (dimensions, values in the units of the contact, attributes) of each normalised array, by name.
 
-    tables: arrays by name. factors: units by name of the SI unit. dims: dimensions with their sizes.
+    tables: arrays by name. factors: as in `labelled`. dims: dimensions with their sizes.
     """
     shape, variables = tuple(dims.values()), {}
     for name, table in tables.items():

@@ -70,10 +70,11 @@ def spot_radius(share, deviation, radius, density):
 
 
 def spread_of_spots(radius, share, roughness_parameter):
-    """Return the standard deviation of the spots' shear displacement over strength times shear compliance [m].
+    """Return the standard deviation of the shear displacement of contact spots, without edges of the nominal area.
 
-    This is the first term of equation (3) of this module, without edges of the nominal area. radius: of the spots [m]. share:
-    real over nominal contact area. roughness_parameter: density times radius times rms height of the asperities.
+    It is divided by strength times shear compliance, so the unit is [m]: the first term of equation (3) of this module.
+    radius: of the spots [m]. share: real over nominal contact area. roughness_parameter: density times radius times rms height
+    of the asperities.
     """
     return _OF_SPOTS * radius * roughness_parameter**_BY_DENSITY * (1.0 - share) ** _BY_SHARE
 

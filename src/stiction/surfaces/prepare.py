@@ -11,7 +11,7 @@ import numpy as np
 import scipy.fft
 from numpy.polynomial.legendre import legvander
 
-from stiction.quantities.errors import InputError
+from stiction.quantities.errors import InputError, InWords
 from stiction.quantities.units import show
 from stiction.surfaces.fill import fill_missing
 from stiction.surfaces.heightmap import HeightMap, metres
@@ -230,7 +230,7 @@ def _range(name: str, given, count: int, pitch: float) -> tuple[int, int]:
     name: "y" or "x", for the error. given: (start, stop), in metres or text with a unit. count: number of points. pitch: their
     distance [m]. Raises InputError if a position is outside the map or no point is left.
     """
-    allowed = f"(start, stop) with 0 m <= start < stop <= {count * pitch:.6g} m and a point between them"
+    allowed = f"(start, stop) with 0 m <= start < stop <= {show(count * pitch, 'scan_size')} and a point between them"
     if not isinstance(given, tuple | list) or len(given) != 2:
         raise InputError(f"crop {name}", given, allowed)
     start, stop = (0.0 if isinstance(place, int | float) and place == 0 else metres(place, f"crop {name}") for place in given)
@@ -296,9 +296,11 @@ def _band(surface: HeightMap, shortest: Any, longest: Any) -> tuple[float | None
     size = surface.size[1] if surface.is_profile else max(surface.size)
     for name, end in (("shortest", low), ("longest", high)):
         if end is not None and not finest * (1.0 - 1e-9) <= end <= size * (1.0 + 1e-9):
-            raise InputError(name, end, f"{finest:.6g} m (twice the pitch) to {size:.6g} m (the size)")
+            allowed = f"{show(finest, 'scan_size')} (twice the pitch) to {show(size, 'scan_size')} (the size)"
+            raise InputError(name, InWords(show(end, "scan_size")), allowed)
     if low is not None and high is not None and not low < high:
-        raise InputError("longest", high, f"more than {low:.6g} m, the shortest wavelength")
+        allowed = f"more than {show(low, 'scan_size')}, the shortest wavelength"
+        raise InputError("longest", InWords(show(high, "scan_size")), allowed)
     ends = " to ".join("all" if end is None else show(end, "scan_size") for end in (low, high))
     return low, high, f"filtered to wavelengths {ends}: Gaussian ISO 16610, 50 % at the cutoffs"
 

@@ -24,7 +24,7 @@ _PATIENCE = 600.0  # seconds until a page must be there; the first use of a mode
 
 
 def query_of(case: Path | None) -> Query:
-    """Return the query of a case file, or of the default case if there is no file. Raises InputError.
+    """Return the case that the page starts with, from a case file or the default one, as a `Query`. Raises InputError.
 
     The case is solved before the server starts. Errors of the file are thus reported at once, and kernels are compiled and laws
     imported before the first visitor comes.

@@ -3,6 +3,7 @@
 import math
 import sys
 from functools import cache
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -99,3 +100,10 @@ def test_a_device_that_its_library_lacks_gets_a_line():
     with refusal("device", "torch:nowhere") as caught:
         solved(rough(64, 96), "periodic", "elastic", device="torch:nowhere")
     assert "\n" not in str(caught.value)
+
+
+def test_factors_are_copied_for_every_device(monkeypatch):
+    monkeypatch.setattr(operators, "like", lambda factors, values: (factors, values.device))
+    kernel = operators._Kernel(np.ones((2, 2)))
+    arrays_on = [SimpleNamespace(dtype=np.dtype(float), device=place) for place in ("cuda:0", "cuda:1", "cuda:0")]
+    assert [kernel.like(values)[1] for values in arrays_on] == ["cuda:0", "cuda:1", "cuda:0"]

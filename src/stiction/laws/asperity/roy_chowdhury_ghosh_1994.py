@@ -74,7 +74,7 @@ def onset(groups: Groups) -> tuple[np.ndarray, np.ndarray]:
     """Return coordinate u (n,) and displacement w (n,) over sigma at which a JKR contact reaches the hardness and yields.
 
     The mean pressure equals the hardness where u^3 - eta u - S = 0 (eqs 2 and 4 of the 2015 paper), with u^4 = a^2/(R sigma),
-    the contact radius a, the hardness group eta and S = sqrt(6 pi/theta).
+    the contact radius a, the hardness group eta and S = sqrt(6 pi/theta) (theta: elastic adhesion index).
     """
     S = np.sqrt(6.0 * math.pi / groups.theta)
     scale = S ** (1.0 / 3.0)

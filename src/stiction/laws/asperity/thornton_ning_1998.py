@@ -69,8 +69,8 @@ _coordinate, _largest_root = jkr.coordinate, roy_chowdhury_ghosh_1994.largest_ro
 def onset(eta_y, S):
     """Return the coordinate u_y of a JKR contact at which the pressure in its centre reaches the limit p_y (yield).
 
-    It is the largest root of 3 u^3 - 2 eta_y u - S = 0, with u^4 = a^2/(R sigma) and the contact radius a. eta_y: hardness
-    group times p_y over the hardness. S: strength of adhesion, sqrt(6 pi/theta).
+    It is the largest root of 3 u^3 - 2 eta_y u - S = 0, with u^4 = a^2/(R sigma) and the contact radius a. eta_y: pi p_y
+    sqrt(R/sigma)/K. S: strength of adhesion, sqrt(6 pi/theta), with the elastic adhesion index theta.
     """
     return _largest_root(-2.0 / 3.0 * eta_y, S / 3.0)
 
@@ -80,7 +80,8 @@ def yielded_load(u, S, eta_y, u_y):
     """Return the load of a yielded asperity at the coordinate u >= u_y, over K R^(1/2) sigma^(3/2).
 
     The centre of the contact carries the limiting pressure p_y, a ring around it JKR's pressure. u^4 = a^2/(R sigma), with the
-    contact radius a. u_y: u at yield. S: sqrt(6 pi/theta). eta_y: hardness group times p_y over the hardness.
+    contact radius a. u_y: u at yield. S: strength of adhesion, sqrt(6 pi/theta), with the elastic adhesion index theta. eta_y:
+    pi p_y sqrt(R/sigma)/K, with the limiting pressure p_y.
     """
     square = u_y * u_y
     return square * square * square - S * square * u + eta_y * (u * u * u * u - square * square)
@@ -90,8 +91,7 @@ def yielded_load(u, S, eta_y, u_y):
 def loading(u, S, eta_y, u_y):
     """Return the load at the coordinate u in loading, before or after yield, over K R^(1/2) sigma^(3/2).
 
-    u^4 = a^2/(R sigma), with the contact radius a. u_y: u at yield. S: sqrt(6 pi/theta). eta_y: hardness group times limiting
-    pressure over hardness.
+    u^4 = a^2/(R sigma), with the contact radius a. u_y: u at yield. S, eta_y: as in `yielded_load`.
     """
     return yielded_load(u, S, eta_y, u_y) if u > u_y else _load(u, S)
 
@@ -101,8 +101,8 @@ def normal(u, theta, eta_y, u_y):
     """Return displacement w, dw/du, load and contact area of the yielded asperity at the coordinate u, in loading.
 
     u^4 = a^2/(R sigma), with the contact radius a. Displacement and contact radius are related as in a JKR contact. w is over
-    sigma, the load over K R^(1/2) sigma^(3/2), the area over pi R sigma. theta: elastic adhesion index. eta_y: hardness group
-    times limiting pressure over hardness. u_y: u at yield.
+    sigma, the load over K R^(1/2) sigma^(3/2), the area over pi R sigma. theta: elastic adhesion index. eta_y: pi p_y
+    sqrt(R/sigma)/K, with the limiting pressure p_y. u_y: u at yield.
     """
     S = _adhesion(theta)
     return _displacement(u, S), _stretch(u, S), yielded_load(u, S, eta_y, u_y), u * u * u * u
@@ -118,7 +118,8 @@ def unloading_radius(u_max, P_max, S):
     """Return the effective radius of a yielded asperity in unloading, over its tip radius: R_p/R, 1 or more.
 
     It is P1/(P_max + 2 sqrt(Pc P1)) with P1 = u_max^6 and Pc = S^2/4. With this radius JKR's load at the turning point equals
-    the largest load P_max. u_max: coordinate at the turning point, u^4 = a^2/(R sigma). S: sqrt(6 pi/theta).
+    the largest load P_max. u_max: coordinate at the turning point, u^4 = a^2/(R sigma). S: strength of adhesion, as in
+    `yielded_load`.
     """
     u3 = u_max * u_max * u_max
     return u3 * u3 / (P_max + S * u3)
@@ -139,7 +140,7 @@ def unloading(u, u_max, P_max, S):
     """Return displacement w, dw/du, load and contact area of a yielded asperity in unloading, at the coordinate u.
 
     u^4 = a^2/(R sigma), with the contact radius a. u_max, P_max: coordinate and load at the turning point, where loading
-    ended. S: sqrt(6 pi/theta). w is over sigma, the load over K R^(1/2) sigma^(3/2), the area over pi R sigma.
+    ended. S: as in `yielded_load`. w is over sigma, the load over K R^(1/2) sigma^(3/2), the area over pi R sigma.
     """
     radius = unloading_radius(u_max, P_max, S)
     u3 = u * u * u
@@ -152,7 +153,7 @@ def unloading_coordinate(w, u_max, P_max, S):
     """Return the coordinate u of a yielded asperity in unloading at the displacement w over sigma.
 
     u^4 = a^2/(R sigma), with the contact radius a. If w is below the displacement at which contact is lost, u at the loss of
-    contact is returned. u_max, P_max: coordinate and load at the turning point, where loading ended. S: sqrt(6 pi/theta).
+    contact is returned. u_max, P_max: coordinate and load at the turning point, where loading ended. S: as in `yielded_load`.
     """
     radius = unloading_radius(u_max, P_max, S)
     scale = math.sqrt(math.sqrt(radius))  # JKR's polynomial in u/scale
@@ -163,8 +164,8 @@ def unloading_coordinate(w, u_max, P_max, S):
 def pull_off(u_max, P_max, S):
     """Return the pull-off force in unloading, (3/2) pi gamma R_p, over K R^(1/2) sigma^(3/2).
 
-    R_p is the effective radius in unloading. u_max, P_max: coordinate and load at the turning point, where loading ended. S:
-    sqrt(6 pi/theta).
+    R_p is the effective radius in unloading, gamma the work of adhesion. u_max, P_max: coordinate and load at the turning
+    point, where loading ended. S: as in `yielded_load`.
     """
     return 0.25 * S * S * unloading_radius(u_max, P_max, S)
 
@@ -174,7 +175,7 @@ def lost_displacement(u_max, P_max, S):
     """Return the displacement over sigma at which a yielded asperity loses contact in unloading.
 
     There the derivative of the displacement by u is 0, which gives u^3 = (S/6) R_p/R. u_max, P_max: coordinate and load at the
-    turning point, where loading ended. S: sqrt(6 pi/theta).
+    turning point, where loading ended. S: as in `yielded_load`.
     """
     radius = unloading_radius(u_max, P_max, S)
     u = (S * radius / 6.0) ** (1.0 / 3.0)
@@ -185,8 +186,8 @@ def lost_displacement(u_max, P_max, S):
 def recovery(U, S, eta_y, u_y):
     """Return the increase in separation, over sigma, after which an asperity that was loaded to U loses contact.
 
-    U: coordinate at the end of loading, U^4 = a^2/(R sigma), at least its value u_y at yield. The increase grows with U. S:
-    sqrt(6 pi/theta). eta_y: hardness group times limiting pressure over hardness.
+    U: coordinate at the end of loading, U^4 = a^2/(R sigma), at least its value u_y at yield. The increase grows with U. S,
+    eta_y: as in `yielded_load`.
     """
     return _displacement(U, S) - lost_displacement(U, yielded_load(U, S, eta_y, u_y), S)
 

@@ -52,7 +52,7 @@ def interaction_range(groups: Groups) -> np.ndarray:
 
 
 def range_over_gap(groups: Groups) -> np.ndarray:
-    """Return the range of the attraction over the gap next to a contact spot (n,), which is (16/3) h'^2/h''.
+    """Return the range of the attraction over (16/3) h'^2/h'' (n,), the gap next to a contact spot.
 
     h' is the root mean square gradient, h'' the root mean square of half the Laplacian. The theory requires a short range, so
     this ratio must be small. sqrt(sigma/R) cancels. Source: Monti, Sanner & Pastewka 2021, as the authors' group restates it.

@@ -107,7 +107,7 @@ NO_ADHESION = {"no adhesion": "it needs an asperity law without adhesion"}
 
 # Ranges outside which the law fails: for a film of no thickness, and if not all of the film is plastic.
 FLOWING = (
-    Validity("tau", 0.1, math.inf, "the law keeps a rim of film around the contact, however thin the film"),
+    Validity("tau", 0.1, math.inf, "the ring of film around each contact carries too much load, however thin the film"),
     Validity("film_plasticity_index", 8.0, math.inf, "the film is modelled as plastic from first touch"),
     Validity("load_share_substrate", 0.75, 1.0, "the load on the film is computed with its full hardness"),
 )

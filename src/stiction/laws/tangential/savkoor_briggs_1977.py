@@ -99,8 +99,8 @@ def share_that_peels(groups: Groups) -> np.ndarray:
 def no_resistance(segment: NormalSegment, groups: Groups) -> np.ndarray | None:
     """Return the coordinate (n, 1) at which the load alone pulls a JKR contact off, or None for a segment in loading.
 
-    The peeling force is proportional to |u^3 - S/2|, which has a kink there; u: coordinate of the JKR contact,
-    S = sqrt(6 pi/theta).
+    The peeling force is proportional to |u^3 - S/2|, which has a kink there; u: coordinate of the JKR contact, S = sqrt(6
+    pi/theta), with the elastic adhesion index theta.
     """
     if segment.lowest >= 0.0:
         return None

@@ -126,9 +126,9 @@ class MapArea:
 
     @property
     def formula(self) -> Callable[[float, MapSlopes], float]:
-        """Return the function (pressure over E* h', slopes) -> A/A0 that estimates the area at pressures that are not solved.
+        """Return the function that estimates the area fraction A/A0 at pressures that are not solved.
 
-        h' is the rms gradient of the map.
+        Its arguments are the mean pressure over E* h', with the rms gradient h' of the map, and the `MapSlopes` of the map.
         """
         return by_top_slopes if self.gaussian else by_ranks
 

@@ -255,10 +255,10 @@ class _Search:
         return self._accept(on_level(pressure, self._problem))
 
     def _along(self, length: float) -> tuple[np.ndarray, bool]:
-        """Return the pressure after a step along the search direction, and whether it needed no clipping to 0 to the hardness.
+        """Return the pressure after a step along the search direction, and whether it was within 0 to the hardness unclipped.
 
-        length: factor of the direction. At points whose gap has a forbidden sign the pressure is also changed towards closing
-        it.
+        length: factor of the direction. Where the gap has a sign that the pressure forbids, the pressure is also changed in
+        proportion to the gap, so that the gap closes.
         """
         problem, pressure, inside, xp = self._problem, self._other, True, namespace(self._other)
         mend = _WRONG * problem.point_stiffness * problem.length

@@ -60,9 +60,9 @@ def wavevectors(shape: tuple[int, int], size: tuple[float, float]) -> np.ndarray
 
 
 class _Kernel:
-    """Store the factor by which each wave is multiplied, in every array library and precision that was used.
+    """Store the factors by which Fourier or cosine components are multiplied, for every library, device and precision in use.
 
-    factors: in the order of the Fourier or cosine transform.
+    factors: in the order of the transform.
     """
 
     def __init__(self, factors: np.ndarray):
@@ -70,8 +70,9 @@ class _Kernel:
         self._copies: dict[tuple, np.ndarray] = {}
 
     def like(self, values: np.ndarray) -> np.ndarray:
-        """Return the factors of all waves with the array library, device and precision of the array `values`."""
-        key = type(values), values.dtype
+        """Return the factors of all waves as an array with the library, device and precision of `values`."""
+        key = type(values), values.dtype, values.device
+
         if key not in self._copies:
             self._copies[key] = like(self.factors, values)
         return self._copies[key]

@@ -54,9 +54,11 @@ class Response(NamedTuple):
 
 
 def respond(pair: Pair, radius: float) -> Response:
-    """Return load, approach, stiffness and edge modulus of a sphere on coated bodies at one contact radius, with slopes.
+    """Return the dimensionless response of coated bodies to a sphere at one contact radius: a `Response`.
 
-    radius: contact radius divided by the thickness of one film, > 0; tested up to 1000. The numbers are accurate to 1e-6.
+    It holds the moduli that determine load, stiffness and adhesion at the contact edge, the approach, and derivatives by the
+    contact radius. pair: the coatings. radius: contact radius divided by the thickness of one film, > 0; tested up to 1000.
+    The numbers are accurate to 1e-6.
     """
     _, _, even, at_edge, edge_slope = waves(float(radius))
     softer, g_0, g_2, wider, to_edge = _solve(pair, float(radius))

@@ -66,10 +66,10 @@ def _interpolated(places: np.ndarray) -> np.ndarray:
 
 @cache
 def _table() -> tuple[np.ndarray, np.ndarray]:
-    """Read the table and return its Chebyshev coefficients (*_SIZES, _MODES) and the modes.
+    """Return the weights of the modes as Chebyshev coefficients (*_SIZES, _MODES) in the table coordinates, and the modes.
 
-    A mode is one of the independent curves whose sums give all others. The modes (_MODES, CURVES * TERMS) are converted from
-    Chebyshev polynomials to powers of z, the coordinate of the curves.
+    Modes are the independent sets of curves whose weighted sums give the curves of any film. They are returned as coefficients
+    (_MODES, CURVES * TERMS) of powers of z, the coordinate of the curves; the file stores them as Chebyshev series in z.
     """
     with resources.files("stiction.solvers.layered").joinpath(_FILE).open("rb") as file:
         data = np.load(file)

@@ -277,8 +277,9 @@ def _near(problem: Problem, column: str, place: ContactFeatures, points: int, ar
 def _on_other_maps(problem: Problem, place: ContactFeatures, points: int, area: np.ndarray) -> ErrorsNear | None:
     """Return the errors of an area law for films, measured on maps with films; None if it was not measured.
 
-    Source: truth/films.csv. The errors are zero for a closed form whose own map is solvable. For a contact without a map, other
-    kinds of surface change them.
+    Source: truth/films.csv. The errors are zero for a closed form whose own map is solvable. Without a map they are widened,
+    because the surface may be of another kind than the Gaussian maps; a stated kind shifts them. points: number for each
+    contact.
     """
     found = on_solved_maps(problem, points)
     surface = problem.map if isinstance(problem, ClosedFormProblem) else None
@@ -312,7 +313,7 @@ def _unknown(column: str, points: int, why: str) -> MeasuredErrors:
 def _far(distance: np.ndarray, nearest: np.ndarray) -> str:
     """Return a text that states why no solved surface is near enough, with the difference of the nearest one.
 
-    distance, nearest: distance of the nearest surface at some points, and functions that describe its difference.
+    distance (k,): of the nearest solved surface at k points. nearest: for each point a function that returns the difference.
     """
     at = int(np.argmin(distance))
     if math.isinf(distance[at]):

@@ -117,10 +117,10 @@ def _of_map(surface: "HeightMap", problem: Problem, load: np.ndarray):
 
 
 def _film_of(groups: Groups, points: int) -> tuple[np.ndarray, np.ndarray]:
-    """Return film modulus over substrate modulus, and film thickness over sqrt(m2/m4), at each point (k,).
+    """Return film modulus over substrate modulus, and film thickness over sqrt(m2/m4), each (k,), k = n m.
 
-    points: number of points of each contact. sqrt(m2/m4) = 1/sqrt(6 pi sqrt(3) N) with asperity density N (Nayak 1971);
-    film_aspect is t/sqrt(R sigma).
+    There are n contacts at m loads each; points: number m of loads. sqrt(m2/m4) = 1/sqrt(6 pi sqrt(3) N) with asperity density
+    N (Nayak 1971); film_aspect is t/sqrt(R sigma).
     """
     thickness = groups.film_aspect * np.sqrt(6.0 * math.pi * math.sqrt(3.0) * groups.roughness_parameter)
     return np.repeat(groups.film_modulus, points), np.repeat(thickness, points)

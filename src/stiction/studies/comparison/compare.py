@@ -71,11 +71,12 @@ def compare(
         friction_force [N], friction_coefficient; and `range_status`: 0 inside the validity ranges of the model, 1 outside, 2
         where a result is impossible. Over `model`: the same five results at the working load, with names that end in
         `_at_load`; `status`, a text that states whether the contact fits the model; `why_not`, the reason for missing results;
-        grade; `outside_validity` and `validity_warnings` (JSON); `family_of_curve`, whether the strength of the interface or
-        of the bodies determines friction; `plastic_junctions_resist`, how plastic contact spots resist shear;
+        grade; `outside_validity` (text) and `validity_warnings` (JSON); `family_of_curve`, whether the strength of the
+        interface or of the bodies determines friction; `plastic_junctions_resist`, how plastic contact spots resist shear;
         `measured_area_error`, `measured_area_error_rms` and `measured_friction_error`, relative errors on benchmark surfaces
-        near this contact (truth.md), NaN if none is near; `measured_error` (JSON) and `measured_error_in_words`. Attributes:
-        `working_load`, `criteria`, `not_applicable` (model: reason). For a measured surface also
+        near this contact (truth.md), NaN if none is near; `measured_error` and `measured_film_error` (JSON), and
+        `measured_error_in_words`. Attributes: `working_load`, `criteria`, `not_applicable` (model: reason), and `sources`, keys
+        of publications. For a measured surface also
         friction_coefficient_at_load_by_method (asperity_method, model), with `_low` and `_high`.
 
     Raises

@@ -88,10 +88,10 @@ def _residuals(forward: ForwardModel, errors: np.ndarray) -> Residuals:
 
 
 def fitted(name: str, forward: ForwardModel, with_profiles: bool = True) -> Fitted:
-    """Fit a model to its measured values by least squares, with or without likelihood profiles.
+    """Return the least-squares fit of a model to its measured values, with intervals of the fitted parameters.
 
-    name: name of the model for the result. forward: the model with its data. Raises InputError if the model with the best
-    numbers cannot compute a measured value.
+    name: name of the model for the result. forward: the model with its data. with_profiles: whether likelihood profiles are
+    computed. Raises InputError if the model with the best-fit parameters cannot compute one of the measured values.
     """
     errors, stated = _errors(forward.data)
     best = _searched(forward, errors, _start(forward))

@@ -108,7 +108,7 @@ def log_sensitivities(case: Case, choice: Choice, names: Sequence[str] = OUTPUTS
 def log_sensitivities_of_prediction(case: Case, load: float) -> dict[str, float]:
     """Return d ln mu/d ln x for the median mu of a prediction at a load [N], by name of the number x.
 
-    The slope is a difference between ln x - 0.2 and ln x + 0.2.
+    The derivative is the slope between ln x - 0.2 and ln x + 0.2.
     """
     inputs, stepped, steps = _stepped_case(case, _WIDE)
     numbers, mu = stepped.numbers_at(steps), np.full(len(steps), np.nan)

@@ -142,9 +142,10 @@ def _unit_roughness(correlation):
 @cache
 @on_one_thread
 def _table() -> np.ndarray:
-    """Return Chebyshev coefficients of the logarithm of the mean height of n-point asperities, over level and correlation.
+    """Return Chebyshev coefficients (*_DEGREES) of the logarithm of the mean height of n-point asperities above a level.
 
-    The computation takes a third of a second; the result is cached.
+    The coefficients are over the level and the correlation of neighbouring heights, both mapped to -1 to 1. The computation
+    takes a third of a second; the result is cached.
     """
     x, y = (np.cos(math.pi * (np.arange(n) + 0.5) / n) for n in _DEGREES)
     share = (x + 1.0) / 2.0 * (_HIGHEST - _LOWEST) / (_HIGHEST - _LOWEST + _FOLD)

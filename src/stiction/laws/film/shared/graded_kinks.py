@@ -51,7 +51,7 @@ _PLACES = np.clip((1.0 - np.cos(np.pi * np.linspace(0.0, 1.0, INNER))) / 2.0, 1e
 
 @formula
 def _add(out, count, u):
-    """Append the coordinate u to the first `count` edges in `out` if there is room, and return the new number of edges."""
+    """Append the coordinate u to the first `count` edges in `out` unless it is full, and return the new number of edges."""
     if count < out.size:
         out[count] = u
         return count + 1
@@ -154,8 +154,8 @@ def _add_plateaus(law, edges, count, part, levels, places, loads, slopes):
     """Append the ends of the load plateaus to the edges, and return the new number of edges.
 
     On a plateau the load of an asperity stays constant, because by the law it would fall. law: parameters of an asperity on a
-    graded film. The first `count` edges are sorted. part: number of the part for each segment. levels: filled with (start,
-    level) of each plateau. places, loads, slopes: work arrays.
+    graded film. The first `count` edges are sorted. part: material and state of each segment, from `_name_parts`. levels:
+    filled with the start and the load of each plateau. places, loads, slopes: work arrays.
     """
     out = edges[_first_flowing(part, count) : count]  # an elastic asperity's load cannot fall
     _sample_loads(law, out, out.size, places, loads, slopes)
@@ -253,10 +253,10 @@ def _sample(j, law, places, values):
 
 @lazy_kernel(worth=100_000)
 def _insert(kinks, law, places, values, size):
-    """Add samples of all signals at the coordinates `kinks`, while there is room, and return the new number of samples.
+    """Add samples of all signals at the coordinates `kinks` until the arrays are full, and return the new number of samples.
 
-    At a kink of one signal the others may turn. places, values: the first `size` samples, in ascending order, with room for
-    more. law: parameters of an asperity on a graded film.
+    At a kink of one signal the others may turn. places, values: coordinates u and values of the signals; the first `size`
+    entries are in use and in ascending order. law: parameters of an asperity on a graded film.
     """
     for u in kinks:
         position = size
@@ -339,7 +339,7 @@ def _add_branches(start, at_start, law, out, first, count, branch):
 
 @formula
 def _name_parts(law, through, edges, count, part):
-    """Fill `part` with a number for every segment between the edges.
+    """Fill `part` with a number for the material and the state of every segment between the edges.
 
     The numbers are 0 elastic film, 1 plastic film, 2 elastic substrate, 3 plastic substrate, -1 no segment. The endless
     segment after the last edge is included. through: coordinate at which the film is pressed through. edges: the first `count`
@@ -359,10 +359,10 @@ def find_kinks(parameters: np.ndarray, tau: np.ndarray) -> tuple[np.ndarray, ...
 
     parameters: (n, PARAMETERS) of the law. tau (n,): displacement over sigma at which the film is pressed through.
 
-    The edges (n, CAPACITY) are coordinates u. The parts (n, CAPACITY - 1) number each segment between them: 0 elastic film, 1
-    plastic film, 2 elastic substrate, 3 plastic substrate, -1 no segment. The plateaus (n, 6) are three pairs (start, level):
-    from `start` on the load is at least `level`. The branch points (n, 4) are coordinates at which the yield resistance ends
-    like a square root.
+    The edges (n, CAPACITY) are coordinates u. The parts (n, CAPACITY - 1) are a number for material and state of each segment
+    between them: 0 elastic film, 1 plastic film, 2 elastic substrate, 3 plastic substrate, -1 no segment. The plateaus (n, 6)
+    are three pairs (start, level): from `start` on the load is at least `level`. The branch points (n, 4) are coordinates at
+    which the yield resistance ends like a square root.
     """
     laws = len(parameters)
     edges, part = np.empty((laws, CAPACITY)), np.empty((laws, CAPACITY - 1), dtype=np.int8)
@@ -383,11 +383,12 @@ def _gather(edges, part, wanted, out):
 
 
 def gather(edges: np.ndarray, part: np.ndarray, wanted: int) -> np.ndarray:
-    """Return the edges (n, m) of a regime that consists of all segments of one part.
+    """Return the edges (n, m) of a regime that consists of all segments of one material in one state.
 
-    edges, part: edges (n, CAPACITY) and number of the part for each segment, from `find_kinks`. wanted: number of the part.
-    The segments need not be adjacent. They are listed from the deepest on, so that the gap between two of them is a pair of
-    edges that does not increase, which the engine skips.
+    edges (n, CAPACITY), part (n, CAPACITY - 1): edges, and for each segment between them its material and state as a number 0
+    to 3, from `find_kinks`. wanted: this number. Segments are listed from the largest coordinate down, as pairs (low, high).
+    Thus the gap between two of them is a pair of edges that does not increase, which the engine skips. Shorter rows are filled
+    with the first edge.
     """
     most = int((part == wanted).sum(axis=1).max(initial=1))
     out = np.empty((len(edges), 2 * most))

@@ -79,11 +79,11 @@ def _onset(along: Any, hardness: Any, parameters: int) -> Any:
 
     @lazy_kernel(worth=300)
     def find(table, pressure, of_hardness, out):
-        """Fill out[i] with five numbers at first yield of contact i: u, modulus, hardness, z, and depth over sigma.
+        """Fill out[i] with coordinate u, modulus, hardness, z, and displacement over sigma at first yield of contact i.
 
-        Modulus and hardness are those of film and substrate together over the substrate's. z weighs Poisson's ratio: -1 is the
-        film's, 1 the substrate's. table: parameters of the elastic asperities. pressure: eta times the mean pressure at yield
-        over the hardness. of_hardness: parameters of `Hardness`.
+        The displacement leaves out the stretch by adhesion. Modulus and hardness are those of film and substrate together over
+        the substrate's. z weighs Poisson's ratio: -1 is the film's, 1 the substrate's. table: parameters of the elastic
+        asperities. pressure: eta times the mean pressure at yield over the hardness. of_hardness: parameters of `Hardness`.
         """
         for i in range(pressure.size):
             row, hard = unpack(table[i], parameters), unpack(of_hardness[i], 4)

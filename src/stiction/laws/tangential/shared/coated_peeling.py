@@ -112,12 +112,12 @@ def _largest(start, load, row, root, curve):
 
 @lazy_kernel(worth=300)
 def _fill(rows, root, curves, first, out):
-    """Fill out[i] with sqrt(T^2 theta zeta/(32 pi n_g))/u^3 at the knots of a spline along the asperity of contact i.
+    """Fill `out` (n, SEGMENTS + 1) with the scaled peeling force at the knots of a spline over u, one row per contact.
 
-    T: peeling force. theta: adhesion index. zeta: weight of the tangential energy release. n_g: work of adhesion of the film
-    over the substrate's. u: coordinate. rows: parameters of the coated JKR asperities. root, curves: as in `_softness`. first
-    (n,): u at the first knot. The values are negative for contacts that a constant load would pull off, because wider contacts
-    carry the same load.
+    It is sqrt(T^2 theta zeta/(32 pi n_g))/u^3, with the peeling force T, the adhesion index theta, the weight zeta of the
+    tangential energy release, and the work of adhesion n_g of the film over the substrate's. The last knot is the limit at
+    infinite u. The sign is minus where the load falls as the contact grows, because a constant load would pull off such a
+    contact. rows: parameters of the coated JKR asperities. root, curves: as in `_softness`. first (n,): u at the first knot.
     """
     for i in range(root.size):
         row = unpack(rows[i], EDGED)

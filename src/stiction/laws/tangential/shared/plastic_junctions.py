@@ -20,7 +20,7 @@ LAWS = ("bowden_tabor_1943", "tabor_1959", "junction_growth", "brizmer_kligerman
 
 
 def of_whole_segment(plastic_junctions: str, segment: NormalSegment, groups: Groups) -> TangentialResistance | None:
-    """Return the tangential resistance on a whole segment by the law with the key `plastic_junctions`; None for the key "none".
+    """Return the resistance of a plastic segment by the law with the key `plastic_junctions`; None for the key "none".
 
     groups: dimensionless groups of n contacts.
     """

@@ -158,7 +158,7 @@ def _crossing(low, high, level, shape, printed):
 
 @formula
 def _unloading_kinks(out, level, shape):
-    """Fill out[0:6] with the kinks v of the resistance up to first touch, which only unloading reaches.
+    """Fill out[0:6] with the kinks v at and below first touch, which an asperity passes only in unloading.
 
     v: coordinate u over S^(1/3), with the strength of adhesion S. level: value of the function G of the module at which slip
     and yield resistance are equal. shape: coefficients from `_shape`. The slip resistance vanishes at v^3 = 1/2, and G has one
@@ -177,11 +177,14 @@ def _unloading_kinks(out, level, shape):
 
 @lazy_kernel(worth=3_000)
 def _fill_kinks(level, end, nu, K_beta, printed, unloading, kinks):
-    """Fill `kinks` (n, 3 or 9) with the v up to `end` (n,) at which slip and yield resistance are equal.
+    """Fill `kinks` (n, 3 or 9) with the kinks v of the resistance of n contacts, up to `end` (n,).
 
-    v: coordinate u over S^(1/3), with the strength of adhesion S. level (n,): value of the function G of the module there. nu,
-    K_beta (n,): Poisson's ratio and K beta. printed: as in `_numerator`. unloading: whether the segment reaches below first
-    touch, which adds six columns.
+    v: coordinate u over S^(1/3), with the strength of adhesion S. The first three columns are the v from first touch (y = v^3
+    = 2/3) on at which slip and yield resistance are equal. With `unloading` the segment starts at a smaller v, and six columns
+    follow: the v at which the slip resistance vanishes, the v of first touch, and four v below it at which both resistances
+    are equal. A crossing that does not exist is replaced by the upper end of its interval. level (n,): value of the function G
+    of the module at which both are equal. nu (n,): Poisson's ratio. K_beta (n,): (4/3) E* times the tangential compliance.
+    printed: as in `_numerator`.
     """
     touch = _TOUCH ** (1.0 / 3.0)
     down, up, shape = touch, touch, (0.0, 0.0, 0.0)

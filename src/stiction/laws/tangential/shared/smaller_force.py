@@ -38,11 +38,11 @@ def _resistance(peels: Callable, width: int, yields: Callable) -> Any:
 
 @cache
 def _signed(peels: Callable, width: int, yields: Callable, normal: Callable, parameters: int) -> Any:
-    """Return a formula (u, row) of two numbers that change sign at the kinks of the smaller of peeling force and yield force.
+    """Return a formula of (u, row) that gives two numbers; they change sign at the kinks of the smaller of two forces.
 
-    The first changes sign where the forces cross or the yield force vanishes, the second where the yield force stops being
-    real. peels, yields: formulas of the forces; `peels` has `width` parameters. normal: formula of the segment, with
-    `parameters` parameters. row: parameters of segment, peeling and yield.
+    The forces are those of peeling and yield. The first number changes sign where they cross or the yield force vanishes, the
+    second where the yield force stops being real. peels, yields: formulas of the forces; `peels` has `width` parameters.
+    normal: formula of the segment, with `parameters` parameters. row: parameters of segment, peeling and yield, in this order.
     """
     of_yield = parameters + width
 
