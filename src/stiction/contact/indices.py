@@ -61,19 +61,24 @@ def check_film(theta, lam, n_E, n_H, n_g=1.0) -> None:
 class Indices(Subject):
     """Describe a contact by its dimensionless groups (docs/explanation/theory.md).
 
-    Parameters ---------- theta, lam : float or array, optional Elastic and plastic adhesion index; without adhesion, state
-    hardness_group in place of theta and lam. hardness_group, nu, K_beta, hardness_to_yield, tabor_parameter, sharpness,
-    roughness_parameter : float or array, optional Groups of the bodies without a film; K_beta is by default (8/3)(2 - nu)/(1 -
-    nu), the value of two equal bodies. n_E, n_H, tau : float or array, optional Modulus and hardness of a film over those of
-    the bodies, and thickness over sigma: all three, or none without a film. n_g, film_aspect, film_nu, film_K_beta,
-    film_friction_constant : float or array, optional Further groups of a film. By default n_g is 1, film_aspect infinite (the
-    film is a half-space to every asperity), film_nu is nu, film_K_beta follows from film_nu or is K_beta,
-    film_friction_constant follows from strength and hardness. films, layer_n_H, layer_nu, coated_share, coated_nu, counter_nu
-    : float or array, optional Groups of the coated bodies. By default films is 1 (one coated body), coated_share is 1/films
-    (the bare body is rigid, or both coated bodies are equal), layer_n_H is n_H, layer_nu is film_nu, coated_nu and counter_nu
-    are nu. nominal_width, size_over_burgers, shear_strength, pressure_coefficient, peeling, hardening, strength_variation :
-    optional Groups that some laws use. waiting, ageing_rate, meniscus_index, meniscus_height : float or array, optional Time
-    at rest over the reference time, and ageing rate, both or none; two groups of menisci, both or none.
+    Parameters
+    ----------
+    theta, lam : float or array, optional
+        Elastic and plastic adhesion index; without adhesion, state hardness_group in place of theta and lam.
+    hardness_group, nu, K_beta, hardness_to_yield, tabor_parameter, sharpness, roughness_parameter : float or array, optional
+        Groups of the bodies without a film; K_beta is by default (8/3)(2 - nu)/(1 - nu), the value of two equal bodies.
+    n_E, n_H, tau : float or array, optional
+        Modulus and hardness of a film over those of the bodies, and thickness over sigma: all three, or none without a film.
+    n_g, film_aspect, film_nu, film_K_beta, film_friction_constant : float or array, optional
+        Further groups of a film. By default n_g is 1, film_aspect infinite (the film is a half-space to every asperity),
+        film_nu is nu, film_K_beta follows from film_nu or is K_beta, film_friction_constant follows from strength and hardness.
+    films, layer_n_H, layer_nu, coated_share, coated_nu, counter_nu : float or array, optional
+        Groups of the coated bodies. By default films is 1 (one coated body), coated_share is 1/films (the bare body is rigid,
+        or both coated bodies are equal), layer_n_H is n_H, layer_nu is film_nu, coated_nu and counter_nu are nu.
+    nominal_width, size_over_burgers, shear_strength, pressure_coefficient, peeling, hardening, strength_variation : optional
+        Groups that some laws use.
+    waiting, ageing_rate, meniscus_index, meniscus_height : float or array, optional
+        Time at rest over the reference time, and ageing rate, both or none; two groups of menisci, both or none.
 
     Raises
     ------

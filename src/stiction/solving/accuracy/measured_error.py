@@ -277,9 +277,8 @@ def _near(problem: Problem, column: str, place: ContactFeatures, points: int, ar
 def _on_other_maps(problem: Problem, place: ContactFeatures, points: int, area: np.ndarray) -> ErrorsNear | None:
     """Return the errors of an area law for films, measured on maps with films; None if it was not measured.
 
-    Source: truth/films.csv. The errors are zero for a closed form whose own map is solvable. Without a map they are widened,
-    because the surface may be of another kind than the Gaussian maps; a stated kind shifts them. points: number for each
-    contact.
+    Source: truth/films.csv. The errors are zero for a closed form whose own map is solvable. Without a map they are wider, as
+    the surface may not be Gaussian like the maps; a stated kind shifts them. points: number per contact.
     """
     found = on_solved_maps(problem, points)
     surface = problem.map if isinstance(problem, ClosedFormProblem) else None
