@@ -69,7 +69,7 @@ def question(findings: ReportData) -> str:
     between = f", interface: {subject.interface.name}" if subject.interface is not None else ""
     bodies = f"{plain_name(subject.first.name)} against {plain_name(subject.second.name)}{film}{between}"
     area = with_signs(dict(subject.listed())["nominal_area"])
-    return f"What is the {what} of rough {bodies}, with a nominal area of {area}, {_where(findings)}?"
+    return f"What is the {what} of {bodies}, with a nominal area of {area}, {_where(findings)}?"
 
 
 def stated_roughness(contact: Contact) -> str:
