@@ -157,3 +157,33 @@ def test_a_shape_that_cannot_be_is_refused():
         st.Roughness(**NUMBERS, skewness=st.axis("skewness", [0.0, 1.0]))
     with refusal("roughness.first.skewness", "-0.5", "no value where both bodies are rough"):
         contact().replace(roughness={"first": {"finish": "ground", "skewness": -0.5}, "second": {"finish": "ground"}})
+
+
+def test_a_mixture_of_kinds_lies_between_them_without_a_jump():
+    """Surfaces of each kind have its share together; at the ends the mixture is one kind."""
+    known = solved_set()
+    weights = known.of_kind("0.300 lay + 0.700 gaussian")
+    lay, gaussian = known.of_kind("lay"), known.of_kind("gaussian")
+    assert weights[lay].sum() / weights.sum() == pytest.approx(0.3, rel=1e-12) and weights[gaussian].sum() > 0.0
+    assert not weights[~(lay | gaussian)].any() and weights.max() == 1.0
+    shares = (0.999, 0.75, 0.5, 0.25, 0.001)
+    kinds = ["lay", *(f"{share:.3f} lay + {1.0 - share:.3f} gaussian" for share in shares), "gaussian"]
+    high = np.array([json.loads(solved(kind).attrs["measured_error"])["area_high"][0] for kind in kinds])
+    assert (np.diff(high) < 0.01).all() and high[0] > 2.0 * high[-1]
+    assert high[1] == pytest.approx(high[0], rel=0.02) and high[-2] == pytest.approx(high[-1], rel=0.02, abs=2e-3)
+
+
+def test_finishes_of_both_bodies_answer_the_question_for_the_kind():
+    """Advice that remains names the bodies, whose tables take the kind."""
+    turned = {"finish": "turned", "mean_height": "0.8 um"}
+    case = {"first": "nylon_66", "second": "mild_steel", "interface": "dry polymer", "nominal_area": "1 cm^2"}
+
+    def predicted(first):
+        return st.predict({"contact": case | {"roughness": {"first": first, "second": turned}}, "solve": {"load": "50 N"}})
+
+    both = predicted({"finish": "moulded"})
+    assert not any("kind of surface" in one for one in both.warnings) and "kind" not in both.next_step
+    numbers = NUMBERS | {"asperity_radius": "10 um"}
+    asked = predicted(numbers)
+    assert any("kind of surface" in one for one in asked.warnings) and "of each body" in asked.next_step
+    assert not any("kind of surface" in one for one in predicted(numbers | {"kind": "worn"}).warnings)

@@ -564,3 +564,25 @@ def test_a_front_of_predictions_reaches_its_ends_in_few_designs():
     assert area.max() > 0.99 * smooth["contact_area"].item()
     least = front["pareto_friction_coefficient_high"].values.min()
     assert least < 1.01 * rough["friction_coefficient_high"].item()
+
+
+def test_the_high_end_of_a_predicted_interval_is_drawn():
+    found = design(case({"minimise": "friction_coefficient_high"}, RADIUS, model=None, effort=2))
+    axes = design_figure(found).axes[0]
+    assert axes.get_ylabel().startswith("high end of the interval of the\n")
+    assert axes.lines[-3].get_ydata() == [float(found["friction_coefficient_high"][0])]
+
+
+@pytest.mark.parametrize("body", ["", "first"])
+def test_the_height_of_a_finish_is_chosen_and_its_design_is_predicted(body):
+    found = case({"target": "friction_coefficient", "value": 0.5}, {}, model=None, effort=2)
+    rough = {"finish": "polished", "rms_height": "48 nm"}
+    found["contact"]["roughness"] = {body: rough} if body else rough
+    height = {"rms_height": {"low": "20 nm", "high": "80 nm"}}
+    found["design"]["choose"] = {"roughness": {body: height} if body else height}
+    best = design(found).isel(design=0)
+    name = ".".join(filter(None, ("roughness", body, "rms_height")))
+    rough["rms_height"] = f"{float(best[name])!r} m"
+    again = predict({key: one for key, one in found.items() if key != "design"}, load=LOAD)
+    assert float(best["friction_coefficient"]) == pytest.approx(again.friction_coefficient.item(), rel=1e-9)
+    assert 20e-9 <= float(best[name]) <= 80e-9

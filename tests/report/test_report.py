@@ -329,3 +329,11 @@ def test_a_pdf_where_a_browser_is(tmp_path, monkeypatch):
     monkeypatch.setattr(html_report, "installed", lambda name: False)
     result = CliRunner().invoke(app, ["report", str(case), "--out", str(tmp_path / "none.pdf")])
     assert result.exit_code == 2 and result.stderr.count("\n") == 1 and "Chromium" in result.stderr
+
+
+@pytest.mark.parametrize(("rough", "words"), [('rms_height = "0.2 um", ', "Sq and finish"), ("", "finish")])
+def test_numbers_of_a_finish_are_told_as_drawn_from_it(tmp_path, rough, words):
+    finished = re.sub(r"\[contact.roughness\]\n(\w+ = .*\n)+", f'roughness = {{ {rough}finish = "ground" }}\n', OXIDISED)
+    write_report(small(tmp_path, finished), tmp_path / "report.html")
+    text = " ".join(Page((tmp_path / "report.html").read_text(encoding="utf-8")).text.split())
+    assert text.count(f"drawn from the stated {words} ") == 4

@@ -5,7 +5,8 @@ import pytest
 
 from stiction.case.read import parse_case
 from stiction.report.swept_pictures import swept_figure
-from stiction.report.swept_tables import swept_table
+from stiction.report.swept_tables import combinations_shown, swept_table
+from stiction.report.views.run import run_view
 from stiction.studies.case_results import solve_case
 
 
@@ -78,3 +79,12 @@ def test_the_table_has_a_row_for_each_value_or_some_of_them(count, rows):
     assert len(table.rows) == rows
     first = [row[0] for row in table.rows]
     assert (str(first[0]), str(first[-1])) == ("20", "80")
+
+
+def test_rows_and_loads_that_are_left_out_are_counted():
+    case = parse_case({"indices": {"theta": [20, 30, 40, 50], "lam": [5, 10]}, "solve": {"load": [1, 2, 3, 4, 5]}})
+    data = solve_case(case)
+    words = "6 of 8 combinations and 4 of 5 loads are shown; --all-rows shows all combinations"
+    assert combinations_shown(data, "--all-rows").startswith(words) and len(swept_table(data).rows) == 6
+    assert any(str(part).startswith(words) for part in run_view(case, data).parts())
+    assert combinations_shown(solved({"theta": [20, 40]}), "--all-rows") == ""

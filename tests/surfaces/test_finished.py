@@ -189,3 +189,17 @@ def test_the_json_schema_has_both_forms():
     forms = [one["$ref"].rpartition("/")[2] for one in definitions["Contact"]["properties"]["roughness"]["anyOf"]]
     assert forms == ["Roughness", "MeasuredRoughness", "Finished", "FinishedBodies"]
     assert definitions["Finished"]["required"] == ["finish"]
+
+
+def test_kinds_of_two_bodies_are_mixed_by_their_slopes():
+    """Mean square slopes of moulded and turned bodies are .03 x .13 and .05 x .25: 76 % of 20 to 80 % is the share 0.937."""
+    turned = {"finish": "turned", "mean_height": "0.8 um"}
+    assert contact({"first": {"finish": "moulded"}, "second": turned}).roughness.surface_kind == "0.063 gaussian + 0.937 lay"
+    assert contact({"first": turned, "second": {"finish": "moulded"}}).roughness.surface_kind == "0.937 lay + 0.063 gaussian"
+    same = {"first": {"finish": "moulded", "kind": "worn"}, "second": turned | {"kind": "worn"}}
+    assert contact(same).roughness.surface_kind == "worn"
+    same["first"]["kind"] = "skewed"
+    assert contact(same).roughness.surface_kind == "0.063 skewed + 0.937 worn"
+    stated = {"asperity_height_deviation": "50 nm", "asperity_radius": "5 um", "asperity_density": "4e10 1/m^2"}
+    assert contact({"first": stated, "second": turned}).roughness.surface_kind is None
+    assert contact({"first": stated | {"kind": "worn"}, "second": turned}).roughness.surface_kind.endswith("lay")

@@ -17,7 +17,7 @@ from collisions import collisions
 from stiction import cli
 from stiction.quantities.errors import InputError
 from stiction.report.sensitivity_pictures import sensitivity_figure
-from stiction.report.views.sensitivity import indices_table, log_sensitivities_table
+from stiction.report.views.sensitivity import indices_table, log_sensitivities_table, sensitivity_view
 from stiction.studies.case_results import solve_case
 
 S_TAU, S_R = np.log(2.0), 0.5 * np.log(1.5)  # deviations of ln mu by its two inputs
@@ -283,3 +283,13 @@ def test_elasticities_of_a_prediction_are_differences_of_predictions():
     low, high = (float(one.friction_coefficient.item()) for one in ends)
     assert float(found.sel(number="asperity_radius")) == pytest.approx(math.log(high / low) / 0.4, rel=0.03)
     assert sensitivity_figure(data).get_suptitle() == "Two bodies\nprediction"
+
+
+def test_a_stated_error_is_shown_and_the_strength_has_one_name():
+    """Near the strength of the body, the scatter of the interface adds to its stated error; both are one input."""
+    case = predicted_case("160 +/- 16 MPa")
+    soft = {"youngs_modulus": "115 GPa", "poissons_ratio": 0.34, "hardness": "0.9 GPa"}
+    case["contact"] |= {"second": soft, "roughness": {"finish": "ground", "rms_height": "0.2 um"}}
+    data = st.sensitivity(case)
+    assert "interface" not in data["input"].values and data["input"].values[0] == "interfacial_shear_strength"
+    assert "uncertain: interfacial_shear_strength: 160 MPa ± 16 MPa" in [str(part) for part in sensitivity_view(data).parts()]

@@ -98,3 +98,10 @@ def test_of_several_the_wrong_one_is_named_as_it_was_written():
         to_si(lengths.copy(data=np.array([1.0, -2.0])), "thickness")
     with refusal("first.youngs_modulus", "210.0", ">= 1000 Pa", "210 GPa"):
         st.Contact(first={"preset": "iron", "youngs_modulus": 210.0})
+
+
+@pytest.mark.parametrize("text", ["200 +/- 50 MPa", "200 MPa +- 50 MPa", "(200 ± 50) MPa"])
+def test_an_error_belongs_in_a_case(text):
+    with pytest.raises(InputError) as error:
+        to_si(text, "interfacial_shear_strength")
+    assert text in str(error.value) and "one value without an error (+/-); a case file" in str(error.value)

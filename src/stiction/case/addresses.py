@@ -60,15 +60,24 @@ def _known(content: Mapping) -> list[str]:
     return [f"{part}.{name}".removeprefix(".") for part in parts for name in _numbers_of(_PARTS[part])]
 
 
-def address_of(name: str, content: Mapping, where: str) -> Address:
+def _heights(content: Mapping) -> list[str]:
+    """Return the dotted names of the heights (Sq or Ra) that a case states beside a finish, e.g. "roughness.rms_height"."""
+    paths = [(*body, height) for body in ((), ("first",), ("second",)) for height in ("rms_height", "mean_height")]
+    return [".".join(("roughness", *path)) for path in paths if entry_at(roughness_in(content), path) is not None]
+
+
+def address_of(name: str, content: Mapping, where: str, of_finish: bool = False) -> Address:
     """Return the address of a number in a case from its dotted or short name.
 
     name: "coating.thickness", or "thickness" if only one number has this short name; both give ("contact", "coating",
     "thickness"). content: tables of the case. where: name of the field in the InputError that an unknown or ambiguous name
-    raises.
+    raises. of_finish: whether the height of a surface with a finish, Sq or Ra, is accepted too.
     """
-    known = _known(content)
+    heights = _heights(content)
+    known = [*_known(content), *heights]
     matches = [name] if name in known else [known_name for known_name in known if known_name.rpartition(".")[2] == name]
+    if not of_finish and set(matches) & set(heights):
+        raise InputError(where, name, "no height of a finish; state sigma, R and N instead, and name one of them")
     if len(matches) != 1:
         allowed = ", ".join(matches) if matches else nearest(name, known)
         raise InputError(where, name, f"a number of the case: {allowed}")

@@ -35,6 +35,7 @@ _POWER = r"(?:1|%|[^\W\d]+(?:(?:\^|\*\*)[+-]?\d|⁻?[⁰¹²³⁴-⁹])?)"
 _UNIT = re.compile(rf"/?\s*{_POWER}(?:(?:\s*[/*·]\s*|\s+){_POWER})*")
 _LONGEST_TEXT = 100  # characters; no quantity needs more, and the patterns above are slow on megabytes of text
 _DECIMAL_COMMA = re.compile(r"\s*[+-]?\d*,\d")
+_ERROR = re.compile(r"\d.*(\+/?-|±)\s*\d")
 _CELSIUS = ("degC", "°C", "celsius", "deg C")  # allowed for temperatures only, because no factor converts them to kelvins
 _ZERO_CELSIUS = 273.15
 # Prefixes are chosen here, because `to_compact` of pint takes 27 times as long, and prints 999.9999999 nm as 1000 nm and
@@ -190,6 +191,9 @@ def from_series(series, name: str):
 
 
 def _from_text(text: str, quantity: Quantity) -> float:
+    if _ERROR.search(text[:_LONGEST_TEXT]):
+        allowed = "one value without an error (+/-); a case file, or a dict like one, accepts errors of numbers of the contact"
+        raise InputError(quantity.name, text, allowed)
     match = _NUMBER_AND_UNIT.fullmatch(text) if len(text) <= _LONGEST_TEXT else None
     if match is None or _DECIMAL_COMMA.match(text[:_LONGEST_TEXT]):
         raise InputError(quantity.name, text, quantity.wanted + with_a_point(text))

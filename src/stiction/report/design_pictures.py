@@ -1,7 +1,7 @@
 """Draw the result of a design study: best designs, all evaluated designs, and the Pareto front of two objectives."""
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -11,6 +11,7 @@ from stiction.report.pictures import BLUE, GREY, ORANGE, RED, along, canvas, fin
 from stiction.report.scales import scale_friction
 from stiction.report.table import shown
 from stiction.report.views.design import columns_of
+from stiction.studies.design.plan import quantity_of
 
 if TYPE_CHECKING:
     import xarray
@@ -50,9 +51,16 @@ def _bars(axes: Axes, data: "xarray.Dataset", objective: str) -> None:
     places = np.arange(count)[::-1]
     axes.barh(places, values, color=[BLUE if holds else GREY for holds in feasible])
     title = "best for each choice" + ("" if feasible.all() else "; grey: violates a limit")
-    along(axes, "x", objective, values, log=False, title=title)
+    _along_result(axes, "x", objective, values, log=False, title=title)
     axes.set_yticks(places, names)
     axes.grid(False, axis="y")
+
+
+def _along_result(axes: Axes, which: str, name: str, values: np.ndarray, log: bool = True, **named: Any) -> None:
+    """Label an axis with a result, which may be an end of its interval, e.g. friction_coefficient_high; see `along`."""
+    quantity = quantity_of(name)
+    end = name.removeprefix(quantity).removeprefix("_")
+    along(axes, which, quantity, values, log, f"{end} end of the interval of the\n" if end else "", **named)
 
 
 def _front(axes: Axes, data: "xarray.Dataset", objectives: list[str]) -> None:
@@ -62,8 +70,8 @@ def _front(axes: Axes, data: "xarray.Dataset", objectives: list[str]) -> None:
     columns = columns_of(data, "pareto")
     x, y = (data[columns[objective]].values for objective in objectives)
     axes.plot(x, y, color=BLUE, marker="o", markersize=4, linewidth=1)
-    along(axes, "x", objectives[0], x)
-    along(axes, "y", objectives[1], y, title="Pareto front: no other design is better in both")
+    _along_result(axes, "x", objectives[0], x)
+    _along_result(axes, "y", objectives[1], y, title="Pareto front: no other design is better in both")
 
 
 def _chosen(axes: Axes, data: "xarray.Dataset", objective: str) -> None:
@@ -81,9 +89,8 @@ def _chosen(axes: Axes, data: "xarray.Dataset", objective: str) -> None:
         if variable.attrs["spacing"] == "log":
             low, high, values = np.log(low), np.log(high), np.log(values)
         axes.plot(x, (values - low) / (high - low), linewidth=0.8, label=text, **look_of("", number))
-    along(
-        axes, "x", objective, x, ylabel="0: lower search limit; 1: upper search limit", title="design variables along the front"
-    )
+    title = "design variables along the front"
+    _along_result(axes, "x", objective, x, ylabel="0: lower search limit; 1: upper search limit", title=title)
 
 
 def _draw_evaluated(axes: Axes, data: "xarray.Dataset", objective: str) -> None:
@@ -108,7 +115,7 @@ def _draw_evaluated(axes: Axes, data: "xarray.Dataset", objective: str) -> None:
     seen = value[feasible & np.isfinite(value)] if feasible.any() else value[np.isfinite(value)]
     quantity = name.rpartition(".")[2]
     along(axes, "x", quantity, number.values, title=f"{len(value)} designs evaluated")
-    along(axes, "y", objective, seen)
+    _along_result(axes, "y", objective, seen)
     if seen.size and seen.min() > 0.0:
         scale_friction(axes, seen)
         finish(axes)

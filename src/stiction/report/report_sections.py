@@ -36,7 +36,7 @@ from stiction.report.tables import HEADS, curve_table, group_in_words, run_notes
 from stiction.report.views.comparison import GROUP_HEADS, group_row, groups_of
 from stiction.report.views.run import draws_in_words, in_draws, with_meaning
 from stiction.solving.choice import RECOMMENDED
-from stiction.studies.report_data import ReportData, places_in
+from stiction.studies.report_data import ReportData, places_in, source_of_finish
 
 if TYPE_CHECKING:
     from stiction.case.uncertain import Uncertain
@@ -135,13 +135,13 @@ def _source_of_material(material: Material, name: str, path: tuple[str, ...], pl
 
 
 def _source(findings: ReportData, dotted: str, path: tuple[str, ...], places: frozenset) -> str:
-    measured = findings.case.measured
-    if dotted.startswith("roughness.") and measured is not None:
-        by = "their moments" if dotted.startswith(f"roughness.{_MOMENTS}") else measured.method
-        return f"measured in scans, by {by}"
+    if dotted.startswith("roughness.") and (measured := findings.case.measured) is not None:
+        return f"measured in scans, by {'their moments' if dotted.startswith(f'roughness.{_MOMENTS}') else measured.method}"
     if dotted.startswith("interface.") and path[:2] in places:
         return "the case" if dotted == "interface.name" else "the state of the interface"
-    return "the case" if path in places or not places else "default of stiction"
+    if path in places or not places:
+        return "the case"
+    return source_of_finish(findings.case.subject, dotted) or "default of stiction"
 
 
 def _title(subject: Any, part: str) -> str:

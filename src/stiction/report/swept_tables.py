@@ -62,6 +62,33 @@ def _head(name: str) -> str:
     return f"{part.replace('.', ' ')}\n{symbol}".strip()
 
 
+def combinations_shown(data: "xarray.Dataset", option: str) -> str:
+    """State how many combinations `swept_table` shows, and at how many loads; "" if it shows all.
+
+    option: option of the command that shows all combinations.
+    """
+    dims, points = varied(data), points_dimension(data)
+    sizes = [data.sizes[dim] for dim in dims]
+    parts = [
+        (math.prod(min(size, _most(dims)) for size in sizes), math.prod(sizes), "combinations"),
+        (len(_columns(data)), data.sizes[points] if points else 1, "loads" if points == "load" else "separations"),
+    ]
+    few = " and ".join(f"{count} of {size} {name}" for count, size, name in parts if count < size)
+    return f"{few} are shown; {option} shows all combinations, and --out writes all to curve.csv" if few else ""
+
+
+def _most(dims: list[str]) -> int:
+    """Return the largest number of values along each dimension in `dims` for which `swept_table` has rows."""
+    return max(2, int(_ROWS ** (1.0 / len(dims)) + 1e-9))
+
+
+def _columns(data: "xarray.Dataset") -> list[int]:
+    """Return the indices of the loads or separations for which `swept_table` has columns; [0] for a single point."""
+    points = points_dimension(data)
+    most = 2 if f"{shown_quantity(data)}_low" in data else _POINTS
+    return spread_rows(data.sizes[points], most).tolist() if points else [0]
+
+
 def swept_table(data: "xarray.Dataset", all_rows: bool = False) -> Table:
     """Return a table with a row for each of some combinations of array parameters, and mu at a few loads or separations.
 
@@ -70,9 +97,7 @@ def swept_table(data: "xarray.Dataset", all_rows: bool = False) -> Table:
     """
     name, dims, points = shown_quantity(data), varied(data), points_dimension(data)
     intervals = f"{name}_low" in data
-    columns = spread_rows(data.sizes[points], 2 if intervals else _POINTS).tolist() if points else [0]
-    each = max(2, int(_ROWS ** (1.0 / len(dims)) + 1e-9))
-    most = data[name].size if all_rows else _ROWS if len(dims) == 1 else each
+    columns, most = _columns(data), data[name].size if all_rows else _most(dims)
     heads = [_head(coordinate) for dim in dims for coordinate in coordinates_along(data, dim)]
     heads += [f"{_HEADS[name]} at\n{of_point(data, column)}" for column in columns]
     results = data[[name, f"{name}_low", f"{name}_high"] if intervals else [name]]

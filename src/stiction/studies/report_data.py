@@ -10,6 +10,7 @@ import numpy as np
 
 from stiction.case.read import Case
 from stiction.case.swept import Address
+from stiction.contact.contact import Contact
 from stiction.laws.proportion import input_warnings
 from stiction.quantities.errors import InputError
 from stiction.quantities.progress import Progress, silent
@@ -17,10 +18,12 @@ from stiction.studies.case_results import compare_case, solve_case
 from stiction.studies.comparison.compare import working_load
 from stiction.studies.prediction.around import predict_with_curve
 from stiction.studies.prediction.predict import is_predicted, prediction_of
+from stiction.surfaces.finished import Finished
 
 if TYPE_CHECKING:
     import xarray
 
+    from stiction.contact.subject import Subject
     from stiction.studies.scans.analysis import Analysis
 
 
@@ -121,3 +124,18 @@ def places_in(text: str) -> frozenset[Address]:
 def text_of_file(path: Path) -> str:
     """Return the text of a case file that has been read successfully before, so that no error is expected."""
     return path.read_text(encoding="utf-8-sig")
+
+
+_OF_FINISH = {f"roughness.{name}" for name in ("asperity_height_deviation", "asperity_radius", "asperity_density", "kind")}
+
+
+def source_of_finish(subject: "Subject", name: str) -> str:
+    """Return where a number of a contact with a finish comes from, as text; "" if it does not come from a finish.
+
+    name: dotted name, e.g. "roughness.asperity_radius".
+    """
+    if name not in _OF_FINISH or not isinstance(subject, Contact) or not subject.roughness.unknowns:
+        return ""
+    bodies = [subject.roughness.part(body) for body in ("first", "second")]
+    has_height = any(isinstance(body, Finished) and body.height is not None for body in bodies)
+    return f"drawn from the stated {'Sq and ' * has_height}finish"

@@ -20,7 +20,7 @@ from stiction.quantities.inputs import Input, OptionalNumber, as_text, by_defaul
 from stiction.quantities.ranges import range_in_words
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show
-from stiction.surfaces.finishes import Finish, finish, surface_kind_of
+from stiction.surfaces.finishes import Finish, finish, mixture_of_kinds, surface_kind_of
 from stiction.surfaces.roughness import SHAPE, Roughness, ShapeNumber, refuse_impossible_kurtosis
 from stiction.surfaces.theory.moments import Moments, bandwidth, combine
 
@@ -28,7 +28,7 @@ SQ_OVER_RA = 1.25  # sqrt(pi/2) of Gaussian heights, rounded as is usual
 _ASPERITIES = ("asperity_height_deviation", "asperity_radius", "asperity_density")
 _HEIGHTS = ("rms_height", "mean_height")
 _SYMBOLS = ("Sq", "Rq", "Ra", "Sa")  # these are no keys, but the error of Finished then names the right key
-_RULES = 0.8  # fraction of the mean square slope from which on one of two bodies decides the kind of surface
+_RULES = 0.8  # fraction of the mean square slope from which on one of two bodies decides the kind of surface alone
 
 
 def _finish(value):
@@ -192,14 +192,18 @@ class FinishedBodies(Input):
         ]
 
     def _kind(self) -> str | None:
-        """Return the kind of surface of the contact, such as "worn"; None if it is unknown or the bodies differ in kind.
+        """Return the kind of surface of the contact, such as "worn", or a mixture of two kinds; None if it is unknown.
 
-        A body with at least 80 % of the summed mean square slope decides alone. Otherwise both bodies must have the same kind.
+        A body with at least 80 % of the summed mean square slope decides alone. From 20 to 80 %, the share of its kind rises
+        linearly from 0 to 1, so that no result jumps. The kinds of both bodies must then be known.
         """
-        kinds = {name: body.kind or getattr(body, "finish", None) for name, body in self.bodies.items()}
+        kinds: dict[str, Any] = {name: body.kind or getattr(body, "finish", None) for name, body in self.bodies.items()}
         slopes = {name: float(np.mean(_moments(body, name, {}).m2)) for name, body in self.bodies.items()}
         ruling = [kinds[name] for name in slopes if slopes[name] >= _RULES * sum(slopes.values())] or list(kinds.values())
-        return ruling[0] if len({kind and surface_kind_of(kind) for kind in ruling}) == 1 else None
+        if None in ruling or len({surface_kind_of(kind) for kind in ruling}) == 1:
+            return None if None in ruling else ruling[0]
+        share = (slopes["first"] / sum(slopes.values()) + _RULES - 1.0) / (2.0 * _RULES - 1.0)
+        return mixture_of_kinds({kinds["first"]: share, kinds["second"]: 1.0 - share})
 
 
 def _moments(body: Finished | Roughness, name: str, levels: Mapping[str, Any]) -> Moments:

@@ -1,6 +1,7 @@
 """Define finish classes, the typical roughness by manufacturing process, and read them from the files in finish_data/."""
 
-from collections.abc import Iterable
+import re
+from collections.abc import Iterable, Mapping
 from functools import cache
 from typing import Any, Literal, get_args
 
@@ -17,6 +18,8 @@ from stiction.quantities.table import QUANTITIES
 # Kinds of surfaces by their heights. "lay": rougher across than along; "two-scale": fine roughness on coarse.
 SurfaceKind = Literal["gaussian", "skewed", "worn", "lay", "two-scale"]
 SURFACE_KINDS: tuple[str, ...] = get_args(SurfaceKind)
+
+_SHARE_OF_KIND = re.compile(r"([01]\.\d+) (\S+)")
 
 # Quantities for which a finish states a range: Sq, asperity radius, rms slope and N R sigma.
 NUMBERS = ("rms_height", "asperity_radius", "rms_slope", "roughness_parameter")
@@ -75,14 +78,28 @@ def finish(name: str, /) -> Finish:
 def surface_kind_of(word: Any) -> str:
     """Return the kind of surface, one of SURFACE_KINDS, from the name of a kind ("worn") or of a finish ("ground").
 
-    Raises InputError for any other name.
+    A text from `mixture_of_kinds` is returned unchanged. Raises InputError for any other name.
     """
-    if isinstance(word, str) and word in SURFACE_KINDS:
+    if isinstance(word, str) and (word in SURFACE_KINDS or shares_of_kinds(word).keys() <= set(SURFACE_KINDS)):
         return word
     if isinstance(word, str) and word in _finishes():
         return _finishes()[word].surface_kind
     known = [*SURFACE_KINDS, *(name for name in finish_names() if name not in SURFACE_KINDS)]
     raise InputError("kind", word, "a kind of surface or a finish: " + nearest(word, known))
+
+
+def mixture_of_kinds(shares: Mapping[str, float]) -> str:
+    """Return a text for a surface between several kinds, e.g. "0.7 lay + 0.3 gaussian".
+
+    shares: share by the name of a kind or of a finish; the shares sum to 1.
+    """
+    return " + ".join(f"{share:.3f} {surface_kind_of(word)}" for word, share in shares.items())
+
+
+def shares_of_kinds(kind: str) -> dict[str, float]:
+    """Return the shares of the kinds in a text from `mixture_of_kinds`; one kind has the share 1."""
+    parts = [_SHARE_OF_KIND.fullmatch(part) for part in kind.split(" + ")]
+    return {part[2]: float(part[1]) for part in parts if part} if all(parts) else {kind: 1.0}
 
 
 def finishes(names: Iterable[str] | None = None) -> list[dict[str, Any]]:

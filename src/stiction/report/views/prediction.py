@@ -10,7 +10,7 @@ from rich.text import Text
 
 from stiction.report.answer import PREDICTION_HEADS, answer_lines, answer_record, beside_area, confidence_in, confidence_scale
 from stiction.report.files import comment_lines, record, write_csv
-from stiction.report.swept_tables import swept_table
+from stiction.report.swept_tables import combinations_shown, swept_table
 from stiction.report.table import facts
 from stiction.report.tables import curve_table
 from stiction.report.view import MOST_LINES, Picture, View, lines_of, picture, regime_picture
@@ -98,6 +98,8 @@ def _swept_view(case: "Case", data: "xarray.Dataset", details: bool) -> View:
             why = data.attrs["why_refused"]
             yield f"{refused} of {data['friction_coefficient'].size} points refused" + (f", for example: {why}" if why else "")
         yield swept_table(data, details)
+        if not details and (text := combinations_shown(data, "--details")):
+            yield Text(text, style="dim")
 
     files = {"curve.csv": partial(write_csv, data, comments=_comments(case, data))}
     drawn = picture("mu against the varied inputs", "swept_pictures.swept_figure", data, case.title)

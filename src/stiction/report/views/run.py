@@ -13,7 +13,7 @@ from stiction.quantities.sampling import spread_rows
 from stiction.quantities.table import QUANTITIES
 from stiction.report.answer import model_record
 from stiction.report.files import comments_of, record, write_csv
-from stiction.report.swept_tables import of_point, points_dimension, shown_quantity, swept_table, varied
+from stiction.report.swept_tables import combinations_shown, of_point, points_dimension, shown_quantity, swept_table, varied
 from stiction.report.table import Table, notes, numbers, short
 from stiction.report.tables import curve_table, in_brief, outside_validity, rows_shown, run_notes, run_summary
 from stiction.report.view import Picture, View, picture, regime_picture
@@ -127,7 +127,8 @@ def run_view(case: "Case", data: "xarray.Dataset", all_rows: bool = False) -> Vi
 def _parts(case: "Case", data: "xarray.Dataset", all_rows: bool) -> Iterator[Any]:
     table = swept_table(data, all_rows) if case.is_swept else curve_table(data, all_rows)
     yield from (run_summary(case, data), "", table, "")
-    if not all_rows and not case.is_swept and (text := rows_shown(data)):
+    text = combinations_shown(data, "--all-rows") if case.is_swept else rows_shown(data)
+    if text and not all_rows:
         yield from (Text(text, style="dim"), "")
     if "uncertain_inputs" in data.attrs:
         yield from (*band_lines(data), "")

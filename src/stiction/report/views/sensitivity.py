@@ -115,12 +115,16 @@ def share_tables(data: "xarray.Dataset") -> Iterator[Table]:
     yield log_sensitivities_table(data)
 
 
+def _uncertain_inputs(data: "xarray.Dataset") -> Iterator[Text]:
+    for line in data.attrs["uncertain_inputs"].splitlines():
+        yield Text(f"uncertain: {line}", style="dim")
+
+
 def sensitivity_notes(data: "xarray.Dataset") -> Iterator[Text]:
     """Yield notes: which inputs were varied and how, and the validity warnings at nominal inputs."""
     used = data.attrs
     if "input" in data.dims:
-        for line in used["uncertain_inputs"].splitlines():
-            yield Text(f"uncertain: {line}", style="dim")
+        yield from _uncertain_inputs(data)
         if used["methods"]:
             yield Text(f"methods of finding asperities, equally likely: {', '.join(used['methods'].split())}", style="dim")
         models = ", ".join(f"{name} {weight:.0%}" for name, weight in json.loads(used["models"]).items())
@@ -153,6 +157,7 @@ def sensitivity_view(data: "xarray.Dataset", groups: Mapping[str, float] | None 
     def parts() -> Iterator[Any]:
         if _SHARE in data:
             yield from (Text(f"{data.attrs['case']}: {headline(data)}".removeprefix(": "), style="bold"), *share_tables(data))
+            yield from _uncertain_inputs(data)
             return
         if "input" in data.dims:
             yield from (indices_table(data), "")

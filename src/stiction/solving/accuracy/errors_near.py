@@ -171,7 +171,7 @@ def _bare_errors(known: SolvedSet, errors: _Table, areas: _Table, place: Contact
     _, asked = areas.at(known, inside, solved_hardness)
     of_kind = known.of_kind(None if anywhere else place.kind)
     apart = [*([] if anywhere else differences(known, place)), of_pressure]
-    presumed = of_kind if place.kind_known or anywhere else known.gaussian
+    presumed = of_kind > 0.0 if place.kind_known or anywhere else known.gaussian
     return _averaged(found, there * real * of_kind, asked * of_kind * positive[:, None], apart, presumed)
 
 
@@ -202,7 +202,7 @@ def _film_errors(known: SolvedSet, errors: np.ndarray, place: ContactFeatures, l
     )
     found = found.reshape(len(found), -1)
     asked = (of_kind * (positive & like)[:, None]).astype(float)
-    presumed = of_kind if place.kind_known else gaussian
+    presumed = of_kind > 0.0 if place.kind_known else gaussian
     return _averaged(found, np.isfinite(found) * of_kind.astype(float), asked, film_differences(known, place), presumed)
 
 

@@ -11,6 +11,8 @@ from pathlib import Path
 
 import numpy as np
 
+from stiction.surfaces.finishes import shares_of_kinds
+
 FILE = Path(__file__).parent / "solved_set.npz"
 # Features of each surface: Nayak's alpha; skewness and kurtosis of its heights; root of the ratio of the eigenvalues of the
 # gradient tensor; rms gradient of the highest 5 % over that of all; sqrt(m2/m4) [m].
@@ -65,8 +67,15 @@ class SolvedSet:
 
     @cache  # noqa: B019
     def of_kind(self, kind: str | None) -> np.ndarray:
-        """Return a mask (s,) of the surfaces of a kind, a key of OF_KIND; True everywhere if the kind is None."""
-        return np.ones(len(self["kinds"]), dtype=bool) if kind is None else np.isin(self["kinds"], OF_KIND[kind])
+        """Return a mask (s,) of the surfaces of a kind, a key of OF_KIND; True everywhere if the kind is None.
+
+        For a mixture of kinds, it is a weight from 0 to 1 instead of a mask: all surfaces of one kind together have its share.
+        """
+        if kind is None or kind in OF_KIND:
+            return np.ones(len(self["kinds"]), dtype=bool) if kind is None else np.isin(self["kinds"], OF_KIND[kind])
+        masks = [(share, self.of_kind(name)) for name, share in shares_of_kinds(kind).items()]
+        weights = np.sum([share * mask / mask.sum() for share, mask in masks], axis=0)
+        return weights / weights.max()
 
     @cached_property
     def areas(self) -> np.ndarray:

@@ -167,7 +167,7 @@ def _path(name: str, content: Mapping, where: str) -> Address:
         return LOAD
     last = name.rpartition(".")[2]
     if last not in _NAMED:
-        return address_of(name, content, where)
+        return address_of(name, content, where, of_finish=True)
     table = subject_table(content)
     contact: Any = content.get("contact", {})
     named = {"coating.material", "coating.bodies", "material", "bodies", "first", "second"}

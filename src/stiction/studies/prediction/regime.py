@@ -196,14 +196,19 @@ def next_step(shares: Mapping[str, float], mixture: Mixture) -> str:
     largest = max(shares, key=lambda name: shares[name], default="")
     if len(mixture.strength.states) > 1:
         if largest == "area model" and _kind_is_missing(mixture):
-            return 'state the kind of surface, e.g. kind = "ground", and the interface (stiction interfaces)'
+            return f"{_state_kind(mixture)}, and the interface (stiction interfaces)"
         return "state the interface (stiction interfaces), or measure mu once: stiction fit CASE.toml --data FILE"
     if not shares:
         return ""
     if _kind_is_missing(mixture) and shares.get("area model", 0.0) > _MUCH:
-        kind = 'state the kind of surface, e.g. kind = "ground"'
+        kind = _state_kind(mixture)
         return f"{kind}, or give a scan" if largest == "area model" else f"{kind}; then {_step(largest)}"
     return _step(largest)
+
+
+def _state_kind(mixture: Mixture) -> str:
+    of_each = " of each body" if mixture.sampled.contact.roughness.part("second") is not None else ""
+    return f'state the kind of surface{of_each}, e.g. kind = "ground"'
 
 
 def _step(part: str) -> str:

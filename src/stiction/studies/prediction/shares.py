@@ -7,6 +7,7 @@ import numpy as np
 from stiction.studies.prediction.levels import PARTS, Levels
 from stiction.studies.prediction.mixture import Mixture
 
+_STRENGTH = "interfacial_shear_strength"
 _EXCHANGES = range(8)  # seeds of random orders of exchange; samples shifted by a fixed number would stay correlated
 _LEAST = 0.005  # smallest fraction of the variance that is returned
 _ROUND_OFF = 1e-10  # variance of ln mu that counts as none: mu varies by less than 1e-5 of itself
@@ -32,6 +33,8 @@ def shares_of_variance(mixture: Mixture, levels: Levels, index: int) -> dict[str
     variances = {part: _total(log_mu, levels, part, reference) for part in PARTS if part != "inputs" or levels.inputs.size}
     if "inputs" in variances:
         variances |= _of_each_input(mixture, levels, log_mu, variances.pop("inputs"))
+    if _STRENGTH in variances:  # one name for a stated strength and for its scatter near the strength of the body
+        variances[_STRENGTH] += variances.pop("interface")
     total = sum(variances.values())
     if not total > _ROUND_OFF:
         return {}

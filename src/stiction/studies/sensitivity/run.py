@@ -127,7 +127,8 @@ def _of_prediction(case: Case, load: float) -> "xarray.Dataset":
     }
     found = xarray.Dataset(variables, coords={"input": list(shares), "number": list(slopes), "load": answer["load"]})
     found = found.assign({name: answer[name] for name in answer if answer[name].ndim == 0})
-    return found.assign_attrs(answer.attrs | {"case": case.title, "model": RECOMMENDED})
+    stated = sampling_attributes(case)["uncertain_inputs"]
+    return found.assign_attrs(answer.attrs | {"case": case.title, "model": RECOMMENDED, "uncertain_inputs": stated})
 
 
 def _at_few_loads(case: Case, working: float | None) -> Case:
