@@ -60,13 +60,14 @@ _LEFT, _OF_TENSION = 0.1 * MOST_ATTRACTION_LEFT, 3e-3
 class AdhesiveContact:
     """Store the adhesive contact of a map at one load.
 
-    load [N], > 0 if pressed together. area: contact area, corrected for pixel size [m2]. area_pixels: contact area without this
-    correction [m2]. points: number of points in contact. perimeter: length of the contact edge [m]. mean_gap: mean distance of
-    the faces [m], infinite if they have separated. attraction: sum of the attractive forces at all points, also at those in
-    contact [N]. detached: whether there is no contact at this load; the area is then 0. residual: largest pressure error at
-    points that are open or should open, divided by the largest attraction. points_at_edge: number of points along the length
-    over which the contact edge is pulled. validity_warnings: limits of the solver that this solution exceeds. pressure: contact
-    pressure minus attraction [Pa], (rows, columns) of the solved grid, which is at least as fine as the map.
+    load [N], > 0 if pressed together. area: contact area, corrected for pixel size [m2]. area_pixels: contact area without
+    this correction [m2]. points: number of points in contact. perimeter: length of the contact edge [m]. mean_gap: mean
+    distance of the faces [m], infinite if they have separated. attraction: sum of the attractive forces at all points, also at
+    those in contact [N]. detached: whether there is no contact at this load; the area is then 0. residual: largest pressure
+    error at points that are open or should open, divided by the largest attraction. points_at_edge: number of points across
+    the zone at the contact edge where attraction acts on open faces (cohesive zone). validity_warnings: limits of the solver
+    that this solution exceeds. pressure: contact pressure minus attraction [Pa], (rows, columns) of the solved grid, which is
+    at least as fine as the map.
     """
 
     load: float
@@ -204,7 +205,7 @@ class _Grid:
     """Store the quantities of an adhesive map that are the same at all loads.
 
     size: (y, x) [m]. largest: largest attraction [Pa], work of adhesion over range. reach: range of attraction [m]. points:
-    number of points along the length over which the contact edge is pulled.
+    number of points across the cohesive zone at the contact edge.
     """
 
     size: tuple[float, float]
@@ -242,8 +243,8 @@ class _Grid:
 def _between_points(heights: np.ndarray, size: tuple[float, float], edge: float) -> np.ndarray:
     """Return the heights (rows, columns) [m] on a grid fine enough for the contact edge, by Fourier interpolation.
 
-    size: (y, x) of the map [m]. edge: length over which the contact edge is pulled [m]. The map is returned unchanged if it is
-    fine enough, or if it would need more than 2.5 times as many points along a side.
+    size: (y, x) of the map [m]. edge: width of the cohesive zone at the contact edge [m]. The map is returned unchanged if it
+    is fine enough, or if it would need more than 2.5 times as many points along a side.
     """
     finer = LEAST_POINTS * coarsest_pitch(heights.shape, size) / edge
     if not 1.0 + 1e-9 < finer <= _BETWEEN:

@@ -1,9 +1,9 @@
 """Solve one adhesive periodic map, with results of the same type as without adhesion.
 
 The faces attract each other over a range rho (see `adhesive`). The option "atomic_range" is the range of atomic forces, which
-few maps resolve. "shortest_range" is the shortest range that the points of the map resolve: two points along the length E*
-rho^2/w over which the contact edge is pulled (w: work of adhesion). The shorter the range, the closer the result is to Johnson,
-Kendall & Roberts.
+few maps resolve. "shortest_range" is the shortest range that the points of the map resolve: two points across the cohesive
+zone at the contact edge, whose width is E* rho^2/w (w: work of adhesion). The shorter the range, the closer the result is to
+Johnson, Kendall & Roberts.
 """
 
 import math

@@ -39,7 +39,7 @@ _COUNTED = 0.1  # weight over that of the nearest surface from which a surface c
 
 
 class ErrorsNear(NamedTuple):
-    """Store the measured errors ln(A/solved A) of a model's contact area A at k points of a contact.
+    """Store the measured errors ln(A/solved A) of a model's contact area A, at k points (a contact at a load each).
 
     levels: quantiles (k, 5) at the probabilities LEVELS over the nearby solved surfaces. relative: root mean square of A/solved
     A - 1. middle: mean of the error over nearby surfaces of the stated kind, or over Gaussian surfaces if neither map nor kind
@@ -131,7 +131,7 @@ def _tables(known: SolvedSet, column: str) -> tuple[_Table, _Table]:
 
 
 def bare_errors(known: SolvedSet, column: str, place: ContactFeatures, anywhere: bool) -> ErrorsNear | None:
-    """Return the errors of a model near each of k points, on surfaces without a film; None if the model was not measured.
+    """Return the errors of a model at k points, from nearby surfaces without a film; None if the model was not measured.
 
     known: the benchmark set. column: "model|asperity method", a column of the set. place: features of the contact at k points.
     anywhere: True for a solution of the map, which is equally accurate on any surface; then only the pressure decides how near

@@ -117,7 +117,7 @@ def _outside(ranges: Mapping[str, tuple[float, float]], given: Mapping[str, np.n
 def on_solved_maps(problem: Problem, points: int) -> ErrorsNear | None:
     """Return the errors of the area law for films on solved maps with similar films; None for other models.
 
-    points: number of points of each contact, which all get the same errors. Other models are measured on surfaces without a
+    points: number of loads of each contact, all of which get the same errors. Other models are measured on surfaces without a
     film. Source: truth/films.csv. A film thinner or thicker than the solved ones gets the errors at the end of the solved
     range: there the law approaches the law of the bare body, or of the film alone. A modulus outside the solved range increases
     the distance.

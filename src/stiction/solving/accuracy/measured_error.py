@@ -56,7 +56,7 @@ _SUM = "greenwood_williamson_1966"
 
 @dataclass(frozen=True)
 class MeasuredErrors:
-    """Store the measured errors of a model's contact area A at k points of a contact; arrays are (k,) unless stated.
+    """Store the measured errors of a model's contact area A at k points (contacts at a load); arrays (k,) unless stated.
 
     levels: quantiles (k, 5) at the probabilities errors_near.LEVELS of ln(A/solved A) over the nearest surfaces, however far
     they are; NaN where nothing was measured. relative: root mean square of A/solved A - 1 over these surfaces. area: mean of
@@ -264,7 +264,7 @@ def _sample_error(surface: "HeightMap", place: ContactFeatures, most_points: flo
 def _near(problem: Problem, column: str, place: ContactFeatures, points: int, area: np.ndarray) -> ErrorsNear | None:
     """Return the errors measured near each point of the contacts; None for a model that was not measured.
 
-    column: "model|asperity method". place: features of the contact at all points. points: number of points of each contact.
+    column: "model|asperity method". place: features of the contact at all points. points: number of loads of each contact.
     area: normalised contact area.
     """
     known = solved_set()
@@ -278,7 +278,7 @@ def _on_other_maps(problem: Problem, place: ContactFeatures, points: int, area: 
     """Return the errors of an area law for films, measured on maps with films; None if it was not measured.
 
     Source: truth/films.csv. The errors are zero for a closed form whose own map is solvable. Without a map they are wider, as
-    the surface may not be Gaussian like the maps; a stated kind shifts them. points: number per contact.
+    the surface may not be Gaussian like the maps; a stated kind shifts them. points: loads per contact.
     """
     found = on_solved_maps(problem, points)
     surface = problem.map if isinstance(problem, ClosedFormProblem) else None

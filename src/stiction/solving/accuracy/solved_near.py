@@ -44,7 +44,7 @@ _OVER_STIFFNESS, _OVER_HARDNESS = "nominal pressure over E* times rms slope", "n
 
 @dataclass(frozen=True)
 class ContactFeatures:
-    """Store the features of a contact at k points that are compared with solved surfaces.
+    """Store the features that are compared with solved surfaces, at k points (a contact at a load each).
 
     pressure, hardness (k,): divided by E* h', with h' the rms slope. alpha (k,): Nayak's parameter. shape: skewness, lay and
     slope of the top of the map; None without a map. modulus (k,): film modulus over substrate modulus. thickness (k,): of the

@@ -183,8 +183,8 @@ def _fill_kinks(level, end, nu, K_beta, printed, unloading, kinks):
     = 2/3) on at which slip and yield resistance are equal. With `unloading` the segment starts at a smaller v, and six columns
     follow: the v at which the slip resistance vanishes, the v of first touch, and four v below it at which both resistances
     are equal. A crossing that does not exist is replaced by the upper end of its interval. level (n,): value of the function G
-    of the module at which both are equal. nu (n,): Poisson's ratio. K_beta (n,): (4/3) E* times the tangential compliance.
-    printed: as in `_numerator`.
+    of the module at which both are equal. nu (n,): Poisson's ratio. K_beta (n,): (4/3) E* times the tangential compliance and
+    the mode-mixity share. printed: as in `_numerator`.
     """
     touch = _TOUCH ** (1.0 / 3.0)
     down, up, shape = touch, touch, (0.0, 0.0, 0.0)
