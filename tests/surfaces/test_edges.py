@@ -190,7 +190,7 @@ def test_the_shortest_wave_kept_may_be_just_two_pitches_and_the_longest_the_size
         profile = HeightMap(wavy(1, count).heights, (1e-7, metres(length, "size")))
         assert filter_band(profile, shortest="0.2 um", longest=length).missing == 0
         for wrong in ({"shortest": "0.1999998 um"}, {"longest": f"{count / 10 * 1.000001:.8f} um"}):
-            with refusal(next(iter(wrong)), "2e-07 m"):
+            with refusal(*next(iter(wrong.items())), "200 nm"):
                 filter_band(profile, **wrong)
 
 

@@ -283,6 +283,11 @@ def filter_period(surface: HeightMap, shortest=None, longest=None) -> HeightMap:
     return surface.with_heights(heights, f"{band}, going on over the ends")
 
 
+def _as_given(given, length: float) -> str:
+    """Return a length for an error: the text of the user, or a number [m] with a prefixed unit."""
+    return given if isinstance(given, str) else InWords(show(length, "scan_size"))
+
+
 def _band(surface: HeightMap, shortest: Any, longest: Any) -> tuple[float | None, float | None, str]:
     """Return both cutoffs of a filter [m], None for an open end, and a description of the filter.
 
@@ -294,13 +299,12 @@ def _band(surface: HeightMap, shortest: Any, longest: Any) -> tuple[float | None
         raise InputError("band", None, "the shortest wavelength, the longest, or both")
     finest = 2.0 * surface.coarsest_pitch
     size = surface.size[1] if surface.is_profile else max(surface.size)
-    for name, end in (("shortest", low), ("longest", high)):
+    for name, given, end in (("shortest", shortest, low), ("longest", longest, high)):
         if end is not None and not finest * (1.0 - 1e-9) <= end <= size * (1.0 + 1e-9):
             allowed = f"{show(finest, 'scan_size')} (twice the pitch) to {show(size, 'scan_size')} (the size)"
-            raise InputError(name, InWords(show(end, "scan_size")), allowed)
+            raise InputError(name, _as_given(given, end), allowed)
     if low is not None and high is not None and not low < high:
-        allowed = f"more than {show(low, 'scan_size')}, the shortest wavelength"
-        raise InputError("longest", InWords(show(high, "scan_size")), allowed)
+        raise InputError("longest", _as_given(longest, high), f"more than {show(low, 'scan_size')}, the shortest wavelength")
     ends = " to ".join("all" if end is None else show(end, "scan_size") for end in (low, high))
     return low, high, f"filtered to wavelengths {ends}: Gaussian ISO 16610, 50 % at the cutoffs"
 
