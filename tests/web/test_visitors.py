@@ -64,8 +64,8 @@ def test_a_guessed_visitor_is_not_let_in(server):
 
 def test_who_leaves_within_a_computation_does_not_change_the_answer_of_another(server):
     answer = solved(Query(OTHER))
-    mu = headline(answer, answer.middle())[0]
-    assert mu != headline(solved(Query(first_case())), answer.middle())[0]
+    mu = headline(answer, answer.middle())[0].removeprefix("mu ")  # the page has a Greek letter
+    assert mu != headline(solved(Query(first_case())), answer.middle())[0].removeprefix("mu ")
     pages = _asked(server, encoded(OTHER), "", encoded(OTHER), encoded(OTHER), leaves=(0, 1, 2))
     assert pages[:3] == [None] * 3 and mu in pages[3]
     assert mu in _asked(server, encoded(OTHER))[0]
