@@ -377,7 +377,7 @@ class Groups(_Arrays):
     def of(cls, indices: Indices) -> tuple["Groups", dict[str, int]]:
         """Return the groups of all n combinations of array inputs, and name -> length of their dimensions.
 
-        The shear strength of the weaker touching surface caps the one of the interface.
+        The shear strength of the interface is limited to the strength of the weaker touching surface.
         """
         whole = indices.resolved()
         values = {name: getattr(whole, name) for name in cls.model_fields} | {"shear_strength": whole.interface_strength}

@@ -149,8 +149,9 @@ def _find_lowest(way, lowest, nodes):
 def _between(target, far, near, load_far, load_near, slope_far, slope_near):
     """Return the separation between `far` and `near` at which the interpolated load equals `target`.
 
-    far, near: neighbouring separations over sigma, far the larger. A cubic is fitted to the loads and their slopes by the
-    separation at both ends; to the logarithm of the load if the loads are compressive.
+    far, near: neighbouring separations over sigma, far the larger. load_far, load_near, slope_far, slope_near: loads there,
+    and their derivatives by the separation. A cubic is fitted to these four numbers; to the logarithm of the load if the loads
+    are compressive.
     """
     span = far - near
     if load_far > 0.0:

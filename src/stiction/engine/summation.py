@@ -266,8 +266,8 @@ def _on_grid(regimes, h, heights, sums, threads) -> None:
 def _by_skeleton(regimes, h, heights, sums, threads) -> bool:
     """Fill `sums` (n, 5 or 3, H) by extending sums at a few separations to all by a matrix; return whether this was possible.
 
-    The rows are those of `_on_grid`. False is returned, and `sums` stays as it is, if no matrix is accurate enough for these
-    separations.
+    regimes, h, heights, threads, and the rows of `sums`: as in `_on_grid`. False is returned, and `sums` stays as it is, if no
+    matrix is accurate enough for these separations.
     """
     # Heights that are negligible in the total may matter for one quantity, so the window is three times as wide as usual,
     # down to densities of exp(-9 NEGLIGIBLE).

@@ -317,9 +317,9 @@ def takes_surface_moments(model: str) -> bool:
 def make_problem(subject: Subject, choice: Choice, heights: Heights | str | None = None, threads: int = 1) -> Problem:
     """Combine contacts, a model and a height distribution into a problem, and return it.
 
-    heights: distribution or its name; None for the distribution of the contact. The last problems of one or a few contacts are
-    cached, because preparing a problem takes longer than solving it. Raises InputError for values that the model does not
-    support.
+    subject: the contacts. choice: model, laws and options. threads: number of threads of the engine. heights: distribution or
+    its name; None for the distribution of the contact. The last problems of one or a few contacts are cached, because
+    preparing a problem takes longer than solving it. Raises InputError for values that the model does not support.
     """
     check_threads(threads)
     if not (heights is None or isinstance(heights, str | Heights)):

@@ -49,8 +49,8 @@ FULLY_PLASTIC = 110.0  # omega over omega_c
 def power_law(u, load_factor, load_power, area_factor, area_power):
     """Return displacement w, dw/du, load and contact area of an asperity in one fitted range of displacement, at u = sqrt(w).
 
-    Load and area are each a factor times a power of w. w is over sigma, the load over K R^(1/2) sigma^(3/2), the area over
-    pi R sigma.
+    The load is load_factor w^load_power, the area area_factor w^area_power. w is over sigma, the load over K R^(1/2)
+    sigma^(3/2), the area over pi R sigma.
     """
     w = u * u
     return w, 2.0 * u, load_factor * w**load_power, area_factor * w**area_power

@@ -226,9 +226,9 @@ _halve = halving(_is_lost)
 def _fill_origin(theta, eta_y, u_y, first, distance, out):
     """Fill `out` (n,) with the coordinate U above which yielded asperities are still in contact after the separation increased.
 
-    U: coordinate at the end of loading, U^4 = a^2/(R sigma). first: U of the first yielded asperity. distance: increase of the
-    separation over sigma. If all yielded asperities are in contact, the result is below `first`, at 0.9 of it or more, so that
-    the square root of U minus the result is smooth.
+    U: coordinate at the end of loading, U^4 = a^2/(R sigma). theta, eta_y, u_y (n,): as in `normal`. first (n,): U of the
+    first yielded asperity. distance (n,): increase of the separation over sigma. If all yielded asperities are in contact, the
+    result is below `first`, at 0.9 of it or more, so that the square root of U minus the result is smooth.
     """
     for i in range(out.size):
         arguments = _adhesion(theta[i]), eta_y[i], u_y[i], distance[i]

@@ -269,7 +269,8 @@ def _faces(heights, size, compliance, work, reach) -> Faces:
 def _without_adhesion(heights, size, compliance, mean) -> np.ndarray:
     """Return the gap (rows, columns) [m] of the same contact without adhesion.
 
-    mean: mean pressure [Pa]; if it is too small to be solved, a small positive pressure is used instead.
+    heights: (rows, columns) [m]. size: (y, x) [m]. mean: mean pressure [Pa]; if it is too small to be solved, a small positive
+    pressure is used instead.
     """
     length = rms_step(heights)
     least = 1e-3 * length / (size[0] / heights.shape[0]) / compliance.near

@@ -273,8 +273,9 @@ def _reporting(progress, index, loads):
 def _from_coarser(request, compliance, boundary, mean, heights) -> np.ndarray:
     """Return a start pressure (rows, columns) [Pa], interpolated from the solution of every second point.
 
-    mean: mean pressure [Pa]. The function calls itself for the coarser map. A small map, or one with an odd number of rows or
-    columns, starts with a uniform pressure.
+    request: arguments of `solve_map`. boundary: class of the compliance operator. mean: mean pressure [Pa]. heights: (rows,
+    columns) [m]. The function calls itself for the coarser map. A small map, or one with an odd number of rows or columns,
+    starts with a uniform pressure.
     """
     if min(heights.shape) < 2 * _COARSE or any(count % 2 for count in heights.shape):
         return on_device(np.full(heights.shape, mean), request.how.device)

@@ -70,7 +70,8 @@ def response_of(
 ) -> Response:
     """Return the response from the coefficients (n,) of the three solutions, and from sums over the excess compliance.
 
-    to_edge, to_edge_slope: sums (n,) that give edge values and their slopes. edge: the sum over squared edge values.
+    g_0, g_2, wider, to_edge: from `_solve`. to_edge_slope: derivative of `to_edge` by the coordinate s at the edge. edge: sum
+    of the excess compliance times squared edge values.
     """
     edge_0, edge_2 = 1.0 - to_edge @ g_0, 1.0 - to_edge @ g_2
     slope_0, slope_2 = -to_edge_slope @ g_0, 2.0 - to_edge_slope @ g_2

@@ -85,7 +85,11 @@ def _add_zeros(which, places, values, law, out, count):
 
 @formula
 def _sample_loads(law, edges, count, places, loads, slopes):
-    """Sample load and slope at INNER coordinates in each segment between the first `count` edges, into the last arrays."""
+    """Sample load and slope at INNER coordinates in each segment between the first `count` edges.
+
+    law: parameters of an asperity on a graded film. places, loads, slopes: filled with the coordinates u, and with loads and
+    slopes from `load_before_plateaus`.
+    """
     for segment in range(count - 1):
         low, high = edges[segment], edges[segment + 1]
         inner = places[segment * INNER :]
@@ -131,7 +135,7 @@ def _descent(low, high, law):
 def _first_flowing(part, count):
     """Return the index of the first segment in which the asperity flows plastically, or of the last edge if there is none.
 
-    part: number of the part for each segment; odd numbers are plastic. count: number of edges.
+    part: material and state of each segment, from `_name_parts`; odd numbers are plastic. count: number of edges.
     """
     first = 0
     while first < count - 1 and (part[first] < 0 or part[first] % 2 == 0):
