@@ -1,6 +1,5 @@
 """Define the class Contact, which computes the dimensionless groups of two rough bodies (docs/explanation/theory.md)."""
 
-import operator
 from functools import cached_property, reduce
 from math import pi
 from typing import TYPE_CHECKING, Any
@@ -71,8 +70,8 @@ class Contact(Subject):
 
     Notes
     -----
-    Every number may be an array with a named dimension (`stiction.axis`). The softer body decides the strength;
-    of two equally hard bodies the one with the lower yield stress, then Poisson's ratio, then tangent modulus.
+    Every number may be an array with a named dimension (`stiction.axis`). The softer body decides the strength; of equally hard
+    bodies the one with the lower yield stress, then Poisson's ratio, then tangent modulus.
 
     Examples
     --------
@@ -127,12 +126,10 @@ class Contact(Subject):
         film = None if self.coating is None else self.coating.work_of_adhesion
         if film is None or np.all((np.asarray(film) > 0.0) == some.any()):
             return
-        wanted = (
-            "above 0, because work_of_adhesion of the contact is above 0"
-            if some.any()
-            else "no value, because work_of_adhesion of the contact is 0 or not stated"
-        )
-        raise InputError("coating.work_of_adhesion", "0" if some.any() else "above 0", wanted)
+        wrong = "0", "above 0, because work_of_adhesion of the contact is above 0"
+        if not some.any():
+            wrong = "above 0", "no value, because work_of_adhesion of the contact is 0 or not stated"
+        raise InputError("coating.work_of_adhesion", *wrong)
 
     @property
     def adheres(self) -> bool:
@@ -159,9 +156,9 @@ class Contact(Subject):
     @property
     def impossible(self) -> Any:
         with np.errstate(all="ignore"):
-            groups = {name: value for name, value in self.unlabelled._groups().items() if value is not None}
-        outside = (np.logical_not(QUANTITIES[name].holds(value)) for name, value in groups.items())
-        return reduce(operator.or_, outside, np.False_)
+            groups = self.unlabelled._groups().items()
+        outside = (np.logical_not(QUANTITIES[name].holds(value)) for name, value in groups if value is not None)
+        return reduce(np.logical_or, outside, np.False_)
 
     def known(self, name: str) -> object:
         """Return the property or dimensionless group called `name`; None if the contact does not determine it."""
@@ -193,10 +190,7 @@ class Contact(Subject):
         return groups if self.coating is None else groups | self._film_groups(self.coating, bare)
 
     def _adhesion(self, bare: "Pair") -> dict[str, Any]:
-        """Return the adhesion indices theta and lambda and Tabor's parameter; without adhesion, the hardness group instead.
-
-        bare: both bodies without a film.
-        """
+        """Return theta, lambda and Tabor's parameter of the bodies without a film; without adhesion, the hardness group."""
         sigma, radius, gamma = self._sigma, self._radius, self.work_of_adhesion
         if gamma is None or not self.adheres:
             return {"hardness_group": pi * bare.hardness * (radius / sigma) ** 0.5 / bare.K}
