@@ -136,6 +136,8 @@ def draw(
             possible = _are_possible(cases[index], numbers, choice, len(some))
         _keep(draws, some[~possible], None)
         some = some[possible]
+        if not some.size:
+            continue
         numbers = case.numbers_at(shares[some])
         for region, _, solved in evaluate_many(cases[index], numbers, points, choice, names, along=(SAMPLE,)):
             _keep(draws, some[region.get(SAMPLE, slice(None))], solved)
