@@ -49,8 +49,9 @@ def size_ratio(body: Material, radius):
 def at_radius(body: Material, radius) -> Material:
     """Return a material with the hardness that it has under asperities of this radius [m].
 
-    Hardness and yield stress are raised by the factor sqrt(1 + R*/R); elastic moduli are unchanged. A material without a
-    characteristic depth is returned unchanged.
+    Hardness and yield stress are raised by the factor sqrt(1 + R*/R), where R* is `radius_of(characteristic_depth)`; elastic
+    moduli are unchanged. The result has no characteristic depth and no ranges any more. A material without a characteristic
+    depth is returned unchanged.
     """
     if body.characteristic_depth is None:
         return body

@@ -296,10 +296,11 @@ def summing(density: Callable, totals: bool) -> Any:
 
     @kernel
     def sum_rows(h, reach, shape, nodes, wanted, out):
-        """Fill out[i, row, k] with the sum of law i at the mean separation h[k], over sigma, wherever wanted[i, k] is True.
+        """Fill out[i, row, k] with sum number `row` of law i at the mean separation h[k], over sigma, if wanted[i, k] is True.
 
-        nodes: displacements, weights times summed values, and numbers of nodes of the laws. shape: parameters of the height
-        density. reach[k]: displacement beyond which nodes are skipped at h[k].
+        The rows are listed in `summing`. nodes: three arrays, displacements (i, node), integration weight times each quantity
+        (i, row, node), and number of nodes of each law (i). shape: parameters of the height density. reach[k]: displacement
+        beyond which nodes are skipped at h[k].
         """
         places, values, used = nodes
         last = values.shape[1] - 1

@@ -16,9 +16,14 @@ NEAR_YIELD = Validity(
 )  # fmt: skip
 SOFT_FILM = Validity("n_H", 0.0, 1.0, "the law assumes a film that is softer than the substrate")
 PLASTIC_FILM = Validity("film_plasticity_index", 1.0, math.inf, "the film is modelled as plastic at any load", "effect")
-THIN_LAYER = Validity("load_share_beyond_film", 0.5, 1.0, "the law assumes a thin film: contact radius above film thickness")
+THIN_LAYER = Validity(
+    "load_share_beyond_film", 0.5, 1.0, "the law assumes a thin film, which needs a contact radius above the film thickness"
+)
 DEEP_FILM = Validity(
-    "load_share_beyond_film", 0.0, 0.5, "the law treats the film as a half-space: contact radius below film thickness"
+    "load_share_beyond_film",
+    0.0,
+    0.5,
+    "the law treats the film as a half-space, which needs a contact radius below the film thickness",
 )
 ENOUGH_SUMMITS = Validity(
     "roughness_parameter", LEAST_DENSITY, math.inf, "an isotropic Gaussian surface cannot have fewer asperities"

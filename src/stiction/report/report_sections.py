@@ -113,7 +113,7 @@ def _material(subject: Any, part: str) -> Material | None:
 
 
 def _range(material: Material | None, name: str, counted: bool) -> str:
-    """State the known range of a material property, and whether the interval of mu includes it; "" without a range."""
+    """State the known range of a property, and whether the interval of mu includes its effect (counted); "" without a range."""
     if material is None or name not in material.range:
         return ""
     known = range_in_words(*material.range[name], name)

@@ -155,10 +155,11 @@ def _of_block(problem: Problem, targets: np.ndarray, refuse: bool) -> tuple[Inve
 
 
 def _quickly(problem: AsperitySum, targets: np.ndarray) -> tuple[Inversion, np.ndarray, np.ndarray]:
-    """Find the separations at the loads targets (n, m) with the fast method for Gaussian heights.
+    """Find the separations at the loads `targets` (n, m) with the fast method for Gaussian heights.
 
-    Returns the separations with their residuals, as an `Inversion`; a mask (n,) of the contacts for which the method
-    succeeded; and the five sums over asperities at these separations (regimes, n, m, 5), NaN where they were not computed.
+    Returns the separations with their residuals, as an `Inversion`; a mask (n,) of the contacts for which the method succeeded;
+    and five sums over asperities at these separations (regimes, n, m, 5), NaN where they were not computed: number touching,
+    load, area, slip-limited and yield-limited resistance.
     """
     start, (tension, where, holds) = problem.approach.starts(targets), problem.largest_tension
     carried = np.where((tension > 0.0)[:, None], targets >= -tension[:, None], targets > 0.0)

@@ -32,7 +32,7 @@ class SolvableMaps:
         return max((one.heights.size for one in self.maps.values()), default=0)
 
     def filled(self) -> "list[HeightMap]":
-        """Return the maps with missing points at their mean height; profiles are left out."""
+        """Return the maps without profiles; missing points of a map get the mean height of this map."""
         maps = [one for one in self.maps.values() if not one.is_profile]
         return [replace(one, heights=np.where(np.isnan(one.heights), np.nanmean(one.heights), one.heights)) for one in maps]
 

@@ -102,7 +102,7 @@ class SurfaceTab:
             self._used = attributes(ui.switch(use, on_change=self._released), aria_label=use)
 
     def _handle(self, name: str) -> tuple[Any, Any]:
-        """Add a slider for one cutoff below the spectrum, and return the slider and its label.
+        """Add, below the chart of the spectrum, a slider for one cutoff; return the slider and its label.
 
         name: "longest" or "shortest" wavelength. The slider spans the axis of the chart, so that its position is a wavevector.
         """

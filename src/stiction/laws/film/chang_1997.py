@@ -107,9 +107,14 @@ NO_ADHESION = {"no adhesion": "it needs an asperity law without adhesion"}
 
 # Ranges outside which the law fails: for a film of no thickness, and if not all of the film is plastic.
 FLOWING = (
-    Validity("tau", 0.1, math.inf, "the ring of film around each contact carries too much load, however thin the film"),
+    Validity("tau", 0.1, math.inf, "the load on the film around each contact is too high, and does not vanish for thin films"),
     Validity("film_plasticity_index", 8.0, math.inf, "the film is modelled as plastic from first touch"),
-    Validity("load_share_substrate", 0.75, 1.0, "the load on the film is computed with its full hardness"),
+    Validity(
+        "load_share_substrate",
+        0.75,
+        1.0,
+        "the film is assumed to carry its full hardness everywhere, which overestimates its load",
+    ),
 )
 
 DEPARTURES = (

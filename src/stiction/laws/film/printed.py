@@ -134,7 +134,12 @@ RECORD = FilmLaw(
     validity=(
         DEEP_FILM,
         Validity("load_share_substrate", 0.0, 0.1, "the substrate terms of the paper do not describe a substrate below a film"),
-        Validity("n_E", 0.9, 1.1, "loads of film and substrate are added, each in its own unit: right only for equal moduli"),
+        Validity(
+            "n_E",
+            0.9,
+            1.1,
+            "loads of film and substrate are added although each is divided by its own modulus: right only for equal moduli",
+        ),
     ),
     wants={"2015": "it needs the asperity law roy_chowdhury_ghosh_1994"},
     own_asperity=True,

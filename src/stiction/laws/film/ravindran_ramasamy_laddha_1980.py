@@ -66,10 +66,11 @@ def shared(u, stiffness):
 
 
 def rise(groups: Groups) -> np.ndarray:
-    """Return the factor q (n,) in the pressure q n_H sqrt(w/tau) eta that film and substrate share.
+    """Return the factor q (n,) in the mean pressure q n_H sqrt(w/tau) eta while film and substrate carry the load together.
 
-    w, tau: displacement and film thickness over sigma. n_H: hardness of the film over the substrate's. eta: hardness group. q
-    follows from the friction constant C, because C over K sqrt(R sigma) is 2 eta (tau_0/H)^3/(q n_H)^2. Without C it is 1.
+    The pressure is in the unit of load over area. w: displacement over sigma. tau: film thickness over sigma. n_H: hardness of
+    the film over the hardness H of the substrate. eta: hardness group. With the film's shear strength tau_0, q follows from the
+    friction constant C: C over K sqrt(R sigma) is 2 eta (tau_0/H)^3/(q n_H)^2. Without C, q is 1.
     """
     constant = groups.film_friction_constant
     if constant is None:

@@ -152,9 +152,10 @@ def loss_share(s):
 
 @formula
 def resistance(u, w, load, area, K_beta):
-    """Return the dimensionless tangential stiffness of one asperity at zero force, and 0; the engine sums both.
+    """Return (stiffness, 0), with the tangential stiffness of one asperity at zero tangential force, as in `stiffness`.
 
-    u, w, load: not used. area: contact area over pi R sigma. K_beta: K = (4/3) E* times the tangential compliance of the pair.
+    The engine always sums two numbers, see `TangentialResistance`; the second is not needed here. u, w, load: not used. area:
+    contact area over pi R sigma. K_beta: K = (4/3) E* times the tangential compliance of the pair.
     """
     return stiffness(area, K_beta), 0.0
 

@@ -71,8 +71,9 @@ def on_axis(w_ratio, nu, K_H):
     """Return the friction coefficient, tangential over normal force, at which a Hertz contact yields on its axis.
 
     w_ratio: displacement over the displacement at first yield without shear. K_H: largest pressure at that yield over the
-    hardness. nu: Poisson's ratio. The condition is (f p0)^2 + 3 (c1 q0)^2 = Y^2, with the largest pressure p0, the largest
-    traction q0 and the von Mises stress f p0 on the axis without shear.
+    hardness. nu: Poisson's ratio. At yield (f p0)^2 + 3 (c1 q0)^2 = Y^2, with the yield stress Y. Without shear, the von Mises
+    stress on the axis is f times the largest pressure p0. The largest traction q0 causes the shear stress c1 q0 there, see
+    `axis_coefficient`.
     """
     return _ON_AXIS / (K_H * abs(axis_coefficient(nu))) * math.sqrt(max(1.0 / w_ratio - 1.0, 0.0))
 

@@ -58,10 +58,10 @@ def slip_resistance(load, theta, K_beta):
 
 @formula
 def slip_resistance_printed(x, theta, K_beta):
-    """Return the tangential force at which a JKR contact peels by eq (10) of the 2015 paper exactly as printed.
+    """Return the tangential force at which a JKR contact peels by eq (10) of soft_coating_2015, exactly as printed.
 
-    T = 4 (K beta)^(-1/2) sqrt((2 pi/theta) x^(3/2) - 3 pi^2/theta^2). x: a^2/(R sigma), with the contact radius a. theta:
-    elastic adhesion index. K_beta: K = (4/3) E* times the tangential compliance beta of the pair.
+    T = 4 (K beta)^(-1/2) sqrt((2 pi/theta) x^(3/2) - 3 pi^2/theta^2), over K R^(1/2) sigma^(3/2). x: a^2/(R sigma), with the
+    contact radius a. theta: elastic adhesion index. K_beta: K = (4/3) E* times the tangential compliance beta of the pair.
     """
     hertz = x * math.sqrt(x)
     return 4.0 * math.sqrt(max(2.0 * math.pi / theta * hertz - 3.0 * (math.pi / theta) ** 2, 0.0) / K_beta)

@@ -65,7 +65,7 @@ class Film:
 
     @property
     def far(self) -> float:
-        """Return the compliance at long wavelengths, times half the wavenumber k [1/Pa].
+        """Return k/2 times the compliance in the limit of long wavelengths [1/Pa], with the wavenumber k.
 
         It is 1/E2*, with the plane-strain modulus E2* of the substrate, and 0 for a rigid substrate.
         """

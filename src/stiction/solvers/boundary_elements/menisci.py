@@ -58,11 +58,11 @@ def condense(
     problem: Problem, menisci: Menisci | None, start: np.ndarray, *, tolerance: float, most: int,
     seen: Callable[[int, float], None] | None = None,
 ) -> Condensed:  # fmt: skip
-    """Solve a contact together with the liquid that condenses around its dry contact spots.
+    """Return the solution of a contact with the liquid that condenses around its dry contact spots, as `Condensed`.
 
     problem: the dry contact. menisci: the liquid, or None for a dry contact. start: first guess of the pressure (rows, columns)
-    [Pa]. tolerance: largest accepted residual. most: largest number of steps of each solution. seen: called before each step
-    with its number and the residual.
+    [Pa]. tolerance: largest accepted residual. most: largest number of steps of each solution; the contact is solved again
+    after each change of the liquid. seen: called before each step with its number and the residual.
     """
     roughly = tolerance if menisci is None else max(tolerance, _ROUGHLY)
     solution = minimise(problem, start, tolerance=roughly, most=most, seen=seen)

@@ -113,7 +113,8 @@ def _edge(z, by_u, row):
 def _stiffness(E_P, D, load_slope, approach_slope):
     """Return the normalised contact stiffness (3/2) E_S, computed as (dP_H/du)/(dw_H/du)/u^2.
 
-    E_P, D: modulus of the load and factor of the approach. load_slope, approach_slope: derivatives of ln E_P and ln D by ln u.
+    P_H = E_P u^6 and w_H = D u^4 are the normalised load and displacement without adhesion at u = (a^2/(R sigma))^(1/4).
+    load_slope, approach_slope: d ln E_P / d ln u and d ln D / d ln u.
     """
     return E_P * (6.0 + load_slope) / (D * (4.0 + approach_slope))
 

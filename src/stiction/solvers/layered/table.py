@@ -66,10 +66,11 @@ def _interpolated(places: np.ndarray) -> np.ndarray:
 
 @cache
 def _table() -> tuple[np.ndarray, np.ndarray]:
-    """Return the weights of the modes as Chebyshev coefficients (*_SIZES, _MODES) in the table coordinates, and the modes.
+    """Return (weights, modes): a weighted sum of the modes gives the response curves of any film.
 
-    Modes are the independent sets of curves whose weighted sums give the curves of any film. They are returned as coefficients
-    (_MODES, CURVES * TERMS) of powers of z, the coordinate of the curves; the file stores them as Chebyshev series in z.
+    weights (*_SIZES, _MODES): weight of each mode, as a Chebyshev series in the three table coordinates. modes (_MODES, CURVES
+    * TERMS): curves as coefficients of powers of their variable z. The file `_FILE` stores modes as Chebyshev coefficients in
+    z.
     """
     with resources.files("stiction.solvers.layered").joinpath(_FILE).open("rb") as file:
         data = np.load(file)

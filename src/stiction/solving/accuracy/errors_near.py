@@ -253,11 +253,11 @@ def _at_lighter_load(
 def _averaged(
     found: np.ndarray, there: np.ndarray, asked: np.ndarray, apart: list[Difference], presumed: np.ndarray
 ) -> ErrorsNear:
-    """Average errors (k, s) over s surfaces for each of k points.
+    """Return statistics of errors (k, s) over s surfaces, for each of k points (a contact at a load).
 
     found: the errors. there, asked: weights (k, s), 0 to 1, of the surfaces where the model has a result, and of all solved
     surfaces; asked is 0 everywhere for points without a result. apart: differences that add up to the squared distances.
-    presumed: mask (s,) of the surfaces over which the mean `middle` is computed.
+    presumed: mask (s,) of the surfaces of the stated or assumed kind, over which `ErrorsNear.middle` is averaged.
     """
     distances = squared_distance(apart)
     squared = np.where(asked > 0.0, distances.reshape(len(distances), -1), np.inf)

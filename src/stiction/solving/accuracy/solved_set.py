@@ -79,13 +79,13 @@ class SolvedSet:
 
     @cached_property
     def areas(self) -> np.ndarray:
-        """Return the solved real over nominal contact area (s, h, p); NaN where it was not solved."""
+        """Return the solved real over nominal contact area (surfaces, hardnesses, pressures); NaN where it was not solved."""
         found = self["areas"]
         return np.where(found == 65535, np.nan, np.exp(-2e-4 * found.astype(float)))
 
     @cache  # noqa: B019 - there is only one set, which lives as long as the process
     def errors(self, column: str) -> np.ndarray | None:
-        """Return ln(A/solved A) (s, h, p) of the model and asperity method `column`; None if the model was not measured.
+        """Return ln(A/solved A) of a model, shape (surfaces, hardnesses, pressures); None if the model was not measured.
 
         column: "model|asperity method". A: contact area.
         """
@@ -93,7 +93,7 @@ class SolvedSet:
 
     @cache  # noqa: B019
     def film_errors(self, column: str) -> np.ndarray | None:
-        """Return ln(A/solved A) on films, (coated surfaces, films, loads); None if the model was not measured.
+        """Return ln(A/solved A) of a model on films, shape (coated surfaces, films, loads); None if the model was not measured.
 
         column: "model|asperity method". A: contact area.
         """

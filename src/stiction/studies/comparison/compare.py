@@ -238,7 +238,7 @@ def _solve_candidate(contact: Subject, candidate: Candidate, h: np.ndarray, load
 
 
 def _of_laws(problem: Problem) -> dict[str, str]:
-    """Return attributes of a model by name: grade, what determines its friction, how its plastic junctions resist shear."""
+    """Return by name a model's grade (worst of its laws) and, with friction, its family and how plastic junctions resist."""
     grade = max(record.grade for record in problem.records())
     tangential = problem.chosen.tangential
     if tangential is None:

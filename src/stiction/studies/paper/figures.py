@@ -23,8 +23,8 @@ _POINTS = 161
 class Panel:
     """Describe one panel of the paper's figures 1 to 3.
 
-    name: name of the file. figure: number in the paper. along: dimensionless group of the film that varies: n_E, n_H or tau.
-    values: its values. fixed: values of the other two groups, by name.
+    name: file name without its ending, such as "fig1a". figure: label in the paper, such as "Figure 1(a)". along: dimensionless
+    group of the film that varies: n_E, n_H or tau. values: its values. fixed: values of the other two groups, by name.
     """
 
     name: str

@@ -186,9 +186,10 @@ def _answers(sampled: SampledCase, choice: Choice) -> bool:
 def _law(sampled: SampledCase, choice: Choice, weight: float) -> AreaLaw:
     """Return the area of all samples by one model, with its errors on benchmark surfaces.
 
-    choice: the model. weight: its weight. If the product of asperity density, radius and height deviation is too small for a
-    Gaussian surface, and the model therefore refuses it, the area is that of the smallest product, and the weight falls to 0 at
-    half of it. Raises InputError or ArithmeticError if the model refuses all contacts for another reason or has no weight.
+    choice: the model. weight: its weight. If the model refuses the contact because the product of asperity density, radius and
+    height deviation is smaller than a Gaussian surface can have, the area is computed with the smallest Gaussian product. The
+    weight then falls to 0 at half of this product. Raises InputError or ArithmeticError if the model refuses all contacts for
+    another reason or has no weight.
     """
     try:
         points, tables = _solved(sampled, choice)

@@ -123,9 +123,9 @@ def _contact_loss(normal: Callable, parameters: int) -> Any:
     def fill_free(distance, table, edges, out):
         """Fill `out` (n,) with the loading coordinate of the asperity that has just lost contact after unloading.
 
-        distance (n,): increase of the separation over sigma. table, edges: parameters and edges of the loading segment. If the
-        first point of the segment is still in contact, the coordinate is extrapolated along a straight line, so that the
-        square root of the distance to it is smooth on the segment.
+        distance (n,): increase of the separation over sigma. table, edges: parameters and edges of the loading segment. If even
+        the first asperity of the segment is still in contact, `out` is extrapolated below the segment along a straight line.
+        The coordinate after unloading, sqrt(u - out[i]) at the loading coordinate u, is then smooth on the segment.
         """
         for i in range(distance.size):
             row = unpack(table[i], parameters)

@@ -78,10 +78,10 @@ NUMBERS = np.arange(7)
 
 @lazy_kernel(worth=100_000)
 def signal(which, u, law, level):
-    """Return one number at the coordinate u whose zeros are searched: function `which` of an asperity on a graded film.
+    """Return function number `which` of an asperity on a graded film at the coordinate u; the caller searches its zeros.
 
-    which: 0 to 4, one of `signals`; SLOPE, the slope of the load in the units of `load_before_plateaus`; ABOVE, the load minus
-    `level`. law: parameters of an asperity on a graded film. `level` is not used otherwise.
+    which: below SLOPE, an index into `signals`; SLOPE, the slope of the load, as in `load_before_plateaus`; ABOVE, the load
+    minus `level`, which only this function uses. law: parameters of an asperity on a graded film.
     """
     if which < SLOPE:
         return signals(u, law)[which]

@@ -150,8 +150,8 @@ def _table(bodies: Bodies) -> np.ndarray:
 def strength_at(u, unit, scale, coefficients):
     """Return the squared mean traction at first yield at the coordinate u, over the body's squared yield stress.
 
-    unit, scale: factors that turn u into the variable of the spline. coefficients: of the spline. The result is 0 where the
-    spline is slightly negative near its end.
+    It is a spline with these coefficients; its variable is 1 - sqrt(1 - scale ln(1 + unit u)). The result is 0 where the spline
+    is slightly negative near its end.
     """
     y = 1.0 - max(1.0 - np.log1p(unit * u) * scale, 0.0) ** 0.5
     return max(spline(y, coefficients), 0.0)
