@@ -182,7 +182,7 @@ def busy(text: str) -> Iterator[None]:
 
 @contextmanager
 def progress_text() -> Iterator[Callable[[str], None]]:
-    """Return a context manager with a function that shows a text as progress.
+    """Return a context manager; it provides a function that shows a text as progress.
 
     On a terminal each text replaces the last. Elsewhere a text is printed at most every ten seconds.
     """

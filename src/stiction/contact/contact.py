@@ -190,7 +190,7 @@ class Contact(Subject):
         return groups if self.coating is None else groups | self._film_groups(self.coating, bare)
 
     def _adhesion(self, bare: "Pair") -> dict[str, Any]:
-        """Return theta, lambda and Tabor's parameter of the bodies without a film; without adhesion, the hardness group."""
+        """Return theta, lambda and Tabor's parameter without the film; for no adhesion, return the hardness group instead."""
         sigma, radius, gamma = self._sigma, self._radius, self.work_of_adhesion
         if gamma is None or not self.adheres:
             return {"hardness_group": pi * bare.hardness * (radius / sigma) ** 0.5 / bare.K}

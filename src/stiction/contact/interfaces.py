@@ -122,7 +122,7 @@ class Interface(Input):
         return super().replace(**{"grade": kept} | changes | notes_left(self.source, self.range, changes))
 
     def listed(self) -> list[tuple[str, str]]:
-        """Return (field, text) for the name of this state and each number, with the range of 90 % of its distribution."""
+        """Return (field, text) for the name of this state and each number, with the central 90 % range of its distribution."""
         rows = [("name", self.name)]
         for name in (self.strength, "pressure_coefficient"):
             if getattr(self, name) is not None:

@@ -99,9 +99,10 @@ class Material(Input):
         return [*(f"{field}: {text}" for field, text in self.source.items() if text), *ends]
 
     def is_own(self, field: str) -> bool:
-        """Return whether a field has a value that is not the value in the preset of the same name.
+        """Return whether a field has a value, and the preset of the same name does not have this value.
 
-        field: name of a number, such as "yield_stress". A value that no preset has counts as the user's own.
+        field: name of a number, such as "yield_stress". A value is also the user's own if no such preset exists or if the
+        preset lacks this number.
         """
         value = getattr(self, field)
         of_this_name = _presets().get(self.name)

@@ -29,8 +29,8 @@ class Regime:
     state: state of the asperity, such as "elastic" or "plastic". body: "bare", "film" or "substrate", the body that deforms.
         Results are reported by state and body.
     touching: whether asperities here count as touching (False avoids counting an asperity on film and substrate twice).
-    in_half_space: False if the asperity is pressed in deeper than a coating law allows that treats the film as infinitely
-        thick.
+    in_half_space: False if the coating law treats the film as infinitely thick, and the asperity is pressed in too deep
+        for that.
     yields_by_degrees: True if part of the contact flows plastically, and only the rest contributes to the resistance.
     """
 

@@ -110,9 +110,9 @@ def _tiled(carry: np.ndarray) -> np.ndarray:
 def _add_four(few, row, column, tile, product):
     """Add four terms of the matrix product of four rows of `few` and one tile to `product`.
 
-    few: (rows, L), left factor. row, column: indices of the first of the four rows and of the four terms. tile (L, width):
-    columns of the right factor. `product` stores one row every 128 places. With this fixed distance the compiler can prove that
-    the rows do not overlap, and vectorises the loop. Each value of the tile is loaded once for the four rows.
+    few: (rows, L), left factor. row: index of the first of the four rows. column: index of the first of the four terms. tile
+    (L, width): columns of the right factor. `product` stores one row every 128 places. With this fixed distance the compiler
+    can prove that the rows do not overlap, and vectorises the loop. Each value of the tile is loaded once for the four rows.
     """
     a0, a1, a2, a3 = few[row, column], few[row, column + 1], few[row, column + 2], few[row, column + 3]
     b0, b1, b2, b3 = few[row + 1, column], few[row + 1, column + 1], few[row + 1, column + 2], few[row + 1, column + 3]

@@ -185,9 +185,9 @@ def _summing_alone(regime: Regime, heights: Heights) -> Callable:
 def _summing_in_stages(regime: Regime, heights: Heights, add: Callable) -> Callable:
     """Return a function fill(h, law, sums) that sums one regime over heights, mostly in loops that all regimes share.
 
-    Only two short loops are compiled for the regime. add: the last of the stages, a compiled loop that fills `sums`, as
-    `nodes.adding` and `expansions` have them. fill writes the sums at the separations h (m,), each for the law (parameter set)
-    with the index law[i], into `sums`, (m, 5) or as `add` requires.
+    Only two short loops are compiled for the regime. add: the compiled loop of the last stage, which fills `sums`;
+    `nodes.adding` and `expansions` provide such loops. fill writes the sums at the separations h (m,), each for the law
+    (parameter set) with the index law[i], into `sums`, (m, 5) or as `add` requires.
     """
     laws = Laws.of(regime)
     at_edges = laws.edges, displacements(regime, laws)

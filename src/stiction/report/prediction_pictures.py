@@ -17,9 +17,10 @@ _MU = "friction_coefficient"
 
 
 def prediction_figure(data: "xarray.Dataset", title: str = "", curve: "xarray.Dataset | None" = None) -> Figure:
-    """Draw the mu of a prediction: with its interval against load or, for a single load, as a histogram of the samples.
+    """Draw mu of a prediction with its interval against load; for a single load, draw a histogram of the samples of mu.
 
-    data: result of `predict`. curve: prediction at loads around a single load, which is then marked on it.
+    data: result of `predict`. curve: prediction at loads around the single load of `data`; it is drawn in place of the
+    histogram, and the single load is marked on it.
     """
     figure, (axes,) = canvas(8.53, 4.8)
     _draw_mu(axes, data if curve is None else curve, data)

@@ -168,7 +168,7 @@ def _bell(z: np.ndarray, mean: float, deviation: float) -> np.ndarray:
 
 
 def spectrum_figure(spectrum: BinnedSpectrum | Mapping[str, BinnedSpectrum], title: str = "") -> Figure:
-    """Draw power spectra against the wavevector, with the reliable band of wavelengths shaded and its marks filled.
+    """Draw power spectra against the wavevector; the reliable band of wavelengths is shaded, and its points are filled.
 
     spectrum: one spectrum, or spectra by name, all of maps or all of profiles. The shaded band is that of the first spectrum.
     """

@@ -85,7 +85,7 @@ def pull_off(problem: Problem) -> tuple[np.ndarray, np.ndarray]:
 
 
 def separations_at(problem: Problem, targets: np.ndarray, refuse: bool = True) -> Inversion:
-    """Find the separations at which n contacts carry the normalised loads targets (n, m).
+    """Find the separations at which n contacts carry the normalised loads `targets` (n, m).
 
     Several separations may carry one load. On approach from afar, the function returns the first one after the largest tension:
     it is on the branch that is stable under a given load. For smooth laws and Gaussian heights a fast method finds starting
@@ -96,7 +96,7 @@ def separations_at(problem: Problem, targets: np.ndarray, refuse: bool = True) -
 
 
 def solved_at(problem: Problem, targets: np.ndarray, refuse: bool = True) -> tuple[Inversion, dict[str, np.ndarray]]:
-    """Return the separations at which contacts carry the normalised loads targets (n, m), and the results (n, m) there by name.
+    """Return the separations at which contacts carry the normalised loads `targets` (n, m), and the results (n, m) there.
 
     The results of a load that cannot be carried are those at separation 0 if refuse is False; otherwise Unreachable is raised.
     The last sums of the search are reused.
@@ -206,7 +206,7 @@ def _polished(problem: AsperitySum, law, h, target, slope, enough) -> tuple[np.n
 
 
 def _from_tables(problem: ClosedFormProblem, targets: np.ndarray) -> tuple[Inversion, np.ndarray]:
-    """Find the separations at the loads targets (n, m) for a theory without adhesion that provides an estimate.
+    """Find the separations at the loads `targets` (n, m) for a theory without adhesion that provides an estimate.
 
     The secant method on the logarithm of the load starts from this estimate. Returns the inversion and a mask (n,) of success.
     """

@@ -50,9 +50,10 @@ def points_of(map_contact: "MapContact") -> Iterator[tuple[str, np.ndarray, floa
 
 
 def _lesser(contact: Contact, law: str, map_contact: "MapContact") -> OfPoints:
-    """Yield the tangential force [N] of each point: the smaller of pressure coefficient times load, and strength times area.
+    """Yield the state and the tangential forces [N] of each group of points, "elastic" and "plastic".
 
-    Each group of points, "elastic" and "plastic", is one pair of its state and the forces. law: not used.
+    The force on a point is the smaller of the pressure coefficient times the load, and the strength times the contact area.
+    law: not used.
     """
     strength, (_, coefficient) = _strength(contact), contact.interface_at()
     if coefficient is None:
@@ -66,11 +67,11 @@ def _lesser(contact: Contact, law: str, map_contact: "MapContact") -> OfPoints:
 
 
 def _junction_growth(contact: Contact, law: str, map_contact: "MapContact") -> OfPoints:
-    """Yield the tangential force [N] of each point: the shear strength times the contact area, which grows under shear.
+    """Yield the state and the tangential forces [N] of each group of points, "elastic" and "plastic".
 
-    Each group of points, "elastic" and "plastic", is one pair of its state and the forces. The area of a point grows until it
-    carries the load under combined stresses, by equation (2) of this module. law: key of the tangential law; only the law of
-    constant strength is allowed.
+    The force on a point is the shear strength times the contact area, which grows until the point carries the load under
+    combined stresses, by equation (2) of this module. law: key of the tangential law; only the law of constant strength is
+    allowed.
     """
     from stiction.contact.pair import Pair
 

@@ -78,8 +78,8 @@ def area_fraction(groups: Groups, area: np.ndarray) -> np.ndarray:
 def _of_the_surface(groups: Groups) -> dict[str, np.ndarray]:
     """Return the numbers (n,) of rough surface and film that do not depend on load, by name; absent if unknown.
 
-    The rms slope is sqrt(2 m2), of a Gaussian surface with m4 = (3/8)^2 pi/R^2 and N = m4/(6 pi sqrt(3) m2), with the spectral
-    moments m2 and m4, asperity radius R and density N (Nayak 1971; McCool 1986).
+    The rms slope is sqrt(2 m2). The spectral moments m2 and m4 of a Gaussian surface follow from asperity radius R and density
+    N by m4 = (3/8)^2 pi/R^2 and N = m4/(6 pi sqrt(3) m2) (Nayak 1971; McCool 1986).
     """
     quantities = {}
     if groups.sharpness is not None and groups.roughness_parameter is not None:

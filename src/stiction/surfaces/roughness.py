@@ -193,10 +193,10 @@ class Roughness(Input):
         return [*([] if self._finished is None else self._finished.notes()), *self._scaled_heights()]
 
     def _scaled_heights(self) -> list[str]:
-        """Return a warning, in a list, if the heights of a discrete distribution do not have the stated standard deviation.
+        """Return a warning, in a list, if the heights of a discrete distribution are scaled; otherwise an empty list.
 
-        They may be in m, mm, um, nm or Angstrom. If their deviation differs in all of these units, the heights are scaled to
-        the stated one, and the warning states this; otherwise the list is empty.
+        The heights may be listed in m, mm, um, nm or Angstrom. If their standard deviation is the stated one in none of these
+        units, they are scaled to the stated one, and the warning states this.
         """
         samples = self.height_parameters.get("samples") if self.height_distribution == "discrete" else None
         deviation = 0.0 if samples is None else float(np.std(np.asarray(samples, dtype=float)))

@@ -76,7 +76,7 @@ class Answer:
 
     @cached_property
     def curve(self) -> xarray.Dataset:
-        """Return the results along the loads or separations; of array parameters, the first value of each."""
+        """Return the results along the loads or separations, for the first value of every array parameter."""
         *arrays, along = self.curve_data["load"].dims or (None,)
         curve = self.curve_data.isel(dict.fromkeys(arrays, 0))
         return curve.sortby("load") if along is not None and self.is_prediction else curve

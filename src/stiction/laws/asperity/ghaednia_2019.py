@@ -97,8 +97,8 @@ def radius(w, w_c, B, sharpness, front, rate):
     """Return the contact radius over (R sigma)^(1/2) at the displacement w: a = a_e + (a_p - a_e) exp(Upsilon) (eq 25).
 
     a_e is Hertz's radius (eq 1), a_p Jackson and Green's (eqs 23, 24) with the exponent B. w, w_c: displacement and
-    displacement at first yield, over sigma. sharpness: sqrt(sigma/R). front, rate: of Upsilon, from `stiffening`. Upsilon is
-    limited, so that it stays finite for displacements beyond R.
+    displacement at first yield, over sigma. sharpness: sqrt(sigma/R). front, rate: the two numbers in Upsilon, from
+    `stiffening`. Upsilon is limited, so that it stays finite for displacements beyond R.
     """
     elastic = math.sqrt(w)
     upsilon = -front * math.exp(min(rate * (w - w_c) * sharpness * sharpness, 300.0))

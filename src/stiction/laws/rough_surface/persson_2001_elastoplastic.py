@@ -44,8 +44,8 @@ def area_shares(share: np.ndarray, hardness: np.ndarray) -> tuple[np.ndarray, np
     """Return the elastic and the plastic contact area over the nominal area.
 
     share: nominal pressure over hardness, p0/H, an array; from 1 on the whole contact is plastic. hardness: H / (E* h'), same
-    shape, with the contact modulus E* and the root mean square gradient h'. Source: Persson 2001 (Phys. Rev. Lett.), in the
-    sums of the module.
+    shape, with the contact modulus E* and the root mean square gradient h'. Source: Persson 2001 (Phys. Rev. Lett.); the sums
+    are in the docstring of this module.
     """
     p, root_G = np.clip(share, 0.0, 1.0), 1.0 / (math.sqrt(8.0) * hardness)  # both over H
     plastic = erfc((1.0 - p) / (2.0 * root_G))

@@ -125,8 +125,8 @@ def thickness_over_wave(groups: Groups) -> np.ndarray:
 def sphere_modulus(curve: np.ndarray, n_E: np.ndarray, a_over_t: np.ndarray) -> np.ndarray:
     """Return the effective modulus E_P for a sphere on a film, over the modulus of the bodies without film, (n, ...).
 
-    curve: coefficients (n, TERMS) of the curve of E_P. n_E (n,): film modulus over the bodies'. a_over_t (n, ...): contact
-    radius over film thickness.
+    curve: coefficients (n, TERMS) of the curve of E_P. n_E (n,): film modulus over the modulus of the bodies without film.
+    a_over_t (n, ...): contact radius over film thickness.
     """
     more = a_over_t.ndim - 1
     z = 1.0 - 2.0 / (np.sqrt(a_over_t) + 1.0)

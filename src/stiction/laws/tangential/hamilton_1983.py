@@ -177,10 +177,10 @@ def series_below() -> np.ndarray:
 
 
 def _least(s, nu, x, z, reach_x: float, reach_z: float) -> np.ndarray:
-    """Return the smallest largest traction, over the yield stress Y, at which any place of a Hertz contact yields.
+    """Return the traction at which a Hertz contact first yields anywhere: its largest value q0 over the yield stress Y.
 
-    s: largest pressure over Y. nu: Poisson's ratio. Both are arrays of one shape, as is the result. The places (x, z), over
-    the contact radius, are tried first; then the neighbourhood of the best one, reach_x by reach_z, is searched.
+    s: largest pressure over Y. nu: Poisson's ratio. Both are arrays of one shape, as is the result. The places (x, z), over the
+    contact radius, are tried first; then the neighbourhood of the place that yields first, reach_x by reach_z, is searched.
     """
 
     def shear(x, z):

@@ -102,7 +102,8 @@ def _over_methods(result: "xarray.Dataset") -> dict[str, Any]:
 def at_working_load(data: "xarray.Dataset") -> "xarray.Dataset":
     """Return the results of all models at the working load, as a dataset over `model`.
 
-    data: result of `compare`. Friction has its range over asperity methods if the roughness was measured in scans.
+    data: result of `compare`. If the roughness was measured in scans, the smallest and largest mu over all asperity methods are
+    included.
     """
     mu, *others = (f"{name}_at_load" for name in ("friction_coefficient", *RESULTS[:-1]))
     names = [mu, *(f"{mu}_{end}" for end in ("low", "high") if f"{mu}_{end}" in data), *others]

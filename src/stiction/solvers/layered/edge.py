@@ -38,7 +38,8 @@ def edge_curves(bodies: Bodies) -> np.ndarray:
 
     A row holds the limits f (a half-space of film material) and g (a film of zero thickness), then the c_k of the curve (1 -
     z)/2 f + (1 + z)/2 g + (1 - z^2) Sum c_k z^k. z = (q - 1)/(q + 1) with q the root of contact radius over film thickness. If
-    two coated bodies differ, each radius takes the body whose film has the higher stress under traction.
+    two coated bodies differ, the values at each contact radius are those of the body whose film has the higher stress under
+    traction.
     """
     each = [_of_body(bodies, body) for body in dict.fromkeys(bodies.coated)]
     rows = np.stack(each)

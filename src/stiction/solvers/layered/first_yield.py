@@ -164,7 +164,7 @@ def _fields(stresses: Stresses) -> list[tuple[Radial, np.ndarray, np.ndarray]]:
 
 
 def _thick(t: float) -> np.ndarray:
-    """Return search depths in a thick film of thickness t, dense near the surface; all over the contact radius."""
+    """Return search depths in a thick film of thickness t, dense near the surface; all lengths are over the contact radius."""
     return np.concatenate([_IN_BODY, np.geomspace(1.5, t, 4)[1:]]) if t > 1.6 else np.append(_IN_BODY, t)
 
 

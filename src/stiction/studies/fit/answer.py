@@ -293,9 +293,9 @@ def _size(fit: Fitted, at: int) -> float:
 
 
 def _ways(fit: Fitted, group: Sequence[int]) -> str:
-    """Return two very different sets of some free parameters that fit about equally well, as text.
+    """Return two very different sets of values of some free parameters that fit about equally well, as text.
 
-    group: indices of the numbers. The sets are those at the two ends of the interval of the first number.
+    group: indices of these free parameters. The sets belong to the two ends of the interval of the first one.
     """
     profile = fit.profiles[group[0]]
     inside = np.flatnonzero(profile.rise <= fit.threshold)

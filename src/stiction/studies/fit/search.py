@@ -31,8 +31,9 @@ Residuals = Callable[[np.ndarray], np.ndarray]
 class Best:
     """Hold the best fit of k free parameters to n measured values.
 
-    shares (k,): position of each number between its ends, 0 to 1. residuals (n,), jacobian (n, k): (model - measured)/standard
-    error at this point, and its derivatives by the positions. unfinished: why the search did not converge, "" if it did.
+    shares (k,): position of each free parameter between its ends, 0 to 1. residuals (n,): (model - measured)/standard error at
+    the best fit. jacobian (n, k): derivatives of the residuals by the positions. unfinished: why the search did not converge,
+    "" if it did.
     """
 
     shares: np.ndarray

@@ -115,7 +115,7 @@ class AreaLaw:
         return grown_to(np.minimum(area, nominal), wide / area, nominal)
 
     def _factor(self, error: np.ndarray) -> np.ndarray:
-        """Return the factor (n, m) with which `grown_to` divides a small area by exp(error).
+        """Return the factor (n, m) for `grown_to` that divides a small area by exp(error).
 
         error: error of ln(area), (n, m).
         """
@@ -137,8 +137,9 @@ def _between(score: np.ndarray, levels: np.ndarray) -> np.ndarray:
 def area_laws(sampled: SampledCase) -> list[AreaLaw]:
     """Return the area models that apply to a contact, with weights that sum to 1 at each point.
 
-    A point is a contact at a load. Sets of models are tried in turn: a later set is used at the points where no model of an
-    earlier set applies, and in part where one applies in part (see `_law`). Raises InputError if no model applies.
+    A point is a contact at a load. Sets of models are tried in turn. A later set is used at the points where no model of an
+    earlier set applies; where one applies in part (see `_law`), the later set gets the remaining weight. Raises InputError if
+    no model applies.
     """
     answers, refusal, left = [], None, np.ones(len(sampled.loads))
     for choices in _in_turn(sampled):

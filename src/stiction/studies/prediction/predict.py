@@ -193,10 +193,10 @@ def case_given(given: Any, load: Any) -> Case:
 
 
 def with_uncertain(case: Case) -> Case:
-    """Return the case with all numbers that a prediction samples as uncertain numbers.
+    """Return the case in which every number that a prediction samples is an uncertain number.
 
-    These are its own uncertain numbers, roughness parameters left open by a surface finish, and ranges of materials unless the
-    case states the key `ranges`.
+    These are the uncertain numbers of the case, roughness parameters left open by a surface finish, and numbers of materials
+    that have a range, unless the case states the key `ranges`.
     """
     if "ranges" not in case.uncertainty.model_fields_set:
         taken = [*case.swept, *(number.path for number in case.uncertain)]

@@ -203,7 +203,7 @@ def _kernel(x, y, correlation):
 
 
 def _falls(x, level, correlation):
-    """Return sqrt(phi(x)) times the probability that the point after one at the height x is below the level.
+    """Return sqrt(phi(x)) times the probability that, after a point at the height x, the next point is below the level.
 
     x and level are in standard deviations of the profile. correlation: of neighbouring heights. phi: standard Gaussian density.
     """

@@ -204,9 +204,9 @@ def _add_plateaus(law, edges, count, part, levels, places, loads, slopes):
 def _fixed_edges(law, tau, out):
     """Fill the edges that are known in advance; return three coordinates and the number of edges.
 
-    The three are the start of the contact, the end of the scan, and the coordinate at which the film is pressed through, at
-    the displacement tau over sigma. Further edges cut long segments. law: parameters of an asperity on a graded film. out:
-    filled with the edges.
+    The three are the start of the contact, the end of the range that `_scan` samples, and the coordinate at which the film is
+    pressed through, at the displacement tau over sigma. Further edges cut long segments. law: parameters of an asperity on a
+    graded film. out: filled with the edges.
     """
     pull, _, n_H, linear, square = law[:5]
     S, bodies = math.sqrt(6.0 * pull), law[ALONE:]

@@ -93,8 +93,9 @@ class TwoBodies:
 
 @formula
 def in_series(first, second, share):
-    """Return the contact modulus over the bare bodies', if films multiply the two bodies' moduli by `first` and `second`.
+    """Return the contact modulus of coated bodies over the one of the bare bodies.
 
-    share: fraction of the compliance of both bare bodies that the first body has.
+    first, second: factors by which films multiply the moduli of the two bodies. share: fraction of the compliance of both bare
+    bodies that the first body has.
     """
     return first * second / (share * second + (1.0 - share) * first)
