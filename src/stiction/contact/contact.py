@@ -154,11 +154,11 @@ class Contact(Subject):
         return Indices(**{name: labelled(value, names) for name, value in groups.items()} if names else groups)
 
     @property
-    def impossible(self) -> Any:
+    def impossible(self) -> "NumberOrArray":
         with np.errstate(all="ignore"):
             groups = self.unlabelled._groups().items()
         outside = (np.logical_not(QUANTITIES[name].holds(value)) for name, value in groups if value is not None)
-        return reduce(np.logical_or, outside, np.False_)
+        return reduce(np.logical_or, outside, False)
 
     def known(self, name: str) -> object:
         """Return the property or dimensionless group called `name`; None if the contact does not determine it."""

@@ -5,8 +5,6 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
 from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import Input
 from stiction.quantities.units import values_in_words
@@ -69,9 +67,9 @@ class Subject(Input):
         """Return whether at least one body has a film."""
 
     @property
-    def impossible(self) -> Any:
+    def impossible(self) -> "NumberOrArray":
         """Return a mask over the dimensions of the arrays: where a dimensionless group is out of its bounds."""
-        return np.False_
+        return False
 
     @cached_property
     def prepared(self) -> list[object]:

@@ -151,7 +151,7 @@ def _are_possible(case: Case, numbers: Mapping[Address, Any], choice: Choice, co
     themselves are refused.
     """
     try:
-        impossible = with_surface_moments(case.at(numbers).subject, choice.model_key).impossible
+        impossible: Any = with_surface_moments(case.at(numbers).subject, choice.model_key).impossible
     except (InputError, ArithmeticError):
         return np.ones(count, dtype=bool)
     if SAMPLE not in getattr(impossible, "dims", ()):
