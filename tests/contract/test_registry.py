@@ -339,7 +339,7 @@ def test_any_film_with_any_asperity_law(film, asperity):
     """The same for films, which then carry a load and, with a shear strength of the interface, friction."""
     if not film.interchangeable:
         pytest.skip("belongs to one variant of one model")
-    given = draw(8, True, 97)
+    given = draw(40, True, 97)
     choice = Choice(PLAIN, asperity.key, OF_THE_INTERFACE, film.key)
     if incompatibility(film, asperity):
         with refusal("asperity", film.key):
@@ -376,7 +376,7 @@ def pairs_on_a_film():
 def test_films_solved_as_one_with_any_asperity_and_tangential_law(film, asperity, tangential):
     """Summed, on load and area of the contact alone, if the records say that all three suit each other; if not, refused with
     the reason, and with the law to take where there is one, which is then taken."""
-    given = draw(8, True, 97)
+    given = draw(40, True, 97)
     choice = Choice(PLAIN, asperity.key, tangential.key, film.key)
     if incompatibility(film, asperity) or incompatibility(tangential, asperity):
         with refusal("asperity"):
