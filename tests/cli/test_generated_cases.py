@@ -37,7 +37,7 @@ def test_other_inputs_are_read_or_refused_in_one_line(target):
 
 def test_a_worker_that_dies_is_a_failure_and_the_next_goes_on():
     others = set(multiprocessing.active_children())
-    tried = run.in_workers(range(1, 500), ["measured_tables"], 60)
+    tried = run.in_workers(range(1, 500), ["calls"], 60)
     next(tried)
     (worker,) = set(multiprocessing.active_children()) - others
     worker.kill()
