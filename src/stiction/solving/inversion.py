@@ -345,8 +345,13 @@ def _loads_past(problem: Problem, targets: np.ndarray) -> tuple[np.ndarray, np.n
     while h[0] < FARTHEST and _touches(loads, size, smallest).any():
         farther = np.minimum(h[0] * _BEYOND[::-1], FARTHEST)
         h, loads = np.concatenate([farther, h]), np.concatenate([more(farther), loads], axis=1)
-    tension, largest, deepest = -loads.min(axis=1), targets.max(axis=1, initial=0.0), _deepest(problem)
-    while -h[-1] < FARTHEST and (loads[:, -1] < np.where(-h[-1] < deepest, np.maximum(tension, largest), tension)).any():
+    largest, deepest = targets.max(axis=1, initial=0.0), _deepest(problem)
+
+    def enough() -> np.ndarray:
+        """Return the load (n,) to which the separations must reach: the tension found so far, or the largest target."""
+        return np.maximum(-loads.min(axis=1), np.where(-h[-1] < deepest, largest, 0.0))
+
+    while -h[-1] < FARTHEST and (loads[:, -1] < enough()).any():
         nearer = np.maximum(h[-1] * _BEYOND, -FARTHEST)
         h, loads = np.concatenate([h, nearer]), np.concatenate([loads, more(nearer)], axis=1)
     return h, loads, size
