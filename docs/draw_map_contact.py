@@ -65,7 +65,7 @@ def draw(surface: HeightMap, out: Path) -> None:
         study = st.resolution_study(surface, methods=["mccool"], contact=contact, load=float(loads[4]), choice=choice)
         there = study["cutoff"].values > 0.0
         right.plot(study["cutoff"].values[there] * 1e6, study["mu"].values[0][there], look, label=model)
-    right.set(xscale="log", xlabel="shortest wavelength left [um]", ylabel=f"friction coefficient at {loads[4]:.3g} N")
+    right.set(xscale="log", xlabel="shortest wavelength left [µm]", ylabel=f"friction coefficient at {loads[4]:.3g} N")
     right.legend(fontsize="small")
     figure.savefig(out, dpi=110)
 
@@ -115,7 +115,7 @@ def described(surface: HeightMap, shortest: str | None) -> str:
     """A scan in a line: its name, and what was left of it."""
     found = statistics(surface)
     rows, columns = surface.heights.shape
-    size = " x ".join(f"{side * 1e6:.3g} um" for side in surface.size)
+    size = " x ".join(f"{side * 1e6:.3g} µm" for side in surface.size)
     kept = f", waves from {shortest}" if shortest else ""
     heights = f"Sq {found.Sq * 1e9:.3g} nm, slope {found.slope:.3g}"
     return f"{Path(surface.name).name}: {rows} x {columns} points, {size}{kept}; {heights}"

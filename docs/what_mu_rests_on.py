@@ -70,7 +70,7 @@ def _waited(time: str) -> Switch:
 
 def _plated(film: str) -> Switch:
     silver = st.Coating(material="silver", thickness="1 um", bodies="first")
-    return Switch(f"1 um of silver, {film}", {"film": film}, {"coating": silver})
+    return Switch(f"1 µm of silver, {film}", {"film": film}, {"coating": silver})
 
 
 def _with_law(key: str) -> Switch:
@@ -110,7 +110,7 @@ def assumptions() -> dict[str, list[Switch]]:
             for law in ("dmt", "roy_chowdhury_ghosh_1994") for work in ("0.1 J/m^2", "1 J/m^2")
         ],
         "air": [_humid(0.5), _humid(0.9), _humid(0.98)],
-        "hardness": [_sized("0.5 um"), _sized("5 um")],
+        "hardness": [_sized("0.5 µm"), _sized("5 µm")],
         "time at rest": [_waited(time) for time in ("1 h", "1 day", "1 year")],
         "film law": [
             _plated(film) for film in ("sequential", "halling_1979", "ogilvy_1993", "chang_1997", "kato_1981", "dayson_1971")
@@ -233,7 +233,7 @@ def strength_figure() -> Figure:
     grown, every = 1.0 - np.geomspace(0.99, 1e-4, 300), np.linspace(0.01, 1.2, 240)
     contacts = {
         "as in the case": (CONTACT, LOAD),
-        "smooth: sigma = 0.2 nm, R = 200 um, 1 mN": (CONTACT.replace(**SMOOTH), "1 mN"),
+        "smooth: sigma = 0.2 nm, R = 200 µm, 1 mN": (CONTACT.replace(**SMOOTH), "1 mN"),
     }
     for axes, (title, (contact, load)) in zip(picture.subplots(1, 2), contacts.items(), strict=True):
         for law, shares, look in (

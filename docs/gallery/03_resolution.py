@@ -29,8 +29,8 @@ for method in study["asperity_method"].values:
     one = study.sel(asperity_method=method)
     left.plot(one["cutoff"] * 1e6, one["mu"], "o-", label=method)
     right.loglog(one["cutoff"] * 1e6, one["R"] * 1e6, "o-", label=method)
-left.set(xscale="log", xlabel="shortest wave that is left [um]", ylabel="static friction coefficient at 1 N", ylim=(0.0, None))
-right.set(xlabel="shortest wave that is left [um]", ylabel="asperity radius [um]")
+left.set(xscale="log", xlabel="shortest wave that is left [µm]", ylabel="static friction coefficient at 1 N", ylim=(0.0, None))
+right.set(xlabel="shortest wave that is left [µm]", ylabel="asperity radius [µm]")
 for axes in (left, right):
     axes.grid(alpha=0.3)
     axes.set_xticks([1, 2, 5], ["1", "2", "5"])

@@ -28,8 +28,8 @@ for contact, axes in zip(solved, panels, strict=True):
     pressed = axes.imshow(spots, cmap="plasma", extent=(0, side, 0, side), origin="lower", vmin=0.0, vmax=steel.hardness * 1e-9)
     share = contact.area / contact.nominal_area
     axes.set_title(f"{contact.load * 1e3:.0f} mN: {share:.1%} of the area touches", fontsize="medium")
-    axes.set_xlabel("x [um]")
-panels[0].set_ylabel("y [um]")
+    axes.set_xlabel("x [µm]")
+panels[0].set_ylabel("y [µm]")
 figure.colorbar(heights, ax=panels, label="height [nm]", shrink=0.8)
 figure.colorbar(pressed, ax=panels, label="pressure in the spots [GPa]", shrink=0.8)
 figure.savefig("contact_spots.png", dpi=120)

@@ -56,14 +56,13 @@ predicted = data["predicted_friction_coefficient"].squeeze()
 low, high = (data[f"predicted_friction_coefficient_{end}"].squeeze() for end in ("low", "high"))
 axes.plot(predicted["load"], predicted, label="fitted")
 axes.fill_between(predicted["load"], low, high, alpha=0.2, label="band of the fit")
-told = "\n".join(
-    f"{name.item()}: {value:.3g} ({least:.3g} to {most:.3g})"
-    for name, value, least, most in zip(
-        data["parameter"], data["value"].values, data["low"].values, data["high"].values, strict=True
-    )
-)
+strength, coefficient = zip(*(data[key].values for key in ("value", "low", "high")), strict=True)
 axes.set(xscale="log", xlabel="load [N]", ylabel="static friction coefficient", ylim=(0.0, None))
-axes.set_title(told, fontsize="small")
+axes.set_title(
+    "interface strength {:.0f} MPa ({:.0f} to {:.0f} MPa)\n".format(*(value / 1e6 for value in strength))
+    + "pressure coefficient {:.2f} ({:.2f} to {:.2f})".format(*coefficient),
+    fontsize="small",
+)
 axes.legend()
 axes.grid(alpha=0.3)
 figure.savefig("calibration.png", dpi=120)

@@ -38,7 +38,7 @@ parts = st.predict({**CASE, "solve": {"load": "1 N"}}).attrs["shares"]
 middle.barh([name.replace("_", " ") for name in parts], list(parts.values()))
 middle.set(xlabel="fraction of the variance of ln mu", title="Parts of the prediction, 1 N", xlim=(0.0, 1.0))
 total = shares["friction_coefficient_total_order"]
-right.barh(shares["input"].values, total)
+right.barh([name.replace("_", " ") for name in shares["input"].values], total)
 right.set(xlabel="fraction of the variance of ln mu", title="Inputs, one model, 1 N", xlim=(0.0, 1.0))
 right.tick_params(axis="y", labelsize="small")
 figure.savefig("uncertainty_split.png", dpi=120)

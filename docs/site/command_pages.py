@@ -58,7 +58,7 @@ def _row(one: Any) -> str:
         names, value = f"`{_asked(one)}`", ""
     none = one.default in (None, False, (), []) or callable(one.default)
     default = "" if none else f"`{one.default}`"
-    return f"| {names}{value} | {default} | {cell(_plain(one.help or ''))} |"
+    return f"| {cell(names + value)} | {default} | {cell(_plain(one.help or ''))} |"
 
 
 def _value(one: Any) -> str:

@@ -10,8 +10,10 @@ from links import law_pages, page_with, relinked
 from model_pictures import picture
 
 import stiction as st
+from stiction.quantities.table import QUANTITIES
 from stiction.records.registry import Record, RoughSurface, kinds, records, text_of
 from stiction.records.sources import bibliography
+from stiction.report.html_words import letters
 from stiction.report.printed_sources import tex_to_text
 
 TITLES = {
@@ -34,6 +36,7 @@ _SOURCE = re.compile(r"^- Source: (\w+)", re.MULTILINE)
 _SHORT = re.compile(r"\]\((?:(?P<stem>[\w-]+)\.md)?(?:#(?P<place>[\w-]+))?\)")
 # What docstrings of laws call sections that have moved.
 MOVED = {"1-units": "units", "5-film-and-substrate-as-one-body": "film-and-substrate-as-one-body"}
+_VALID = re.compile(r"(?<=^- Valid for: )\w+", re.MULTILINE)
 _AUTHOR = re.compile(r"^\s*author\s*=\s*\{(.*)\},?$", re.MULTILINE)
 
 
@@ -88,9 +91,15 @@ def page(row: dict, record: Record) -> str:
     cited = f"\n\n## BibTeX\n\n```bibtex\n{entries}\n```" if entries else ""
     chosen = f'Chosen with `{record.keyword}="{record.key}"`.' if record.keyword else ""
     about = f"`{record.key}`, {record.kind}: {record.title}. {chosen}".strip()
-    stated = make_tables.record_lines(row) + _measured(record)
+    stated = _in_words(make_tables.record_lines(row)) + _measured(record)
     parts = [f"# {name_of(record)}", about, _with_whole_links(text_of(record)), "## Picture", drawn, HEADING, stated, READ]
     return "\n\n".join(parts) + f"{cited}\n"
+
+
+def _in_words(lines: str) -> str:
+    """Return lines with meanings in place of names of quantities, and Greek letters, except in code and TeX."""
+    meant = _VALID.sub(lambda found: QUANTITIES[found[0]].meaning if found[0] in QUANTITIES else found[0], lines)
+    return "".join(part if part[:1] in "`$" else letters(part) for part in re.split(r"(`[^`]*`|\$[^$]*\$)", meant))
 
 
 def _measured(record: Record) -> str:

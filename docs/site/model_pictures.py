@@ -94,7 +94,7 @@ def whole(found: list[Regime], w: np.ndarray) -> tuple[np.ndarray, np.ndarray, n
 
 
 def scales(given: st.Contact) -> tuple[float, float, float]:
-    """Displacement [nm], load [uN] and area [um^2] of one asperity, in the units of theory 1."""
+    """Displacement [nm], load [µN] and area [µm²] of one asperity, in the units of theory 1."""
     sigma, radius = given.roughness.asperity_height_deviation, given.roughness.asperity_radius
     load = 4.0 / 3.0 * given.contact_modulus * np.sqrt(radius) * sigma**1.5
     return sigma * 1e9, load * 1e6, np.pi * radius * sigma * 1e12
@@ -132,12 +132,12 @@ def asperity(record: AsperityLaw) -> Figure:
                 seen.add(regime.state)
     left.plot(w * length, bare**1.5 * load, color="black", linestyle=":", label="Hertz")
     right.plot(w * length, bare * area, color="black", linestyle=":", label="Hertz")
-    left.set(xlabel="displacement [nm]", ylabel="load on one asperity [uN]")
-    right.set(xlabel="displacement [nm]", ylabel="contact area of one asperity [um$^2$]")
+    left.set(xlabel="displacement [nm]", ylabel="load on one asperity [µN]")
+    right.set(xlabel="displacement [nm]", ylabel="contact area of one asperity [µm²]")
     for axes in (left, right) * (not linear):
         axes.set(xscale="log", yscale="log")
     left.legend()
-    figure.suptitle(f"Steel, R = 50 um{', w = 1 J/m$^2$' * adheres}", fontsize="medium")
+    figure.suptitle(f"Steel, R = 50 µm{', w = 1 J/m$^2$' * adheres}", fontsize="medium")
     return figure
 
 
@@ -150,16 +150,16 @@ def tangential(record: TangentialLaw) -> Figure:
     given = contact(3e-9 if adheres else 48e-9)
     w = np.concatenate([-np.geomspace(3.0, 1e-3, 100)] * adheres + [np.geomspace(1e-3, 30.0 if adheres else 20.0, 600)])
     pressed, _, sheared = whole(regimes(given, Choice(SUM, asperity=law.key, tangential=record.key)), w)
-    return _friction_of_one(pressed, sheared, scales(given)[1], f"on the asperity law {law.key}; steel, R = 50 um")
+    return _friction_of_one(pressed, sheared, scales(given)[1], f"on the asperity law {law.key}; steel, R = 50 µm")
 
 
 def _friction_of_one(pressed: np.ndarray, sheared: np.ndarray, load: float, title: str) -> Figure:
     figure, left, right = two_panels()
     left.plot(pressed * load, sheared * load, color="#0072B2", linewidth=2.5)
-    left.set(xlabel="load on one asperity [uN]", ylabel="force that shears it off [uN]")
+    left.set(xlabel="load on one asperity [µN]", ylabel="force that shears it off [µN]")
     there = (pressed > 1e-3 * np.nanmax(pressed)) & (sheared > 0.0)
     right.plot(pressed[there] * load, sheared[there] / pressed[there], color="#0072B2", linewidth=2.5)
-    right.set(xscale="log", xlabel="load on one asperity [uN]", ylabel="their ratio", ylim=(0.0, None))
+    right.set(xscale="log", xlabel="load on one asperity [µN]", ylabel="their ratio", ylim=(0.0, None))
     figure.suptitle(title, fontsize="medium")
     return figure
 
@@ -190,10 +190,10 @@ def film(record: FilmLaw) -> Figure:
     for axes, at, scale in ((left, 0, load), (right, 1, area)):
         axes.plot(w * length, plain[at] * scale, color="grey", linestyle=":", label="no film")
         axes.plot(w * length, coated[at] * scale, color="#0072B2", linewidth=2.5, label=record.key)
-    left.set(xlabel="displacement [nm]", ylabel="load on one asperity [uN]")
-    right.set(xlabel="displacement [nm]", ylabel="contact area of one asperity [um$^2$]")
+    left.set(xlabel="displacement [nm]", ylabel="load on one asperity [µN]")
+    right.set(xlabel="displacement [nm]", ylabel="contact area of one asperity [µm²]")
     left.legend()
-    figure.suptitle(f"200 nm of silver on steel, R = 50 um, asperity law {choice.asperity}", fontsize="medium")
+    figure.suptitle(f"200 nm of silver on steel, R = 50 µm, asperity law {choice.asperity}", fontsize="medium")
     return figure
 
 
@@ -265,7 +265,7 @@ def presliding(record: Presliding) -> Figure:
     data = st.solve(contact(energy=0.0), load=loads, model=SUM, presliding=record.key)
     figure, axes = plt.subplots(figsize=(5.5, 3.6), layout="constrained")
     axes.loglog(loads, data["tangential_stiffness"] * 1e-6, linewidth=2.5)
-    axes.set(xlabel="load [N]", ylabel="tangential stiffness [N/um]", title="Steel on steel, no film")
+    axes.set(xlabel="load [N]", ylabel="tangential stiffness [N/µm]", title="Steel on steel, no film")
     axes.grid(alpha=0.3)
     return figure
 
@@ -278,7 +278,7 @@ def meniscus(record: Meniscus) -> Figure:
         water = st.Liquid(relative_humidity=humidity, contact_angle_first="10 deg", contact_angle_second="10 deg")
         data = st.solve(_small().replace(liquid=water), separation=separations, model=SUM, meniscus=record.key)
         axes.semilogy(separations * 1e9, -data["load_meniscus"] * 1e6, linewidth=2.5, label=f"{humidity:.0%}")
-    axes.set(xlabel="mean separation [nm]", ylabel="pull of the menisci [uN]", title="Silicon, water at 20 degC, sigma = 10 nm")
+    axes.set(xlabel="mean separation [nm]", ylabel="pull of the menisci [µN]", title="Silicon, water at 20 degC, sigma = 10 nm")
     axes.grid(alpha=0.3)
     axes.legend(title="relative humidity")
     return figure
@@ -330,7 +330,7 @@ def criterion(record: Criterion) -> Figure:
     for radius in (0.1e-6, 1e-6, 10e-6):
         rough = st.Roughness(asperity_height_deviation=1e-9, asperity_radius=radius, asperity_density=0.04 / (radius * 1e-9))
         groups, _ = Groups.of(contact(roughness=rough, energy=st.axis("work_of_adhesion", energies)).indices())
-        axes.loglog(energies, record.ratio(groups), linewidth=2.5, label=f"R = {radius * 1e6:g} um")
+        axes.loglog(energies, record.ratio(groups), linewidth=2.5, label=f"R = {radius * 1e6:g} µm")
     axes.axhline(1.0, color="grey", linewidth=1.0)
     axes.set(xlabel="work of adhesion [J/m$^2$]", ylabel="ratio: below 1 it sticks", title="Steel, sigma = 1 nm")
     axes.grid(alpha=0.3)

@@ -19,6 +19,7 @@ from stiction.report.view import regime_picture
 from stiction.report.views.comparison import comparison_view
 from stiction.report.views.prediction import prediction_view
 from stiction.studies.prediction.around import AROUND
+from stiction.studies.prediction.measured import Measured
 
 LOADS = '[solve]\nmodel = "greenwood_williamson_1966"\nload = ["0.1 N", "1 N", "10 N"]\n'
 DESIGN = """
@@ -154,6 +155,16 @@ def test_a_film_has_no_plasticity_map_of_bare_bodies():
     (figure,) = regime_picture(adhering, data, "").values()
     (adhesion,) = figure.draw().axes
     assert "Tabor" in adhesion.get_xlabel()
+
+
+def test_measured_friction_is_drawn_with_its_errors(path):
+    measured = Measured(np.array([0.2, 5.0]), np.log([0.1, 0.2]), np.array([0.1, 0.2]))
+    (axes,) = prediction_figure(st.predict(path), measured=measured).axes
+    (bars,) = (bars for bars in axes.containers if bars.get_label().startswith("measured"))
+    assert bars.lines[0].get_xdata().tolist() == [0.2, 5.0] and bars.lines[0].get_ydata() == pytest.approx([0.1, 0.2])
+    ends = [segment[:, 1] for segment in bars.lines[2][0].get_segments()]
+    assert ends == [pytest.approx([0.1 * math.exp(-0.1), 0.1 * math.exp(0.1)]),
+                    pytest.approx([0.2 * math.exp(-0.2), 0.2 * math.exp(0.2)])]  # fmt: skip
 
 
 def test_the_legend_of_a_prediction_covers_no_title(path):

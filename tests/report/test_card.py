@@ -121,6 +121,14 @@ def test_a_reader_without_a_terminal_gets_no_command(step, words):
     assert without_commands(step) == words
 
 
+def test_the_card_says_how_many_handbook_contacts_agree(predicted):
+    rows = dict(card_of(predicted.assign_attrs(in_handbooks=(5, 6))).lines)
+    assert rows["Handbooks"] == "5 of 6 contacts agree"
+    fitted = {"measured": 3, "strength": (2e7, 1e7, 3e7), "grows_with_pressure": True}
+    for none in ({"in_handbooks": (0, 0)}, {"in_handbooks": (5, 6)} | fitted):
+        assert "Handbooks" not in dict(card_of(predicted.assign_attrs(**none)).lines)
+
+
 def test_a_warning_leaves_at_most_fair_confidence(predicted):
     sure = predicted.assign(friction_coefficient_low=0.9 * predicted.friction_coefficient)
     sure["friction_coefficient_high"] = 1.1 * predicted.friction_coefficient

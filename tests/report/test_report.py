@@ -304,12 +304,13 @@ def test_that_a_case_is_read_is_shown_while_it_is(tmp_path):
 
 def test_the_first_page_is_the_card_with_the_main_inputs_and_one_line_of_validity(tmp_path):
     """What is printed before the first page break: card, pictures, inputs, validity; a named model has its number as large."""
-    case = small(tmp_path, OXIDISED)
+    case = small(tmp_path, OXIDISED.replace('"1 mm^2"', '"0.01 cm^2"'))
     write_report(case, tmp_path / "report.html")
     first, second, appendix = (tmp_path / "report.html").read_text(encoding="utf-8").split('<div class="page"></div>')
     assert 'class="card"' in first and first.count("<svg") == 3 and first.count('scope="row"') == 7
     assert "mu against load." in first and "Samples of mu" not in first  # though the case has one load
-    assert "Next step" in first and first.count("Validity.</strong>") == 1
+    assert first.count("0.01 cm²") == 2 and "1 mm²" not in first  # as the case states it, in the question and the inputs
+    assert ">Next<" in first and first.count("Validity.</strong>") == 1
     assert "Why" in second and "Models compared" in second and "Inputs" in appendix and "Sources" in appendix
     named = small(tmp_path, OXIDISED + 'model = "greenwood_williamson_1966"\n', "named.toml")
     record = write_report(named, tmp_path / "named.html")

@@ -187,7 +187,7 @@ def test_the_first_screen_has_the_answer_and_the_whole_form_in_110_words(opened,
     assert 60 < len(words) <= 110 and {"Confidence", "Interface"} <= set(words), (len(words), words)
     parts = page.locator(".group")
     assert [one.splitlines()[0] for one in parts.all_inner_texts()] == FORM
-    boxes = [one.bounding_box() for one in (*parts.all(), page.get_by_text("Model and options", exact=True))]
+    boxes = [one.bounding_box() for one in (*parts.all(), page.get_by_text("Model", exact=True))]
     assert all(box["y"] + box["height"] <= 800 for box in boxes)
     assert [box["y"] for box in boxes] == sorted(box["y"] for box in boxes)
     for name in TABS:
@@ -274,7 +274,7 @@ def test_studies_are_made_and_stopped(page):
     page.get_by_text("Notes", exact=True).click()
     page.get_by_text(re.compile("objective: friction_coefficient next to ")).wait_for()
     assert not page.get_by_text(re.compile("^Objective missed")).count()
-    page.get_by_label("target mu").fill("0.5")  # beyond what the ends of the free number give
+    page.get_by_label("target μ").fill("0.5")  # beyond what the ends of the free number give
     page.get_by_role("button", name="Design", exact=True).click()
     page.get_by_role("alert").get_by_text(
         re.compile(r"^Objective missed: friction_coefficient = 0\.\d+, \d\d.* % below 0\.5\.$")

@@ -134,7 +134,7 @@ async def test_a_surface_is_known_by_its_finish():
         tables = first_case()
         tables["contact"]["roughness"] = {"finish": "polished"}
         await _until(user, lambda: _mu(user) == _predicted(tables))
-        _labelled(user, ui.select, "the surface is known by").set_value("σ, R and N")
+        _labelled(user, ui.select, "the surface is known by").set_value("σ, R, N")
         await _until(user, lambda: _mu(user) == _predicted(EXAMPLE))
         await _until(user, lambda: _labelled(user, ui.select, "kind").value == "polished")
 

@@ -43,7 +43,7 @@ _NAMES = {
     "chance": "chance, few asperities",
     "sliding": "size of the contact spots",
 }
-
+_BODIES = {"first": "first body", "second": "second body", "coating.material": "film", "coating": "film"}
 _NO_WIDTH = 1e-9  # width of an interval over its upper end that is only round-off
 
 
@@ -337,9 +337,9 @@ def worn_through(interval: list[float]) -> str:
 
 
 def part_name(name: str) -> str:
-    """Return the readable name of a source of uncertainty or an uncertain input: "hardness of first" for "first.hardness"."""
+    """Return the readable name of a source of uncertainty or an input: "hardness of first body" for "first.hardness"."""
     body, _, quantity = name.rpartition(".")
-    words = _NAMES.get(name, f"{quantity} of {body}" if body else name)
+    words = _NAMES.get(name, f"{quantity} of {_BODIES.get(body, body)}" if body else name)
     return words.replace("_", " ").replace("youngs", "Young's").replace("poissons", "Poisson's")
 
 

@@ -31,7 +31,7 @@ class Card(NamedTuple):
     load: working load as text. confidence: "high", "fair" or "low". decides: main sources of uncertainty, as text. warning: one
     short warning, or "". next_step: recommended next step. rows: the full answer as pairs (heading, text). named: result of the
     model that the user named, as text; "" if none was named. worn_through: mu after film or oxide has worn through, as text.
-    lowered_by: what would lower mu.
+    lowered_by: what would lower mu. handbooks: how many handbook contacts agree, as text.
     """
 
     mu: float
@@ -47,6 +47,7 @@ class Card(NamedTuple):
     named: str = ""
     worn_through: str = ""
     lowered_by: str = ""
+    handbooks: str = ""
 
     @property
     def interval(self) -> str:
@@ -56,8 +57,13 @@ class Card(NamedTuple):
     @property
     def lines(self) -> list[tuple[str, str]]:
         """Return the rows that the card shows below mu, as pairs (heading, text); rows without text are left out."""
-        rows = [("Confidence", self.confidence), ("Uncertainty from", self.decides), ("Lower mu by", self.lowered_by)]
-        rows += [("If worn through", self.worn_through), ("Warning", self.warning), ("Next step", self.next_step)]
+        rows = [("Confidence", self.confidence), ("Handbooks", self.handbooks), ("Uncertainty from", self.decides)]
+        rows += [
+            ("Lower mu by", self.lowered_by),
+            ("Worn to clean metal", self.worn_through),
+            ("Warning", self.warning),
+            ("Next", self.next_step),
+        ]
         return [(head, text) for head, text in rows if text]
 
     def bar(self) -> str:
@@ -112,8 +118,14 @@ def card_of(data: "xarray.Dataset", named: str = "") -> Card:
     rows = answer_lines(data)
     return Card(
         mu, low, high, attrs["level"], working_load_in_words(data), confidence_in(data), decides, warning, next_in_words(data),
-        rows, named, worn_through(attrs["bare_metal"]), attrs["lowered_by"],
+        rows, named, worn_through(attrs["bare_metal"]), attrs["lowered_by"], _agreement(data),
     )  # fmt: skip
+
+
+def _agreement(data: "xarray.Dataset") -> str:
+    """Return "5 of 6 contacts agree" for a prediction; "" if friction that the user measured takes the place of handbooks."""
+    held, contacts = data.attrs["in_handbooks"]
+    return f"{held} of {contacts} contacts agree" if contacts and "measured" not in data.attrs else ""
 
 
 def shortened(warning: str) -> str:

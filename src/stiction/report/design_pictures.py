@@ -36,7 +36,7 @@ def design_figure(data: "xarray.Dataset") -> Figure:
     figure, panels = canvas(max(5.6 * len(drawn), 7.0), 4.8, 1, len(drawn))
     for axes, draw in zip(panels, drawn, strict=True):
         draw(axes)
-    missed = [f"missed: {words}" for words in data.attrs["missed"].split("\n") if words]
+    missed = [f"missed: {words.replace('_', ' ')}" for words in data.attrs["missed"].split("\n") if words]
     objective = f"objective: {'; '.join(texts).replace('_', ' ')}"
     figure.suptitle("\n".join(filter(None, [data.attrs.get("case", ""), objective, *missed])), fontsize=11)
     return figure

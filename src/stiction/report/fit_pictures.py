@@ -98,9 +98,9 @@ def _predicted_panel(axes: Axes, data: "xarray.Dataset", name: str) -> None:
             for dim, index in place.items()
             for coordinate in coordinates_along(data, str(dim))
         ]
-        colour, text = COLOURS[line % len(COLOURS)], ", ".join(texts) or "as in the case"
+        colour, text = COLOURS[line % len(COLOURS)], ", ".join(texts)
         draw_band(axes, x, low.isel(place).values, high.isel(place).values, color=colour, alpha=0.25)
-        axes.plot(x, best.isel(place), color=colour, linewidth=1.6, marker="o" if x.size == 1 else "", label=text)
+        axes.plot(x, best.isel(place), color=colour, linewidth=1.6, marker="o" if x.size == 1 else "", label=text or None)
     along_points(axes, data[point])
     along(axes, "y", name, best.values, log=False, title="predicted; band: 95 %, from errors of the fitted parameters only")
 

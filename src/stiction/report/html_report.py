@@ -23,7 +23,7 @@ from stiction.report import report_sections as say
 from stiction.report.answer import ModelAnswer, PredictionAnswer, answer_record, model_record
 from stiction.report.html_words import breakable, formula
 from stiction.report.printed_sources import printed
-from stiction.report.report_answer import answer_in_words, headline, interval_of, question, warnings_here
+from stiction.report.report_answer import answer_in_words, headline, interval_of, main_inputs, question, warnings_here
 from stiction.report.report_sections import groups_of_groups, groups_of_inputs
 from stiction.report.significant_digits import rounded
 from stiction.solving.choice import RECOMMENDED
@@ -160,6 +160,7 @@ def as_html(findings: ReportData, name: str, again: str, progress: Progress = si
         question=question(findings),
         headline=headline(findings),
         card=say.card(findings),
+        main_inputs=main_inputs(findings),
         answer=answer_in_words(findings),
         say=say,
         inputs=[*groups_of_inputs(findings), *groups_of_groups(findings)],

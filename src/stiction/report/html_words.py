@@ -14,7 +14,8 @@ _WORD = re.compile(rf"(?<![A-Za-z])({'|'.join(sorted(_GREEK, key=len, reverse=Tr
 
 def letters(text: str) -> str:
     """Replace names of Greek letters and units on a keyboard by their signs: "sigma = 2 um" becomes "σ = 2 µm"."""
-    return with_signs(_WORD.sub(lambda match: _GREEK[match[1]], text).replace("sqrt(", "√(").replace("+-", "±"))
+    shown = _WORD.sub(lambda match: _GREEK[match[1]], text).replace("τ_0", "τ₀")
+    return with_signs(shown.replace("sqrt(", "√(").replace("+-", "±"))
 
 
 def on_page(table: Table, caption: str) -> Table:

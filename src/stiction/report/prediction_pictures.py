@@ -1,29 +1,33 @@
 """Draw a prediction: mu against load with its interval, or the distribution of mu at one load."""
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from stiction.report.answer import at_working_load, ends_of_mu, headline, main_sources, part_name
-from stiction.report.pictures import BLUE, MU_LABEL, RED, canvas, finish, friction_panel, label
+from stiction.report.pictures import BLUE, GREEN, MU_LABEL, RED, canvas, finish, friction_panel, label
 from stiction.report.scales import LOG, is_log, scale_friction
 
 if TYPE_CHECKING:
     import xarray
 
+    from stiction.studies.prediction.measured import Measured
+
 _MU = "friction_coefficient"
 
 
-def prediction_figure(data: "xarray.Dataset", title: str = "", curve: "xarray.Dataset | None" = None) -> Figure:
+def prediction_figure(
+    data: "xarray.Dataset", title: str = "", curve: "xarray.Dataset | None" = None, measured: "Measured | None" = None
+) -> Figure:
     """Draw mu of a prediction with its interval against load; for a single load, draw a histogram of the samples of mu.
 
     data: result of `predict`. curve: prediction at loads around the single load of `data`; it is drawn in place of the
-    histogram, and the single load is marked on it.
+    histogram, and the single load is marked on it. measured: friction that the prediction uses, drawn with its standard errors.
     """
     figure, (axes,) = canvas(8.53, 4.8)
-    _draw_mu(axes, data if curve is None else curve, data)
+    _draw_mu(axes, data if curve is None else curve, data, measured)
     if title:
         figure.suptitle(title, fontsize=11)
     return figure
@@ -39,9 +43,9 @@ def answer_figure(data: "xarray.Dataset", prediction: "xarray.Dataset") -> Figur
     return figure
 
 
-def _draw_mu(axes: Axes, data: "xarray.Dataset", prediction: "xarray.Dataset") -> None:
+def _draw_mu(axes: Axes, data: "xarray.Dataset", prediction: "xarray.Dataset", measured: "Measured | None" = None) -> None:
     if _MU in data and (data is not prediction or data["load"].size > 1):
-        _band(axes, data, prediction)
+        _band(axes, data, prediction, measured)
     else:
         _histogram(axes, prediction)
 
@@ -88,7 +92,8 @@ def rests_panel(axes: Axes, data: "xarray.Dataset") -> None:
     """
     mu, low, high = ends_of_mu(data)
     shares = main_sources(data.attrs["shares"])
-    names = ["whole interval", *(f"{part_name(name)}\n{share:.0%}" for name, share in shares)]
+    sources = ((part_name(name) if name != "other" else "other sources", share) for name, share in shares)
+    names = ["all together", *(f"{source} alone\n({share:.0%} of the variance)" for source, share in sources)]
     for row, share in enumerate([1.0, *(share for _, share in shares)]):
         ends = [[mu - mu * (low / mu) ** share**0.5], [mu * (high / mu) ** share**0.5 - mu]]
         axes.errorbar([mu], [row], xerr=ends, color=BLUE if row else RED, marker="o", capsize=5, linewidth=2.5)
@@ -99,8 +104,8 @@ def rests_panel(axes: Axes, data: "xarray.Dataset") -> None:
     finish(axes)
 
 
-def _band(axes: Axes, data: "xarray.Dataset", prediction: "xarray.Dataset") -> None:
-    """Draw friction against load, the prediction at its working load, and a legend below the figure.
+def _band(axes: Axes, data: "xarray.Dataset", prediction: "xarray.Dataset", measured: "Measured | None") -> None:
+    """Draw friction against load, the prediction at its working load, measured friction, and a legend below the figure.
 
     data: result over loads, of `predict` or of one model. prediction: result of `predict`.
     """
@@ -108,13 +113,23 @@ def _band(axes: Axes, data: "xarray.Dataset", prediction: "xarray.Dataset") -> N
     mu, low, high = ends_of_mu(prediction)
     text, load = "prediction at the working load", float(at_working_load(prediction)["load"])
     axes.errorbar([load], [mu], [[mu - low], [high - mu]], color=RED, marker="o", capsize=4, label=text)
+    if measured is not None:
+        ends = np.abs(np.exp(measured.log_mu) - np.exp(measured.log_mu + np.multiply.outer([-1.0, 1.0], measured.error)))
+        look: dict[str, Any] = {
+            "color": GREEN,
+            "linestyle": "",
+            "marker": "s",
+            "capsize": 3,
+            "label": "measured, standard error",
+        }
+        axes.errorbar(measured.load, np.exp(measured.log_mu), ends, **look)
     axes.autoscale(axis="y")
     drawn = np.concatenate([line.get_ydata() for line in axes.lines])
     scale_friction(axes, np.concatenate([drawn[drawn > 0.0], [low, high]]))
     finish(axes, legend=False)
     if legend := axes.get_legend():
         legend.remove()
-    axes.figure.legend(*axes.get_legend_handles_labels(), loc="outside lower center", ncols=3, frameon=False, fontsize=9)
+    axes.figure.legend(*axes.get_legend_handles_labels(), loc="outside lower center", ncols=4, frameon=False, fontsize=9)
 
 
 def _histogram(axes: Axes, data: "xarray.Dataset") -> None:

@@ -1,5 +1,6 @@
 """State the question and the answer of a report in sentences, with validity warnings."""
 
+import re
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -10,17 +11,19 @@ from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show
 from stiction.records.validity_warning import ValidityWarning
 from stiction.report import answer
+from stiction.report.html_words import letters
 from stiction.report.significant_digits import rounded
 from stiction.report.swept_tables import coordinates_along, of_point, of_value, points_dimension, shown_quantity, varied
-from stiction.report.table import with_signs, with_unit
+from stiction.report.table import Column, Table, with_signs, with_unit
 from stiction.solving.choice import RECOMMENDED
-from stiction.studies.report_data import ReportData
+from stiction.studies.report_data import ReportData, stated_in
 from stiction.surfaces.finished import Finished
 
 if TYPE_CHECKING:
     import xarray
 
 _MU = "friction_coefficient"
+_LONG = re.compile(r"\d+\.\d{3,}")  # a number with more digits than a reader needs
 _COUNTED = {2: "two", 3: "three", 4: "four", 5: "five"}
 
 
@@ -63,13 +66,21 @@ def question(findings: ReportData) -> str:
         return f"What is the {what} of the contact with {groups}, {_where(findings)}?"
     film = ""
     if (coating := subject.coating) is not None:
-        thickness = dict(subject.listed())["coating.thickness"]
+        thickness = with_signs(inputs_as_stated(findings)["coating.thickness"])
         where = "both bodies" if coating.bodies == "both" else f"the {coating.bodies} body"
         film = f", with a film of {plain_name(coating.material.name)} ({thickness}) on {where}"
     between = f", interface: {subject.interface.name}" if subject.interface is not None else ""
     bodies = f"{plain_name(subject.first.name)} against {plain_name(subject.second.name)}{film}{between}"
-    area = with_signs(dict(subject.listed())["nominal_area"])
+    area = with_signs(inputs_as_stated(findings)["nominal_area"])
     return f"What is the {what} of {bodies}, with a nominal area of {area}, {_where(findings)}?"
+
+
+def inputs_as_stated(findings: ReportData) -> dict[str, str]:
+    """Return the inputs of a report as texts by dotted name: as the case file writes them, otherwise with a suitable unit."""
+    subject, stated = findings.case.subject, stated_in(findings.text)
+    table = "contact" if isinstance(subject, Contact) else "indices"
+    texts = ((dotted, text, stated.get((table, *dotted.split(".")))) for dotted, text in subject.listed())
+    return {dotted: written if isinstance(written, str) else text for dotted, text, written in texts}
 
 
 def stated_roughness(contact: Contact) -> str:
@@ -82,6 +93,36 @@ def stated_roughness(contact: Contact) -> str:
     if contact.measured is not None:
         stated += [f"scan of the {name} body" for name in contact.measured.history]
     return ", ".join(stated)
+
+
+def main_inputs(findings: ReportData) -> Table | None:
+    """Return a table of the main inputs; None for a contact that is given by dimensionless groups."""
+    subject = findings.case.subject
+    if not isinstance(subject, Contact):
+        return None
+    texts = inputs_as_stated(findings)
+
+    def in_short(start: str, *names: str) -> str:
+        known = ((QUANTITIES[name], texts.get(f"{start}{name}")) for name in names)
+        return ", ".join(f"{row.symbol} = {text}" for row, text in known if text)
+
+    def body(start: str, name: str) -> str:
+        return ", ".join(filter(None, [plain_name(name), in_short(f"{start}.", "youngs_modulus", "hardness")]))
+
+    strength = "interfacial_shear_strength"
+    rows = [("first body", body("first", subject.first.name)), ("second body", body("second", subject.second.name))]
+    if (film := subject.coating) is not None:
+        rows.append(("film", f"{body('coating.material', film.material.name)}, {in_short('coating.', 'thickness')}"))
+    rows.append(("nominal area", texts["nominal_area"]))
+    sizes = in_short("roughness.", "asperity_height_deviation", "asperity_radius", "asperity_density")
+    stated = stated_roughness(subject)
+    sizes, kind = f"{stated}: {sizes}" if stated else sizes, "" if stated else texts.get("roughness.kind")
+    rows.append(("roughness", ", ".join(filter(None, [sizes, kind]))))
+    rows.append(("interface", getattr(subject.interface, "name", "") or in_short("", strength) or "not stated"))
+    rows += [("work of adhesion", texts["work_of_adhesion"])] if "work_of_adhesion" in texts else []
+    rows.append(("load", load_in_words(findings) if findings.load is not None else "the loads or separations of the case"))
+    cells = [(name, letters(_LONG.sub(lambda match: f"{float(match[0]):.3g}", text)).replace("e+", "e")) for name, text in rows]
+    return Table([Column("input"), Column("value")], cells, "Main inputs; the appendix lists all inputs", stacked=True)
 
 
 def _finish_in_words(body: Finished) -> str:

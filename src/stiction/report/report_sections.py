@@ -29,14 +29,14 @@ from stiction.report.answer import (
 )
 from stiction.report.card import card_of
 from stiction.report.html_words import letters, on_page
-from stiction.report.report_answer import headline, load_in_words, plain_name, stated_roughness, value_in_words, warnings_here
+from stiction.report.report_answer import headline, inputs_as_stated, plain_name, value_in_words, warnings_here
 from stiction.report.swept_tables import swept_table
 from stiction.report.table import Column, Table, numbers, with_signs
 from stiction.report.tables import HEADS, curve_table, group_in_words, run_notes
 from stiction.report.views.comparison import GROUP_HEADS, group_row, groups_of
 from stiction.report.views.run import draws_in_words, in_draws, with_meaning
 from stiction.solving.choice import RECOMMENDED
-from stiction.studies.report_data import ReportData, places_in, source_of_finish
+from stiction.studies.report_data import ReportData, source_of_finish, stated_in
 
 if TYPE_CHECKING:
     from stiction.case.uncertain import Uncertain
@@ -57,14 +57,13 @@ _NOT_NUMBERS = {
 }
 
 
-_LONG = re.compile(r"\d+\.\d{3,}")  # a number with more digits than a reader needs
 _MOMENTS = "surface."  # prefix of the asperity numbers that follow from spectral moments
 _COLUMNS = [*map(Column, ("quantity", "symbol")), *numbers("value"), *map(Column, ("how well it is known", "source"))]
 
 
 def groups_of_inputs(findings: ReportData) -> list[Table]:
     """Return the inputs of a case as tables, one for each part of the contact, with how well each is known and its source."""
-    subject, places = findings.case.subject, places_in(findings.text)
+    subject, places = findings.case.subject, stated_in(findings.text)
     table = "contact" if isinstance(subject, Contact) else "indices"
     known = {
         ".".join(candidate.path[1:]): with_signs(f"{candidate.distribution.words}: counted")
@@ -72,7 +71,7 @@ def groups_of_inputs(findings: ReportData) -> list[Table]:
     }
     counted = findings.prediction is not None and "ranges" not in findings.case.uncertainty.model_fields_set
     grouped: dict[str, list[list[str]]] = {part: [] for part in _PARTS}
-    for dotted, text in subject.listed():
+    for dotted, text in inputs_as_stated(findings).items():
         part = next((candidate for candidate in _PARTS if candidate and dotted.startswith(f"{candidate}.")), "")
         name = dotted.removeprefix(f"{part}.")
         if name == "name":
@@ -120,10 +119,10 @@ def _range(material: Material | None, name: str, counted: bool) -> str:
     return letters(f"{known}, {'in' if counted else 'not in'} the interval of mu")
 
 
-def _source_of_material(material: Material, name: str, path: tuple[str, ...], places: frozenset) -> str:
+def _source_of_material(material: Material, name: str, path: tuple[str, ...], places: dict) -> str:
     """Return the source of a material property: its preset, or the case if the case states the property.
 
-    path: path of the property in the case file. places: paths of all values in the case file.
+    path: path of the property in the case file. places: values in the case file by path.
     """
     tables = (path[:-1], ("materials", material.name))
     in_case = any((*table, name) in places for table in tables)
@@ -134,7 +133,7 @@ def _source_of_material(material: Material, name: str, path: tuple[str, ...], pl
     return f"{stated} (stated in the case)" if in_case and stated else stated or "the case"
 
 
-def _source(findings: ReportData, dotted: str, path: tuple[str, ...], places: frozenset) -> str:
+def _source(findings: ReportData, dotted: str, path: tuple[str, ...], places: dict) -> str:
     if dotted.startswith("roughness.") and (measured := findings.case.measured) is not None:
         return f"measured in scans, by {'their moments' if dotted.startswith(f'roughness.{_MOMENTS}') else measured.method}"
     if dotted.startswith("interface.") and path[:2] in places:
@@ -172,36 +171,6 @@ def card(findings: ReportData) -> Markup:
     named = "" if findings.prediction is not None else f"{headline(findings)} by {findings.data.attrs['model']}"
     answer = card_of(findings.recommended, named)._replace(next_step=next_in_words(findings.recommended, terminal=False))
     return Markup(answer.html(why=False))  # safe, because Card.html escapes its texts
-
-
-def main_inputs(findings: ReportData) -> Table | None:
-    """Return a table of the main inputs; None for a contact that is given by dimensionless groups."""
-    subject = findings.case.subject
-    if not isinstance(subject, Contact):
-        return None
-    texts = dict(subject.listed())
-
-    def in_short(start: str, *names: str) -> str:
-        known = ((QUANTITIES[name], texts.get(f"{start}{name}")) for name in names)
-        return ", ".join(f"{row.symbol} = {text}" for row, text in known if text)
-
-    def body(start: str, name: str) -> str:
-        return ", ".join(filter(None, [plain_name(name), in_short(f"{start}.", "youngs_modulus", "hardness")]))
-
-    strength = "interfacial_shear_strength"
-    rows = [("first body", body("first", subject.first.name)), ("second body", body("second", subject.second.name))]
-    if (film := subject.coating) is not None:
-        rows.append(("film", f"{body('coating.material', film.material.name)}, {in_short('coating.', 'thickness')}"))
-    rows.append(("nominal area", texts["nominal_area"]))
-    sizes = in_short("roughness.", "asperity_height_deviation", "asperity_radius", "asperity_density")
-    stated = stated_roughness(subject)
-    sizes, kind = f"{stated}: {sizes}" if stated else sizes, "" if stated else texts.get("roughness.kind")
-    rows.append(("roughness", ", ".join(filter(None, [sizes, kind]))))
-    rows.append(("interface", getattr(subject.interface, "name", "") or in_short("", strength) or "not stated"))
-    rows += [("work of adhesion", texts["work_of_adhesion"])] if "work_of_adhesion" in texts else []
-    rows.append(("load", load_in_words(findings) if findings.load is not None else "the loads or separations of the case"))
-    cells = [(name, letters(_LONG.sub(lambda match: f"{float(match[0]):.3g}", text)).replace("e+", "e")) for name, text in rows]
-    return Table([Column("input"), Column("value")], cells, "Main inputs; the appendix lists all inputs", stacked=True)
 
 
 def validity_line(findings: ReportData) -> str:

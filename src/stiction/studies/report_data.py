@@ -101,24 +101,24 @@ def _analyses(case: Case, progress: Progress) -> "dict[str, Analysis]":
     return {body: analyse(surface, progress=progress(f"Analysing the {body} body")) for body, surface in maps.items()}
 
 
-def places_in(text: str) -> frozenset[Address]:
-    """Return the addresses of all keys in the text of a case file, including tables, e.g. ("contact", "first", "hardness").
+def stated_in(text: str) -> dict[Address, Any]:
+    """Return all values in the text of a case file, including tables, by address, e.g. ("contact", "first", "hardness").
 
-    The set is empty if the text is not TOML.
+    The dict is empty if the text is not TOML.
     """
-    addresses: set[Address] = set()
+    stated: dict[Address, Any] = {}
 
     def walk(table: Mapping, path: Address) -> None:
         for key, value in table.items():
-            addresses.add((*path, key))
+            stated[(*path, key)] = value
             if isinstance(value, Mapping):
                 walk(value, (*path, key))
 
     try:
         walk(tomllib.loads(text), ())
     except tomllib.TOMLDecodeError:
-        return frozenset()
-    return frozenset(addresses)
+        return {}
+    return stated
 
 
 def text_of_file(path: Path) -> str:

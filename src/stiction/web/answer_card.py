@@ -8,7 +8,7 @@ from nicegui import ui
 from stiction.laws.validity import warnings_of
 from stiction.quantities.units import show
 from stiction.records.claims import KINDS_OF_WARNING
-from stiction.report.answer import answer_lines, at_working_load, sources_in_words
+from stiction.report.answer import answer_lines, at_working_load
 from stiction.report.card import Card, card_of, shortened
 from stiction.report.html_words import letters
 from stiction.studies.prediction.regime import without_commands
@@ -90,9 +90,6 @@ class AnswerCard:
         self._load_moved.set_visibility(moved)
 
 
-_FEW_SOURCES = 2  # of uncertainty that the card names: the first screen has at most 110 words
-
-
 def card_on_page(prediction: xarray.Dataset, named: str = "") -> Card:
     """Return the short answer card of a prediction for the page, which names tabs in place of commands.
 
@@ -101,12 +98,11 @@ def card_on_page(prediction: xarray.Dataset, named: str = "") -> Card:
     """
     card = card_of(at_working_load(prediction), named)  # without the range of loads: the form shows the load
     if named:
-        return card._replace(decides="", next_step="")
+        return card._replace(decides="", handbooks="", next_step="")
     # the interval after a measurement stands below "Why"
     action = without_commands(str(prediction.attrs["next_step"]), " (tab Studies)", " (tab Surface)")
     repeated = action.startswith("state") and card.warning.removesuffix(" is not stated").lower() in action
-    decides = sources_in_words(prediction.attrs["shares"], _FEW_SOURCES)
-    return card._replace(decides=decides, next_step=action, warning="" if repeated else card.warning)
+    return card._replace(next_step=action, warning="" if repeated else card.warning)
 
 
 def _beside(answer: Answer, load: float) -> tuple[Answer, xarray.Dataset | None]:

@@ -24,7 +24,7 @@ class AsperityTab:
         self._latest = Latest(one_asperity, self._show, self._refuse)
         self._answer = ui.label().classes("text-lg").props('role="status" aria-live="polite"')
         self._sizes = ui.label().classes("text-sm")
-        self._radius = self._slider("contact radius over (R sigma)^(1/2), logarithmic", -2.0, 0.5, -0.5)
+        self._radius = self._slider("contact radius over √(Rσ), logarithmic", -2.0, 0.5, -0.5)
         self._traction = self._slider("tangential force over normal force", 0.0, 1.0, 0.2)
         self._picture = Picture("von Mises stress in section", "", 620)
         self._picture.element.classes("section")  # this class sets a height at which both axes have the same scale
@@ -61,7 +61,7 @@ class AsperityTab:
         pressure = f"mean pressure {found.pressure:.3g} of the hardness of the bodies"
         rough = getattr(subject, "roughness", None)
         if rough is None:
-            return f"Load {found.load:.3g} K R^(1/2) sigma^(3/2), {pressure}; elastic, without adhesion."
+            return f"Load {found.load:.3g} K √R σ√σ, {pressure}; elastic, without adhesion."
         radius = found.radius * math.sqrt(rough.asperity_radius * rough.asperity_height_deviation)
         load = found.load * subject.scales().load
         stress = show(load / (math.pi * radius**2), "nominal_pressure", 3)

@@ -10,6 +10,7 @@ from nicegui import ui
 from stiction.laws.validity import read_warnings
 from stiction.records.claims import KINDS_OF_WARNING, range_in_words
 from stiction.records.sources import bibliography
+from stiction.report.html_words import letters
 from stiction.report.table import Column, Table, numbers
 from stiction.report.views.comparison import Group, comparison_view, group_row, groups_of, left_out_in_words, silent_models
 from stiction.solving.overview import models
@@ -116,10 +117,11 @@ def _why(data: xarray.Dataset, group: Group) -> str:
     claimed range.
     """
     if group.fits:
-        return f"fits; area error {group_row(group)[2]}" if group.errors else "fits"
+        return letters(f"fits; area error {group_row(group)[2]}") if group.errors else "fits"
     warnings = read_warnings(data["validity_warnings"].sel(model=group.names[0]).item())
     worst = min(warnings, key=lambda warning: list(KINDS_OF_WARNING).index(warning.kind))
-    return f"{worst.in_brief}, claimed {range_in_words(worst.low, worst.high)}: {worst.why}" if worst.points else worst.why
+    claimed = f"{worst.in_brief}, claimed {range_in_words(worst.low, worst.high)}: " if worst.points else ""
+    return letters(claimed + worst.why)
 
 
 def human_name(key: str) -> str:

@@ -273,7 +273,7 @@ OPTIONAL_PARTS: dict[str, dict[str, Any]] = {
 ENDINGS = {"first": "first body", "second": "second body", "coating": "film"}
 # Ways to state a surface, each with the numbers that the form starts with.
 SURFACE_KNOWN_BY: dict[str, dict[str, Any]] = {
-    "σ, R and N": {"asperity_height_deviation": "48 nm", "asperity_radius": "50 um", "asperity_density": "1.7e10 1/m^2"},
+    "σ, R, N": {"asperity_height_deviation": "48 nm", "asperity_radius": "50 um", "asperity_density": "1.7e10 1/m^2"},
     "finish and Sq or Ra": {"finish": "ground"},
 }
 

@@ -81,10 +81,10 @@ class Form:
                 self._contact(parts)
             else:
                 self._fields(parts.pop("indices"))
-            with _folded("Rarely stated", any(value_at(tables, one.path) is not None for one in self._rare)):
+            with _folded("More", any(value_at(tables, one.path) is not None for one in self._rare)):
                 for one in self._rare:
                     self._number(one)
-            with _folded("Model and options"):
+            with _folded("Model"):
                 self._model()
                 with _folded("Points of the curve"):
                     self._points()
@@ -345,8 +345,8 @@ class Form:
 
         self._menu(f"material of the {label}", names, preset or _OWN, part.path, chosen, searched=True, named=False)
         known = material(preset) if preset in material_names() else None
-        changed = sum(value_at(tables, number.path) is not None for number in numbers_of(part))
-        with _folded("numbers" + (f", {changed} changed" if preset and changed else ""), not preset, f"numbers of the {label}"):
+        changed = any(value_at(tables, number.path) is not None for number in numbers_of(part))
+        with _folded("numbers" + (", changed" if preset and changed else ""), not preset, f"numbers of the {label}"):
             for number in numbers_of(part):
                 value = getattr(known, number.quantity.name, None)
                 self._number(number, "" if value is None else number.text(value))

@@ -18,7 +18,7 @@ from stiction.web.fields import NOT_STATED, Number, as_written, value_at, with_p
 # Short labels. Other fields have their meaning as label; a tooltip shows the meaning of every field.
 _LABELS = {
     "kind": "kind", "nominal_area": "area Aₙ", "thickness": "thickness t", "asperity_height_deviation": "heights σ",
-    "asperity_radius": "tip radius R", "asperity_density": "density N", "work_of_adhesion": "work γ", "bodies": "on body",
+    "asperity_radius": "tip radius R", "asperity_density": "density N", "work_of_adhesion": "work γ", "bodies": "body",
     "rms_height": "height Sq", "mean_height": "height Ra", "load": "force P", "skewness": "skewness Ssk",
     "kurtosis": "kurtosis Sku", "texture_aspect_ratio": "texture Str",
 }  # fmt: skip

@@ -12,6 +12,7 @@ from nicegui import ui
 
 from stiction.quantities.errors import InputError
 from stiction.quantities.table import QUANTITIES
+from stiction.report.html_words import letters
 from stiction.report.paper_pictures import panel_figure
 from stiction.studies.paper.claims import CLAIMS, LAM, THETA, VARIANTS, claim_map
 from stiction.studies.paper.figures import PANELS, panel_curves
@@ -106,8 +107,8 @@ def _in_words(place: Place) -> str:
     low, high = PLASTICITY
     psi = place.plasticity_index
     yields = "elastic, whatever the load" if psi < low else "plastic, whatever the load" if psi > high else "in between"
-    film = "" if place.film is None else f" The film by itself: theta = {place.film[0]:.3g}, lambda = {place.film[1]:.3g}."
-    return (f"The bodies: theta = {theta:.3g}, lambda = {lam:.3g}: adhesion {'matters' if adheres else 'does not matter'}; "
+    film = "" if place.film is None else f" The film by itself: θ = {place.film[0]:.3g}, λ = {place.film[1]:.3g}."
+    return (f"The bodies: θ = {theta:.3g}, λ = {lam:.3g}: adhesion {'matters' if adheres else 'does not matter'}; "
             f"plasticity index {psi:.3g}: {yields}.{film}")  # fmt: skip
 
 
@@ -117,8 +118,8 @@ def _plane_chart(place: Place | None, dark: bool) -> dict[str, Any]:
     theta, lam = ((10.0 ** np.floor(ends.min()), 10.0 ** np.ceil(ends.max())) for ends in shown)
     along = np.geomspace(*theta, 60)
     series = [
-        line("below this theta adhesion matters", [ADHESION_MATTERS["theta"]] * 2, lam, 0),
-        line("below this lambda adhesion matters", theta, [ADHESION_MATTERS["lam"]] * 2, 1),
+        line("below this θ adhesion matters", [ADHESION_MATTERS["theta"]] * 2, lam, 0),
+        line("below this λ adhesion matters", theta, [ADHESION_MATTERS["lam"]] * 2, 1),
         *(line(f"plasticity index {psi:g}", along, plasticity_line(along, psi), at) for at, psi in enumerate(PLASTICITY, 2)),
     ]
     for limit in series:
@@ -126,7 +127,7 @@ def _plane_chart(place: Place | None, dark: bool) -> dict[str, Any]:
     looks = ("the bodies", "diamond", COLOURS[3]), ("the film by itself", "triangle", COLOURS[5])
     series += [mark(name, point, symbol, 20, colour) for (name, symbol, colour), point in zip(looks, points, strict=False)]
     x, y = (
-        {"type": "log", "name": f"{meaning} adhesion index {QUANTITIES[name].symbol}", "min": low, "max": high}
+        {"type": "log", "name": f"{meaning} adhesion index {letters(QUANTITIES[name].symbol)}", "min": low, "max": high}
         for meaning, name, (low, high) in (("elastic", "theta", theta), ("plastic", "lam", lam))
     )
     options = chart("plane of the adhesion indices", x, y, series, dark)

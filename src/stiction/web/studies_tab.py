@@ -72,7 +72,7 @@ def run_fit_study(query: Query, load: str | float, data: Path, free: dict[str, A
     fit = {"fit": {"free": free}} if free else {}
     if (answer := fit_prediction({**query.at_load(load).tables, **fit}, data, query.folder)) is not None:
         rows = answer_lines(answer[1], terminal=False)
-        return replace(prediction_view(*answer, "case.toml"), parts=lambda: [facts(rows)])
+        return replace(prediction_view(*answer, "case.toml", measured=data), parts=lambda: [facts(rows)])
     return fit_view(run_fit(make_fit_plan({**query.tables, **fit}, data, query.folder), progress))
 
 
@@ -164,7 +164,7 @@ class StudiesTab:
     def _design(self) -> None:
         mu = self._explorer.answer.at(self._explorer.point).get("friction_coefficient")
         near = 0.1 if mu is None or not float(mu) > 0.0 else float(f"{0.9 * float(mu):.2g}")
-        target = ui.number("target mu", value=near, min=0.0, format="%.4g").props("dense outlined")
+        target = ui.number("target μ", value=near, min=0.0, format="%.4g").props("dense outlined")
         free = self._free_number("coating.thickness", "roughness.asperity_height_deviation")
 
         def work(query: Query, progress: Progress) -> View:

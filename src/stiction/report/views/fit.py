@@ -89,8 +89,9 @@ _OTHERS = ("parameter", "other_parameter", "row", "model")
 def fit_view(fit: "FitResult | tuple[Any, ...]", folder: Path | None = None) -> View:
     """Return the view (texts, tables, files and pictures) of a fit.
 
-    fit: a fit, or the tuple (path of the case, case, prediction that uses measured friction, whether to show details). folder:
-    output folder, to which the paths in the fitted case file are relative; None writes no case file.
+    fit: a fit, or the tuple (path of the case, case, prediction that uses measured friction, whether to show details, file of
+    the measured friction). folder: output folder, to which the paths in the fitted case file are relative; None writes no case
+    file.
     """
     if isinstance(fit, tuple):
         return _prediction_view(fit, folder)
@@ -121,10 +122,11 @@ def fit_view(fit: "FitResult | tuple[Any, ...]", folder: Path | None = None) -> 
 def _prediction_view(fit: tuple[Any, ...], out: Path | None) -> View:
     """Return the view of a prediction that uses measured friction.
 
-    fit: (path of the case, case, prediction, whether to show details). out: output folder; None writes no case file.
+    fit: (path of the case, case, prediction, whether to show details, file of the measured friction). out: output folder; None
+    writes no case file.
     """
-    path, case, data, details = fit
-    view = prediction_view(case, data, str(path), details, out is not None)
+    path, case, data, details, measured = fit
+    view = prediction_view(case, data, str(path), details, out is not None, measured=measured)
     if out is not None and "parameter" in data.dims:
         fitted = {"fitted.toml": lambda file: file.write_text(fitted_case(path, case, data, out), encoding="utf-8")}
         return replace(view, files={**view.files, **fitted})

@@ -15,6 +15,7 @@ from stiction.report.table import facts
 from stiction.report.tables import curve_table
 from stiction.report.view import MOST_LINES, Picture, View, lines_of, picture, regime_picture
 from stiction.studies.prediction.around import curve_of
+from stiction.studies.prediction.measured import read_measured
 
 if TYPE_CHECKING:
     import xarray
@@ -33,18 +34,21 @@ def prediction_view(
     details: bool = False,
     saved: bool = False,
     curve: "xarray.Dataset | None" = None,
+    measured: "Path | None" = None,
 ) -> View:
     """Return the view (texts, tables, files and pictures) of a prediction.
 
     data: result of `predict` for the case. file: name of the case file, for the commands that the view suggests. details:
     whether to show the full answer. saved: whether files are written, for which the output needs one more line. curve:
-    prediction over the loads of the picture; by default computed when the picture is drawn.
+    prediction over the loads of the picture; by default computed when the picture is drawn. measured: file of the measured
+    friction that the prediction uses, for the picture.
     """
 
     def draw() -> "Figure":
         from stiction.report.prediction_pictures import prediction_figure
 
-        return prediction_figure(data, case.title, curve_of(case, data) if curve is None else curve)
+        points = None if measured is None else read_measured(measured, case)
+        return prediction_figure(data, case.title, curve_of(case, data) if curve is None else curve, points)
 
     def parts() -> Iterator[Any]:
         if case.title:

@@ -33,7 +33,7 @@ def _run(plan: tuple[Any, ...], progress: Any) -> tuple[Any, ...]:
     for _ in progress("Solving")([case]):
         predicted = fit_prediction(case, data)
     if predicted is not None:
-        return (case, *predicted, details), out
+        return (case, *predicted, details, data), out
     return run_fit(plan_of_fit(case, data), progress), out
 
 
