@@ -322,9 +322,9 @@ def _over_sigma(h: np.ndarray, subject: Any) -> Any:
 
 
 def numbers_schema(schema: dict, more: Sequence[tuple[str, type[Input]]] = ()) -> None:
-    """Extend the JSON schema of a case file so that each number of a contact may also be swept or uncertain.
+    """Extend the JSON schema of a case file so that each number of a contact may also be a list, a range or a distribution.
 
-    schema: JSON schema, which is changed in place. more: further tables that may stand for a number: (name in the schema,
+    schema: JSON schema, which is changed in place. more: further tables that may replace a number: (name in the schema,
     class).
     """
     forms: tuple[tuple[str, type[Input]], ...] = (("RangeOfNumbers", _Ends), ("ListAlong", _Values), *more)

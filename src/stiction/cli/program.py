@@ -318,7 +318,8 @@ def present(view: "View", out: Path | None, json: bool, details: bool = True) ->
 def show(parts: Iterable[Any]) -> None:
     """Print texts and tables on the terminal.
 
-    A text with `no_wrap` stays on one line. A terminal cuts off its end if its `overflow` allows that; a pipe gets all of it.
+    A text with `no_wrap` is printed on one line. If its `overflow` allows it, a terminal cuts this line at its width; a file
+    or pipe receives the whole line.
     """
     from rich.text import Text
 

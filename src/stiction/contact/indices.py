@@ -64,7 +64,7 @@ class Indices(Subject):
     Parameters
     ----------
     theta, lam : float or array, optional
-        Elastic and plastic adhesion index; without adhesion, state hardness_group in place of theta and lam.
+        Elastic and plastic adhesion index; without adhesion, state hardness_group instead of both.
     hardness_group, nu, K_beta, hardness_to_yield, tabor_parameter, sharpness, roughness_parameter : float or array, optional
         Groups of the bodies without a film; K_beta is by default (8/3)(2 - nu)/(1 - nu), the value of two equal bodies.
     n_E, n_H, tau : float or array, optional
@@ -145,7 +145,7 @@ class Indices(Subject):
             allowed = "no value together with theta and lam, because it follows from them"
             raise InputError("hardness_group", self.hardness_group, allowed)
         raise InputError(
-            missing, None, f"{QUANTITIES[missing].described}; without adhesion, state hardness_group in place of theta and lam"
+            missing, None, f"{QUANTITIES[missing].described}; without adhesion, state hardness_group instead of both"
         )
 
     @model_validator(mode="after")
@@ -236,7 +236,8 @@ class Indices(Subject):
     def film_modulus(self) -> "NumberOrArray":
         """Return E_f/(1 - nu_f^2) of the film over the contact modulus E* of the bodies without a film.
 
-        n_E is the contact modulus of the film and the surface opposite it, over E*; the compliance of that surface is removed.
+        It follows from n_E, the contact modulus of the film and the surface opposite it over E*, by subtracting the compliance
+        of that surface.
         """
         whole: Any = self.resolved()
         rest = np.where(np.asarray(whole.films) == 2.0, 0.5, (1.0 - whole.coated_share) * whole.n_E)

@@ -101,9 +101,10 @@ class Interface(Input):
         return self.strength_at(level, hardness, modulus), slope
 
     def allows(self, first: Material, second: Material, *, coated: bool = True) -> bool:
-        """Return whether a user may select this interface state for two bodies; coated: whether one of them is a film.
+        """Return whether a user may name this interface state for two bodies.
 
-        A state without `pairs`, such as one defined by a user, is allowed for any bodies.
+        coated: whether one of the two is a film; a state that only films have is not allowed otherwise. A state without
+        `pairs`, such as one defined by a user, is allowed for any bodies.
         """
         weight = self.weight_of(first, second)
         return not self.pairs or (weight is not None and (weight > 0.0 or coated or not self.of_film))
@@ -180,8 +181,8 @@ def check_interface(contact: Input, state: Interface, first: Material, second: M
         raise InputError("interface", state.name, allowed)
     coated = contact.part("coating") is not None
     if not state.allows(first, second, coated=coated):
-        bodies = f"{first.name} and {second.name}" + ("" if coated else " without a film")
-        allowed = f"{', '.join(allowed_interfaces(first, second, coated=coated))} (the states that suit {bodies})"
+        bodies = f"{first.name} on {second.name}" + ("" if coated else " without a film")
+        allowed = f"{', '.join(allowed_interfaces(first, second, coated=coated))} (the interface states of {bodies})"
         raise InputError("interface", state.name, allowed)
 
 

@@ -49,10 +49,10 @@ def crossing(excess: Callable, parameters: int, samples: int = SAMPLES) -> Any:
 
     @lazy_kernel(worth=300)
     def fill_crossings(table, edges, out):
-        """Fill out[i] with the places, in ascending order, at which a formula changes sign for the parameters table[i].
+        """Fill out[i] with the first k places where `excess`, with parameters table[i], changes sign, in ascending order.
 
-        table (n, p): parameters of n formulas. edges (n, m): ends and kinks of each formula, finite and ascending; sign changes
-        are searched between them. out (n, k): the first k sign changes; unused entries hold the first edge.
+        table: (n, p). edges (n, m): ends and kinks of the function, finite and ascending; sign changes are searched between
+        them. out: (n, k); unused entries hold the first edge.
         """
         for i in range(edges.shape[0]):
             row, count = unpack(table[i], parameters), 0

@@ -154,10 +154,10 @@ def listing(along: Callable, coordinate: Callable, parameters: int) -> Any:
 
     @engine_kernel
     def average(h, law, listed, laws, out):
-        """Fill out (m, 5) with the averages of the laws law[i] over the heights `listed` at the mean separations h[i].
+        """Fill out[i] with five averages over the heights `listed`, for the law with index law[i] at separation h[i].
 
-        Heights and separations are over sigma; `listed` ascends. The five averages: number touching, load, area, slip-limited
-        and yield-limited resistance. laws: the fields of `nodes.Laws`.
+        They are the fraction touching, load, area, slip-limited and yield-limited resistance. Heights and separations are over
+        sigma; `listed` ascends. out: (m, 5). laws: the fields of `nodes.Laws`.
         """
         table, edges, _, _ = laws
         for i in range(h.size):

@@ -81,10 +81,10 @@ def specialised(laws: int, pairs: int = 0) -> bool:
 
 
 def interpreted(little: bool) -> bool:
-    """Return whether plain Python, not compiled code, runs a loop that is compiled only when this saves time.
+    """Return whether to run a loop in plain Python instead of compiling it.
 
-    little: whether the loop has done so little work so far that compiling it would not pay. `all_compiled` and a value of
-    STICTION_LOOPS other than "auto" decide instead.
+    little: whether the loop has done so little work so far that compiling it would not pay. This decides if STICTION_LOOPS is
+    "auto", except within `all_compiled`, which compiles every loop. Other values of STICTION_LOOPS decide alone.
     """
     wanted = tier()
     return little and not _compiled.get() if wanted == TIERS[0] else wanted == TIERS[1]

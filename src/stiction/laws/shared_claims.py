@@ -7,12 +7,14 @@ from stiction.surfaces.theory.moments import LEAST_DENSITY
 
 ELASTIC = Validity("plasticity_index", 0.0, 0.6, "asperities are modelled as elastic, but some yield", "effect")
 ELASTIC_CONTACT = Validity("plasticity_index", 0.0, 0.6, "the contact is modelled as elastic, but it yields", "effect")
-SHORT_RANGE = Validity("tabor_parameter", 5.0, math.inf, "adhesion inside the contact is valid only for soft, large asperities")
+SHORT_RANGE = Validity(
+    "tabor_parameter", 5.0, math.inf, "the law puts all adhesion inside the contact, as in soft, large asperities"
+)
 NEAR_YIELD = Validity(
     "asperity_area_over_yield",
     0.0,
     10.0,
-    "the law keeps yielded asperities near the pressure of first yield, below their hardness",
+    "the pressure of yielded asperities stays near that of first yield here, but should rise to the hardness",
 )  # fmt: skip
 SOFT_FILM = Validity("n_H", 0.0, 1.0, "the law assumes a film that is softer than the substrate")
 PLASTIC_FILM = Validity("film_plasticity_index", 1.0, math.inf, "the film is modelled as plastic at any load", "effect")

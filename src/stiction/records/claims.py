@@ -158,7 +158,7 @@ class Parameter:
         return f"{'>=' if self.lower_included else '>'} {self.lower:g}{' ' * bool(self.unit)}{self.unit}, finite"
 
     def allows(self, value: Any) -> bool:
-        """Return whether a value is allowed; a length must be a number in m."""
+        """Return whether this parameter may have the value; a length must be a number in m."""
         if self.values:
             return isinstance(value, str | Real) and value in self.values
         number: Any = value if isinstance(value, Real) else nan

@@ -350,7 +350,8 @@ def _first(key: str, known: Iterable[str]) -> tuple[str, ...]:
 def incompatibility(law: TangentialLaw | FilmLaw | Addition, asperity: AsperityLaw) -> str:
     """Return in words why a tangential law, film law or added law cannot be combined with an asperity law; "" if it can."""
     missing = [why for trait, why in law.wants.items() if trait not in asperity.traits]
-    return f"{law.key} does not suit {asperity.key}: {' and '.join(missing)}" if missing else ""
+    reasons = " and ".join(missing).replace(" and it ", " and ")
+    return f"the {law.keyword} law {law.key} does not suit the asperity law {asperity.key}: {reasons}" if missing else ""
 
 
 def friction_incompatibility(film: FilmLaw, tangential: TangentialLaw | None) -> str:

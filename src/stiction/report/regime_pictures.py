@@ -104,10 +104,11 @@ def _dot(axes: Axes, place: tuple[float, float], ends: tuple[tuple[float, float]
 
 
 def pressure_of_first_flow(index: float, density: float) -> float:
-    """Return the nominal pressure, divided by the hardness, at which 2 % of the contact area yields.
+    """Return the nominal pressure over the hardness at which F_1(s + index^-2) reaches 2 % of F_1(s).
 
-    The criterion is that of Greenwood & Williamson (1966). index: plasticity index. density: N R sigma. The result is infinite
-    if the criterion is met at no separation of the table, -4 to 6 times sigma.
+    Greenwood & Williamson (1966) take this as the onset of plastic contact. F_1(s) is the integral of (z - s) phi(z) over z >
+    s, with the standard Gaussian density phi and the separation s over sigma. index: plasticity index. density: N R sigma. The
+    result is infinite if no s from -4 to 6 reaches 2 %.
     """
     z, heights, area, load = _gaussian_sums()
     flowing = np.trapezoid(heights * np.clip(z - index**-2.0, 0.0, None), z, axis=1)

@@ -40,7 +40,7 @@ _COLOURS = {"#000000": "currentColor", "#ffffff": "var(--paper)"}
 
 
 def inline(figure: "Figure", name: str, words: str) -> str:
-    """Convert a figure to HTML that follows the colours of the page: SVG, or PNG if the SVG is large.
+    """Convert a figure to HTML: SVG in the colours of the page, or PNG in its own colours if the SVG is large.
 
     name: letters, unique on the page, for the names inside the SVG. words: description for screen readers. Equal figures give
     equal HTML.

@@ -101,10 +101,10 @@ def resolve_laws(choice: Choice, coated: bool, groups: Groups | None = None) -> 
     for law in (tangential, film, *additions.values()):
         if law is not None and (reason := incompatibility(law, asperity)):
             field, value = ("asperity", asperity.key) if choice.asperity else (law.keyword, law.key)
-            raise InputError(field, value, f"another law, because {reason}")
+            raise InputError(field, value, f"another {field} law, because {reason}")
     if film is not None and (reason := friction_incompatibility(film, tangential)):
         assert tangential is not None  # without a tangential law the film law is always compatible
-        raise InputError("tangential", tangential.key, f"another law, because {reason}")
+        raise InputError("tangential", tangential.key, f"another tangential law, because {reason}")
     options = _options(choice, model, asperity, tangential, film)
     _refuse_junctions(film, tangential, options)
     return ResolvedLaws(model, asperity, tangential, film, options, _ignored(choice, coated), additions)

@@ -42,7 +42,7 @@ def _at_random(problem: Problem) -> bool:
 
 
 def _of_asperities(problem: Problem) -> bool:
-    """Return whether the theory neglects the elastic interaction between contact spots."""
+    """Return whether the theory is limited to small contact areas, because it leaves out interaction of contact spots."""
     return not problem.record.up_to_full_contact
 
 
@@ -109,7 +109,7 @@ RULES: tuple[tuple[Validity, Callable[[Problem], bool]], ...] = (
     (Validity("meniscus_share", 0.0, 0.1, "the liquid is left out, but its pull is a large share of the load", "effect"),
      leaves_out_liquid),
     (KELVIN, _solves_menisci),
-    (Validity("area_fraction", 0.0, 0.1, "the interaction of asperities is left out"), _of_asperities),
+    (Validity("area_fraction", 0.0, 0.1, "theories of single asperities hold for small contact areas only"), _of_asperities),
     (Validity("touching_share", 0.0, 0.5, "most asperities touch: the flat is below their mean height"), _at_random),
     (Validity("sharpness", 0.0, 0.3, "asperities are too sharp for the theory of small contacts"), _by_numbers),
     (Validity("rms_slope", 0.0, 0.3, "slopes are too steep for half-spaces"), _at_random),

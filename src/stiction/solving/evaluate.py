@@ -23,7 +23,7 @@ _POINTS, _LAWS = 16384, 4096  # most points, or parameter sets on a grid, that a
 
 
 class Evaluation(NamedTuple):
-    """Store the results of `evaluate`, per asperity and normalised.
+    """Store the results of `evaluate`: dimensionless numbers per asperity.
 
     R is the asperity radius, sigma the standard deviation of the heights, and K = (4/3) E* with the contact modulus E*.
 

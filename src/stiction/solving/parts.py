@@ -34,8 +34,8 @@ def share_without(regimes: list[Regime], loads: np.ndarray, friction: np.ndarray
     """Return the fraction (n, m) of the load that is on asperities without full tangential resistance.
 
     loads, friction: (regimes, n, m). Regimes without friction count, and regimes in which part of the contact flows
-    plastically. The fraction is relative to the net load, which attractive regimes reduce, and is at most 1; it is 0 where all
-    loads are 0.
+    plastically. The fraction is relative to the net load, which attractive regimes reduce, and is at most 1; it is 0 where the
+    net load is 0.
     """
     flowing = np.array([regime.yields_by_degrees for regime in regimes])[:, None, None]
     lost, net = np.where(flowing | (friction == 0.0), np.abs(loads), 0.0).sum(axis=0), np.abs(loads.sum(axis=0))

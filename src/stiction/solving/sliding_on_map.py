@@ -37,7 +37,7 @@ class Move:
     """Store the arguments of `slide` that describe how a map is displaced tangentially.
 
     displacement, tangential_force, weakening_slip, spring_stiffness: as the user states them, or None. residual: fraction of
-    its strength that a point retains once it slides.
+    its strength that a point retains after the weakening slip.
     """
 
     displacement: Any

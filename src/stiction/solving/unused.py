@@ -78,7 +78,7 @@ def unused_inputs(problem: Problem) -> list[Unused]:
 
 
 def refuse_ignored_strength(problem: Problem, choice: Choice) -> None:
-    """Raise InputError if the default model would ignore a stated interfacial shear strength.
+    """Raise InputError if the default model would ignore a stated shear strength or pressure coefficient of the interface.
 
     A model or tangential law that the user named may ignore it; the result then lists it as unused.
     """

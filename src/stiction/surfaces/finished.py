@@ -156,7 +156,7 @@ class FinishedBodies(Input):
         return self
 
     def asperities(self, levels: Mapping[str, Any]) -> tuple[Any, Any, Any]:
-        """Return sigma [m], R [m] and N [1/m^2] of the contact, with its uncertain quantities at given quantile levels.
+        """Return sigma [m], R [m] and N [1/m^2] of the contact, with its uncertain roughness at given quantile levels.
 
         levels: name in `unknowns` -> level between 0 and 1, numbers or arrays. A quantity without a level has its median.
         """

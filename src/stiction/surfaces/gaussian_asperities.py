@@ -9,7 +9,7 @@ from stiction.surfaces.asperity_set import Asperities
 from stiction.surfaces.theory.moments import LEAST_BANDWIDTH, SUMMIT_DEFICIT, Moments
 from stiction.surfaces.theory.moments import combine as added
 
-LEAST = f"no isotropic Gaussian surface has a bandwidth parameter alpha < {LEAST_BANDWIDTH}"
+LEAST = f"isotropic Gaussian surfaces have a bandwidth parameter alpha of {LEAST_BANDWIDTH} or more"
 
 
 def of_moments(method: str, moments: Moments, note: str) -> Asperities:

@@ -46,7 +46,7 @@ class Scan(Input):
     height_unit: str | None = None
     height_scale: float | None = None
     channel: str | None = None
-    periodic: bool = Field(False, strict=True, description="one period of a surface without end: no form is taken off its map")
+    periodic: bool = Field(False, strict=True, description="the scan is one period of an endless surface; no form is removed")
 
 
 def _body(value):

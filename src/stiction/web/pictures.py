@@ -35,7 +35,7 @@ class Shown(NamedTuple):
 
     @classmethod
     def of(cls, view: View, narrow: bool) -> "Shown":
-        """Return what the page shows of a view, with drawings for a narrow or a wide page."""
+        """Return the tables, sentences, drawings and warnings of a view, with drawings for a narrow or a wide page."""
         drawings = [drawing_of(picture.draw(), picture.description, narrow) for picture in view.pictures.values()]
         return cls(list(view.parts()), drawings, view.warnings)
 
@@ -75,7 +75,7 @@ def _show_table(table: Table, narrow: bool, opened: Callable[[str], object] | No
 
 
 def drawing_of(figure: Any, told: str, narrow: bool = False) -> str:
-    """Return a matplotlib figure as an HTML drawing in the light or dark colours of the page.
+    """Return a matplotlib figure as HTML: a drawing in the colours of the page, or an image if the drawing is large.
 
     told: description for screen readers. narrow: whether the page is narrow.
     """

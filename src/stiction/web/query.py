@@ -59,8 +59,9 @@ class Query:
 class Answer:
     """Hold the results of a query.
 
-    data: a prediction or, if the case names a model, the result of that model. curve_data: the same dataset; for a prediction
-    at a single load, the prediction at loads around it. input_warnings: texts about improbable inputs.
+    data: the prediction, or the result of the model that the case names. curve_data: results along loads or separations:
+    `data` itself, or for a prediction at a single load a prediction at loads around it. input_warnings: texts about improbable
+    inputs.
     """
 
     query: Query

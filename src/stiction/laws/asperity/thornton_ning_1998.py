@@ -196,9 +196,10 @@ def recovery(U, S, eta_y, u_y):
 def released_normal(v, theta, eta_y, u_y, distance, origin):
     """Return displacement w, dw/dv, load and contact area of a yielded asperity after the separation has increased.
 
-    v: coordinate; the asperity was loaded to U = origin + v^2, with U^4 = a^2/(R sigma). origin: U of the asperity that has
-    just lost contact; the contact radius grows like the square root of U - origin. distance: increase of the separation over
-    sigma. theta: elastic adhesion index. eta_y: hardness group times limiting pressure over hardness. u_y: U at yield.
+    v: coordinate; the asperity was loaded to U = origin + v^2, with U^4 = a^2/(R sigma). origin: U below which contact is
+    lost, or a U slightly below the first yielded asperity if none is lost. Above a loss, the contact radius exceeds its value
+    at the loss by about the square root of U - origin. distance: increase of the separation over sigma. theta: elastic
+    adhesion index. eta_y: pi p_y sqrt(R/sigma)/K, with the limiting pressure p_y. u_y: U at yield.
     """
     S = _adhesion(theta)
     U = origin + v * v

@@ -61,6 +61,6 @@ RECORD = Composite(
     sources=(Source("jonsson_hogmark_1984", "", "as restated by the documentation of the NIMS toolbox"),),
     verified="independent evaluation; limits of the film alone and of the substrate alone",
     needs=("n_H", "tau"),
-    validity=(Validity("n_H", 1.8, 12.9, "outside the hardness ratios of the experiments, which omit 2.3 to 6.3"),),
+    validity=(Validity("n_H", 1.8, 12.9, "the experiments had hardness ratios of 1.8 to 2.3 and 6.3 to 12.9 only"),),
     notes="Derived for the Vickers pyramid: the diagonal is taken as seven times the displacement of an asperity.",
 )

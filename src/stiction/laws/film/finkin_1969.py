@@ -131,7 +131,7 @@ RECORD = FilmLaw(
             "film_stiffness",
             0.0,
             0.1,
-            "the law assumes a rigid substrate, but it deforms more than a tenth as much as the film",
+            "the law assumes a rigid substrate, but the substrate deforms more than a tenth as much as the film",
         ),
     ),
     notes="The substrate is rigid at any displacement: for films of much smaller modulus than substrate and indenter. It is "

@@ -120,8 +120,10 @@ def _onset(flows: Any) -> Any:
     def onset(table, out):
         """Fill `out` (n,) with the smallest u = sqrt(w) at which the mean pressure reaches the hardness.
 
-        w: displacement over sigma. table: parameters of each contact. There (E'/E'_s) u = eta H/H_s. The root is bracketed by
-        the largest modulus with the smallest hardness and the reverse. The bracket is scanned in steps, then bisected.
+        w: displacement over sigma. table (n, p): parameters of each contact. At this u, kappa u = eta chi, with the equivalent
+        modulus kappa and the effective hardness chi over those of the substrate, and the hardness group eta. The root is
+        bracketed by the largest modulus with the smallest hardness and the reverse. The bracket is scanned in steps, then
+        bisected.
         """
         for i in range(out.size):
             row = unpack(table[i], ELASTIC)

@@ -78,7 +78,7 @@ LAW = Law(
 
 
 def bare_regimes(groups: Groups) -> list[Regime]:
-    """Return the elastic and the plastic regime of a surface without film, by the equations as printed.
+    """Return the elastic and the plastic regime of a surface without film, by the printed equations of the 2015 paper.
 
     groups: dimensionless groups of n contacts.
     """
@@ -119,7 +119,11 @@ RECORD = FilmLaw(
     title="Soft film exactly as printed in the 2015 paper; the film law of the published variant",
     grade="C",
     sources=(
-        Source("soft_coating_2015", "eqs. (6)-(9) and (15)", "as printed except departures D7-D11; C1..C7 reconstructed"),
+        Source(
+            "soft_coating_2015",
+            "eqs. (6)-(9) and (15)",
+            "as printed except departures D1 and D7-D12; C1..C7 reconstructed (D12)",
+        ),
     ),
     regimes=regimes,
     departures=(
@@ -133,12 +137,14 @@ RECORD = FilmLaw(
     needs=("theta", "lam", "n_E", "n_H", "tau"),
     validity=(
         DEEP_FILM,
-        Validity("load_share_substrate", 0.0, 0.1, "the substrate terms of the paper do not describe a substrate below a film"),
+        Validity(
+            "load_share_substrate", 0.0, 0.1, "the paper computes the load of the substrate as if it did not lie below a film"
+        ),
         Validity(
             "n_E",
             0.9,
             1.1,
-            "loads of film and substrate are added although each is divided by its own modulus: right only for equal moduli",
+            "the paper adds loads of film and substrate in different units, which are equal only for equal moduli",
         ),
     ),
     wants={"2015": "it needs the asperity law roy_chowdhury_ghosh_1994"},

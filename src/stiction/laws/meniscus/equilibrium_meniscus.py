@@ -78,12 +78,17 @@ KELVIN = Validity(
 )
 VALIDITY = (
     KELVIN,
-    Validity("meniscus_over_radius", 0.0, 0.01, "menisci are not small against asperities: their pull is wrong by about 5 %"),
-    Validity("meniscus_tabor_parameter", 0.0, 0.1, "menisci deform asperities that are this soft"),
-    Validity("meniscus_coverage", 0.0, 0.2, "neighbouring menisci merge: they pull less than computed, by a tenth or more"),
+    Validity(
+        "meniscus_over_radius",
+        0.0,
+        0.01,
+        "menisci are not small against asperities: they pull less than computed, by 3 % or more",
+    ),
+    Validity("meniscus_tabor_parameter", 0.0, 0.1, "menisci deform asperities this soft, which the law neglects"),
+    Validity("meniscus_coverage", 0.0, 0.2, "neighbouring menisci merge and pull less than computed, by a tenth or more"),
 )
 PULL_ON_MAPS = Validity(
-    "meniscus_share", 0.0, 0.005, "solved maps gave 0.9 to 4 times the meniscus force of this law", "assumption"
+    "meniscus_share", 0.0, 0.005, "on solved maps menisci pulled with 0.9 to 4 times the force of this law", "assumption"
 )
 
 

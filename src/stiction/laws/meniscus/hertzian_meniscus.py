@@ -119,7 +119,10 @@ RECORD = Meniscus(
     needs=("meniscus_index", "meniscus_height"),
     validity=(
         *equilibrium_meniscus.VALIDITY,
-        replace(equilibrium_meniscus.PULL_ON_MAPS, why="solved maps gave up to 3.8 times the meniscus force of this law"),
+        replace(
+            equilibrium_meniscus.PULL_ON_MAPS,
+            why="on solved maps menisci pulled up to 3.8 times as much, where with more than a tenth of the load",
+        ),
         ELASTIC,
         Validity("penetration_over_meniscus", 0.0, 0.1, "contact area and friction are larger than computed"),
     ),

@@ -10,10 +10,11 @@ from stiction.records.registry import Addition, FilmLaw, RoughSurface, Tangentia
 
 @dataclass(frozen=True, kw_only=True)
 class Meniscus(Addition):
-    """Describe a law of the capillary force of a liquid around an asperity, independent of the asperity law.
+    """Describe a law of the capillary force of a liquid around an asperity.
 
-    pull(groups) returns a list of `Regime` with negative loads and without contact area or tangential resistance. A negative
-    displacement is a gap that the meniscus bridges.
+    pull(groups) returns a list of `Regime` with negative loads and without contact area or tangential resistance. It does not
+    depend on the asperity law, but `wants` may exclude asperity laws. A negative displacement is a gap that the meniscus
+    bridges.
     """
 
     kind = keyword = "meniscus"

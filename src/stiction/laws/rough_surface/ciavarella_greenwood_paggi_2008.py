@@ -72,10 +72,10 @@ def separation_near(load: np.ndarray, groups: Groups) -> np.ndarray:
 
 
 def _compliance(groups: Groups) -> np.ndarray:
-    """Return the displacement of the nominal area that the mean pressure p causes, over sigma and per unit of load, (n, 1).
+    """Return the sinking of the nominal area over sigma per unit of load per asperity, (n, 1).
 
-    The unit of load is K R^(1/2) sigma^(3/2) per asperity. A load of F_3/2 units causes the displacement u = SINKING (p / E*)
-    sqrt(A_n), with p / E* = (4/3) N R sigma sqrt(sigma/R) F_3/2.
+    The unit of load is K R^(1/2) sigma^(3/2). F units of load per asperity are the mean pressure p = (4/3) N R sigma
+    sqrt(sigma/R) E* F, under which the nominal area A_n sinks by SINKING (p / E*) sqrt(A_n).
     """
     return (SINKING * 4.0 / 3.0 * groups.roughness_parameter * groups.sharpness * groups.nominal_width)[:, None]
 

@@ -139,7 +139,7 @@ RECORD = RoughSurface(
             "roughness_parameter",
             LEAST_DENSITY,
             LARGEST_DENSITY,
-            "below the range no sampled profile with exponential autocorrelation matches; above it nothing is tabulated",
+            "below this range no profile with exponential autocorrelation has this value; above it the model has no table",
         ),
         ELASTIC,
     ),

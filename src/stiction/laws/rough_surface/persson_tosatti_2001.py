@@ -68,9 +68,13 @@ RECORD = RoughSurface(
     needs=("theta", "roughness_parameter"),
     validity=(
         Validity(
-            "elastic_over_adhesion", 0.0, 1.0, "the contact may stay partial, but the model assumes full contact", "impossible"
+            "elastic_over_adhesion",
+            0.0,
+            1.0,
+            "adhesion may not suffice for full contact, which the model assumes",
+            "impossible",
         ),
-        Validity("elastic_over_adhesion", 0.0, 0.49, "full contact may need a load, so mu may be lower"),
+        Validity("elastic_over_adhesion", 0.0, 0.49, "the contact may be partial at small loads, and mu lower than computed"),
         ELASTIC_CONTACT,
     ),
     notes="mu is the shear strength of the interface over the nominal pressure. The model raises an error if flattening the "

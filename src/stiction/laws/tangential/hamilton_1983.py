@@ -82,7 +82,8 @@ INSIDE, BELOW, IN_NU = 14, 15, 20
 def inside_reach(nu):
     """Return the value of (1 - 2 nu) p0/Y up to which the series for yield on the surface inside the contact is fitted.
 
-    nu: Poisson's ratio. p0/Y: largest pressure over yield stress. The series is used up to a value that is 1 to 7 % smaller.
+    nu: Poisson's ratio. p0/Y: largest pressure over yield stress. The series is used up to a value that is 0.4 to 7 % smaller
+    for nu up to 0.4. For larger nu it is used up to a much smaller value, because the asperity yields below the surface first.
     """
     return 0.205 + 0.33 * nu
 
@@ -91,8 +92,8 @@ def below_reach(nu):
     """Return the relative width of the range of p0/Y over which the series for yield below the surface is fitted.
 
     The range is (1 - width) F to F, with largest pressure over yield stress, p0/Y, and its value F at which the load alone
-    causes yield. nu: Poisson's ratio. The series is used from a p0/Y on that is larger than the start of the range by at most
-    0.02 F.
+    causes yield. nu: Poisson's ratio. The series is used from the p0/Y at which this place yields first, at most 0.02 F above
+    the start of the range.
     """
     return 0.012 + 0.22 * nu
 

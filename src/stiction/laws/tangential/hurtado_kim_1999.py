@@ -52,7 +52,7 @@ from stiction.records.sources import Source
 SMALL, LARGE = 28.0, 8e4
 STRONGEST, WEAKEST = 1.0 / 43.0, 1.0 / 1290.0
 EXPONENT = math.log(STRONGEST / WEAKEST) / math.log(LARGE / SMALL)
-# Number of parts into which a segment is split between both sizes, because the force there is a broken power of the area.
+# Number of parts into which a segment is split between both sizes, because the force there is a fractional power of the area.
 _PIECES = 6
 
 
@@ -71,10 +71,10 @@ def resistance(u, w, load, area, unit, size_over_burgers):
 
 
 def tangential_resistance(segment: NormalSegment, groups: Groups) -> TangentialResistance:
-    """Return the tangential resistance on a segment, with kinks at the contact radii between which the strength falls.
+    """Return the tangential resistance on a segment, with kinks at seven contact radii from 28 to 80 000 Burgers vectors.
 
-    groups: dimensionless groups of n contacts. The radii are 28 to 80 000 Burgers vectors, with five in between, because sums
-    resolve a broken power of the area only in parts.
+    groups: dimensionless groups of n contacts. Between the first and the last radius the force is a fractional power of the
+    area, which sums over heights resolve only in parts.
     """
     places = np.geomspace(SMALL, LARGE, _PIECES + 1)
     kinks = [coordinates_at_area(segment, (place / groups.size_over_burgers) ** 2) for place in places]

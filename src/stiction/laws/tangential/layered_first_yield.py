@@ -65,10 +65,9 @@ def resistance(u, w, load, area, *row):
 
 
 def tangential_resistance(segment: NormalSegment, groups: Groups) -> TangentialResistance | None:
-    """Return the tangential force at first yield along an elastic segment, or None for other segments.
+    """Return the tangential force at first yield along an elastic segment; None (no resistance) for yielded asperities.
 
-    groups: dimensionless groups of n contacts. Without a film the law `hamilton_1983` applies. Yielded asperities
-    have no resistance.
+    groups: dimensionless groups of n contacts. Without a film the law `hamilton_1983` applies.
     """
     if groups.n_E is None:
         return of_a_half_space(segment, groups)

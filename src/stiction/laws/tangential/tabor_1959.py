@@ -52,9 +52,9 @@ _ROUNDING = 1e-12
 def grown_area(load, area, eta, share):
     """Return the contact area over pi R sigma at which the interface of a junction shears, or `area` if it does not grow.
 
-    The area A follows from W^2 + alpha T^2 = H^2 A^2 with T = c H A/sqrt(alpha). load: W over K R^(1/2) sigma^(3/2). area:
-    over pi R sigma, before shear. eta: hardness group; a pressure H on the area A is the load eta A, and a larger load counts
-    as eta A. share: c, strength of the interface over strength of the bulk.
+    load: W over K R^(1/2) sigma^(3/2). area: over pi R sigma, before shear. eta: hardness group, so that W over the hardness H
+    is load/eta in the unit of area. share: c, strength of the interface over strength of the bulk. The area A follows from W^2
+    + alpha T^2 = H^2 A^2 with the force of the interface, T = c H A/sqrt(alpha). A mean pressure above H counts as H.
     """
     return max(area, min(load / eta, area) / math.sqrt((1.0 - share) * (1.0 + share)))
 
@@ -98,7 +98,7 @@ RECORD = TangentialLaw(
     needs=("hardness_group", "shear_strength", "hardness_to_yield"),
     validity=(
         Validity(
-            "grown_area_ratio", 1.0, 3.0, "hardening, which is not modelled, would limit the growth: mu is too high", "effect"
+            "grown_area_ratio", 1.0, 3.0, "hardening would limit this growth but is not modelled: mu is too high", "effect"
         ),
     ),
     limits=(Limit("bowden_tabor_1943", {"shear_strength": 1e-7}, ("friction_force",), 1e-11),),

@@ -60,9 +60,9 @@ def _friction(store: "Store") -> Iterator[str]:
 
 
 def _scatter(mu: np.ndarray, loads: np.ndarray | None) -> Iterator[str]:
-    """Yield a line for each load with the median of mu and its scatter between height maps.
+    """Yield a line with median, range and standard deviation of mu for each load at which two or more maps give mu.
 
-    mu: (maps, loads); NaN is ignored. loads: [N]; None if the sweep states separations.
+    mu: (maps, loads), NaN if a map gives none. loads: [N]; None if the sweep states separations.
     """
     for index, column in enumerate(mu.T):
         there = column[np.isfinite(column)]

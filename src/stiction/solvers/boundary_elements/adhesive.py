@@ -287,7 +287,9 @@ def _contact(faces: Faces, descent: DescentSearch, load: float, grid: _Grid) -> 
     sides, points = edges(touch, True), int(np.count_nonzero(touch))
     validity_warnings = grid.validity_warnings
     if descent.residual > MOST_ATTRACTION_LEFT and not apart:
-        why = f"not converged: pressure of {descent.residual:.2g} of the largest attraction is left where faces do not touch"
+        why = (
+            f"not converged: pressure error {descent.residual:.2g} of the largest attraction where faces are or should be open"
+        )
         validity_warnings = (
             *validity_warnings,
             ValidityWarning(why, "not_converged", descent.residual, descent.residual, high=MOST_ATTRACTION_LEFT),

@@ -85,10 +85,10 @@ def _energy(problem: Problem, found: Found) -> float:
 
 
 def _energy_left(problem: Problem, found: Found, missed: np.ndarray) -> float:
-    """Return a bound on the energy norm <e C e> of the pressure error e, multiplied by the number of points [Pa m].
+    """Return a bound on <e C e>, the energy of the pressure error e, times the number of points [Pa m].
 
-    C: compliance operator, <>: mean over the map. missed: error of the gap at every point (rows, columns) [m]. The bound is (1)
-    of this module, or the weaker (2) if the map has free edges.
+    C: compliance operator, <>: mean over the map. missed: error of the gap at every point (rows, columns) [m]. The bound is
+    (1) of this module, or the weaker (2) if the map has free edges.
     """
     if problem.displacement.inverts:
         xp = namespace(missed)

@@ -239,7 +239,7 @@ class _Search:
         _, self._residual, self._any_wrong = _settle(self._problem, self._pressure, self._gap, 1.0)
 
     def _conjugate_step(self) -> bool:
-        """Take a conjugate gradient step and return True; return False, without a step, if the energy would rise."""
+        """Take a conjugate gradient step and return True; return False, without a step, if it would not lower the energy."""
         slope = self._turn()
         if not slope < 0.0:
             return False

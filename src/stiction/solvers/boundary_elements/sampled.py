@@ -61,9 +61,10 @@ def fewest_points(heights: np.ndarray, size: tuple[float, float], periodic: bool
 
 
 def _candidates(heights, size, periodic):
-    """Return the allowed sampling steps r of a map, in descending order; the last is 1.
+    """Return the sampling steps r to try on a map, in descending order; the last is 1.
 
-    heights: (rows, columns) [m]. size: (y, x) [m]. On a periodic map r must divide the numbers of rows and columns.
+    heights: (rows, columns) [m]. size: (y, x) [m]. Every step leaves four points in the shortest wave and 16 rows and columns,
+    and on a periodic map it divides the numbers of rows and columns.
     """
     if np.ndim(heights) != 2 or not np.isfinite(heights).all() or np.ptp(heights) == 0.0 or min(np.shape(heights)) < 16:
         return [1]  # the solver raises the error

@@ -65,9 +65,9 @@ def _polynomial(z, c):
 
 @formula
 def _curve(z, by_u, c):
-    """Return the value (1 - z^2) Sum c_k z^k of a curve at z, and its derivative by ln u.
+    """Return (1 - z^2) Sum c_k z^k at z, and its derivative by ln u.
 
-    c: the 19 coefficients. by_u: derivative of z by ln u, with u the coordinate of the asperity.
+    c: the 19 coefficients. by_u: derivative of z by ln u, (1 - z^2)/2, with u the coordinate of the asperity.
     """
     value, slope = _polynomial(z, c)
     return 2.0 * by_u * value, by_u * (2.0 * by_u * slope - 2.0 * z * value)

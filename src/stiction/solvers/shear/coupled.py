@@ -118,9 +118,10 @@ class CoupledState(State):
     """Store pressure, traction and slip of a map after one step.
 
     pressure, strength [Pa]: (rows, columns). strength is the shear strength that a point has before any slip. turns: number of
-    alternating solutions of pressure and traction. change: relative change of the pressure in the last turn. misfit: sum of the
-    differences between the strengths used and those that the pressure gives, over the sum of the latter. It arises at edge
-    points whose strength was fixed because they would otherwise touch in every second turn only.
+    alternating solutions of pressure and traction. change: relative change of the pressure in the last turn. misfit: sum over
+    the points of the difference between the strength used and the strength that the pressure gives, over the sum of the
+    latter. It is not 0 if some points at the edge would touch in every second turn only; their strength is then held (see
+    `_Strengths`).
     """
 
     pressure: np.ndarray = field(repr=False)
@@ -183,9 +184,11 @@ class _Strengths:
         self.misfit = 0.0
 
     def next(self, wanted: np.ndarray) -> np.ndarray:
-        """Return the strengths to use in the next turn [Pa] (rows, columns).
+        """Return the strengths to use in this turn [Pa] (rows, columns).
 
-        wanted: strengths that the pressure of this turn gives [Pa], (rows, columns).
+        wanted: strengths that the pressure of this turn gives [Pa], (rows, columns). The result differs from them after three
+        turns, at points that have begun or ceased to touch since: such a point follows only in part, and after a second change
+        not at all.
         """
         self._turn += 1
         touching = wanted > 0.0

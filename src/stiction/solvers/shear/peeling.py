@@ -126,13 +126,13 @@ def slide_and_peel(
     contact: AdhesiveState, operator: ShearOperator, strength: Callable[[AdhesiveState], np.ndarray], shifts: Sequence[float],
     *, work: float, law: ModeMixity, zeta: float, weakening: Weakening | None = None,
 ) -> SlidingPath:  # fmt: skip
-    """Return the states of an adhesive map at rigid shifts along x [m], in the given order, while shear lowers its adhesion.
+    """Return the path of an adhesive map through rigid shifts along x [m], in the given order, while shear lowers its adhesion.
 
-    There is one state for each shift; the peak, the state with the largest force, is computed with smaller steps. contact: the
-    map, solved without shear. operator: tangential compliance. strength: returns the shear strength of every point of a contact
-    (rows, columns) [Pa]. work: work of adhesion [J/m2]. law: law of mode mixity. zeta: fraction of the shear energy that opens
-    the edge, 0 to 1. weakening: how strength falls with slip; None for constant strength. Contact that is lost does not come
-    back when the force falls.
+    The path holds a state for each shift, and the state with the largest force, which is searched with smaller steps. contact:
+    the map, solved without shear. operator: tangential compliance. strength: returns the shear strength of every point of a
+    contact (rows, columns) [Pa]. work: work of adhesion [J/m2]. law: law of mode mixity. zeta: fraction of the shear energy
+    that opens the edge, 0 to 1. weakening: how strength falls with slip; None for constant strength. Contact that is lost does
+    not come back when the force falls.
     """
     full, zero, none = strength(contact), np.zeros((1, *contact.gap.shape)), np.zeros(contact.gap.shape, dtype=bool)
     start = PeelingState(

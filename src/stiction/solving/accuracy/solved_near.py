@@ -96,10 +96,10 @@ class ContactFeatures:
 
 
 def _of_map(surface: "HeightMap", problem: Problem, load: np.ndarray):
-    """Return pressure and hardness over E* h', Nayak's alpha, and shape of a contact, from its map instead of its asperities.
+    """Return pressure/(E* h'), hardness/(E* h'), Nayak's alpha and the shape of a contact whose map is known.
 
-    h' is the rms gradient. load: normalised loads. The shape is the skewness of the heights, the lay (ratio of largest to
-    smallest rms slope), and the rms gradient of the highest 5 % over h'.
+    h' is the rms gradient. load: normalised loads. The shape has three numbers: the skewness of the heights, the lay (ratio of
+    largest to smallest rms slope), and the rms gradient of the highest 5 % over h'.
     """
     from stiction.solvers.boundary_elements.map_area import map_area  # only contacts with a map need this
     from stiction.surfaces.asperity_set import skewness

@@ -69,11 +69,11 @@ class Limit:
 class DesignPlan:
     """Hold the checked input of a design search.
 
-    content: tables of the case without those of studies, with all files read. given: tables as the user wrote them. folder:
-    folder at which relative paths in the tables start. free: numbers chosen between two ends. options: lists to choose from.
-    objectives: one or two. targets: target value of each objective in SI units, NaN if it has none. limits: constraints on
-    results. validity: which validity warnings are constraints too, as in [design]. effort: number of generations of the search.
-    uncertain: uncertain numbers of the case.
+    content: tables of the case, without the tables of studies; the files that they name have been read. given: tables as the
+    user wrote them. folder: folder at which relative paths in the tables start. free: numbers chosen between two ends.
+    options: lists to choose from. objectives: one or two. targets: target value of each objective in SI units, NaN if it has
+    none. limits: constraints on results. validity: which validity warnings are constraints too, as in [design]. effort: number
+    of generations of the search. uncertain: uncertain numbers of the case.
     """
 
     content: Mapping[str, Any]

@@ -87,7 +87,7 @@ class DesignSpace:
         return len(self.plan.unknowns)
 
     def _choice(self) -> Choice:
-        """Return the model and laws that evaluate the designs, resolved for the design with every share 0.5.
+        """Return the model and laws that evaluate the designs, resolved for the design in the middle of all ranges and lists.
 
         Raises InputError if the model, or the prediction, does not compute an objective or a limited result.
         """

@@ -175,9 +175,9 @@ def _errors(data: Measurements) -> tuple[np.ndarray, bool]:
 
 
 def _start(forward: ForwardModel) -> np.ndarray:
-    """Return the positions (k,), 0 to 1 between their ends, of the k free parameters at which the search starts.
+    """Return the positions (k,) at which the search starts; 0 and 1 are the ends of a free parameter.
 
-    A number starts at its value in the case, or at 0.5 if the case has no value between its ends.
+    The search starts at the value in the case, or at 0.5 if the case has no value between the ends.
     """
     shares = []
     for one in forward.parameters:

@@ -164,7 +164,7 @@ def area_laws(sampled: SampledCase) -> list[AreaLaw]:
 
 
 def _in_turn(sampled: SampledCase) -> tuple[tuple[tuple[Choice, float], ...], ...]:
-    """Return sets of (model, weight) in the order in which they are tried for a contact, the preferred set first."""
+    """Return the sets of (model, weight) for a contact; a later set is used where no model of an earlier set applies."""
     contact = sampled.contact
     if contact.has_film:
         return _ON_FILM, _OTHER_FILMS

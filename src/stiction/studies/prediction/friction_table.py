@@ -60,7 +60,7 @@ def friction_table(contact: Any, *, load: Any = None, level: float = 0.5) -> "xa
     try:
         elastic = slide(numbers, load=loads, displacement=[0.0], **YIELDING_SPOTS)
     except InputError as error:
-        reason = "no model gives them for a contact with a film" if case.subject.has_film else error
+        reason = "they are computed from bare asperities, and this contact has a film" if case.subject.has_film else error
         comments.append(f"no stiffness before sliding and no separation: {reason}")
     else:
         stiffness = elastic["tangential_stiffness"].values / area

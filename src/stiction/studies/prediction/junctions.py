@@ -61,10 +61,10 @@ def grown(
 
 
 def _share_that_hardens(level: np.ndarray, mean: np.ndarray | float) -> np.ndarray:
-    """Return samples of how far the interface hardens, 0 to 1, (n, m or 1), with this mean (judgement).
+    """Return samples of how far the interface hardens with the body, 0 to 1, (n, m or 1).
 
-    The distribution of level^((1 - mean)/mean) spreads over 0 to 1 and narrows to one value where the mean is 0 or 1. level:
-    quantile levels (n, 1).
+    level: quantile levels (n, 1). mean: mean of the samples. The samples are level^((1 - mean)/mean), a judgement: they spread
+    over 0 to 1, and are all equal if the mean is 0 or 1.
     """
     return np.maximum(level, 1e-12) ** ((1.0 - mean) / np.maximum(mean, 1e-9))
 

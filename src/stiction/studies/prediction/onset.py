@@ -38,7 +38,7 @@ class MapSpots:
     side: float
 
     def at(self, share: np.ndarray) -> np.ndarray:
-        """Return the standard deviation of the displacement of spots, divided by shear strength and tangential compliance [m].
+        """Return the standard deviation of spot displacements over (shear strength times tangential compliance) [m].
 
         share: real over nominal area, of any shape; the result has the same shape.
         """

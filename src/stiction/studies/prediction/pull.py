@@ -75,7 +75,7 @@ class Pull:
 
 
 def pull_of(sampled: SampledCase) -> Pull:
-    """Return the factors by which the work of adhesion and the liquid of a contact enlarge its area.
+    """Return how much the work of adhesion and the liquid of a contact enlarge its area.
 
     Raises InputError if no adhesion model applies.
     """

@@ -35,7 +35,7 @@ def refusal_of(case: Case) -> InputError | None:
 def not_used(sampled: SampledCase, strength: Strength, touching: np.ndarray) -> list[str]:
     """Return the stated inputs that have no effect on a prediction, each with the reason in brackets.
 
-    touching: number of asperities in contact at each load (m,), infinite if unknown.
+    touching: number of asperities in contact at each load (m,), infinite if unknown, which leaves `strength_variation` unused.
     """
     every = (*_of_bodies(sampled, strength), *_of_surface(sampled, touching), *_of_choice(sampled.case))
     return [f"{name} ({why})" for name, why in every]

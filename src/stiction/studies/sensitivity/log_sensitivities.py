@@ -34,8 +34,9 @@ _LEFT_OUT = ("surface_energy",)
 class LogSensitivities:
     """Hold logarithmic sensitivities d ln y/d ln x of results y to k input numbers x.
 
-    names: names of the inputs (k,). tables: by name of the result, sensitivities (k, *shape), NaN unless y > 0. errors: by name
-    of the result, error bounds of the same shape. dims: by name of the result, the dimensions of `shape`.
+    names: names of the inputs (k,). tables: sensitivities (k, *shape) of each result by its name, where `shape` is the shape
+    of the result; NaN unless y > 0. errors: their error bounds, in the same form. dims: names of the dimensions of each
+    result.
     """
 
     names: list[str]

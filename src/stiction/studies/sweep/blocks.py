@@ -44,7 +44,7 @@ def solve_block(
 
 
 def _solved(plan: Plan, choice: Choice, block: int, keep: list[str]) -> Iterator[tuple[Region, BatchResult]]:
-    """Yield (region, results) of the contacts of a block that can be solved.
+    """Yield (region, results) for the contacts of a block, without those that cannot be solved.
 
     region: slices within the block, by dimension. keep: names of the results.
     """

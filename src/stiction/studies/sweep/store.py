@@ -198,7 +198,11 @@ def _each_row(array: Any) -> Iterator[np.ndarray]:
 
 
 def _each_counts(array: Any) -> Iterator[np.ndarray]:
-    """Yield the stored histogram of each block in chunks; chunks beyond the last occupied bin are skipped."""
+    """Yield the stored histogram of each block, or parts of it one after the other if it has more bins than a chunk.
+
+    The arrays are (2, points, bins), as `counted` returns them, cut along the bins. Chunks beyond the last occupied bin are
+    skipped.
+    """
     wide = array.chunks[-1]
     step = max(1, _ROWS_AT_ONCE // math.prod(array.chunks))
     for start in range(0, array.shape[0], step):

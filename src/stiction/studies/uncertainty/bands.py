@@ -126,7 +126,7 @@ def _with_notes(data: "xarray.Dataset", case: Case, draws: Draws) -> "xarray.Dat
 
 
 def sampling_attributes(case: Case) -> dict[str, str]:
-    """Return two texts for the attributes of a result: the uncertain inputs of a case, and how they were sampled."""
+    """Return two attributes of a result, as texts: its uncertain inputs, and the number of samples with the seed."""
     words = (f"{name}: {together[0].distribution.words}" for name, together in case.unknowns.items())
     drawn = f"{case.uncertainty.count} points, seed {case.uncertainty.seed}"
     return {"uncertain_inputs": "\n".join(words), "uncertainty": drawn}

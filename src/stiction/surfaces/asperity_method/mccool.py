@@ -19,7 +19,7 @@ from stiction.quantities.errors import InputError
 from stiction.records.registry import AsperityMethod, Parameter, Validity
 from stiction.records.sources import Source
 from stiction.surfaces.asperity_set import Asperities
-from stiction.surfaces.gaussian_asperities import LEAST, of_moments
+from stiction.surfaces.gaussian_asperities import of_moments
 from stiction.surfaces.heightmap import HeightMap
 from stiction.surfaces.statistics import moments_by_differences
 from stiction.surfaces.theory.moments import LEAST_DENSITY
@@ -56,7 +56,14 @@ RECORD = AsperityMethod(
     "a lay",
     find=mccool,
     order=5,
-    validity=(Validity("roughness_parameter", LEAST_DENSITY, inf, LEAST),),
+    validity=(
+        Validity(
+            "roughness_parameter",
+            LEAST_DENSITY,
+            inf,
+            "isotropic Gaussian surfaces are in this range, as their bandwidth parameter alpha is 1.5 or more",
+        ),
+    ),
     of_summits=True,
     of_moments=True,
     parameters={

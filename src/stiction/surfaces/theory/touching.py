@@ -10,11 +10,11 @@ _SEPARATIONS = np.linspace(-8.0, 37.0, 2000)
 
 
 def expected_share(area: np.ndarray) -> np.ndarray:
-    """Return the fraction of asperities that touch, from the contact area per asperity, divided by pi R sigma.
+    """Return an estimate of the fraction of asperities that touch, for theories that have no asperities.
 
-    area: array. The result is F_0(h) at the separation h with F_1(h) = area, for elastic spheres with Gaussian heights
-    (Greenwood & Williamson 1966, eqs 5 and 6). F_n(h) is the integral of (z - h)^n phi(z) over z > h, with the standard
-    Gaussian density phi. Theories without asperities use this estimate.
+    area: contact area per asperity over pi R sigma, an array. The result is F_0(h) at the separation h with F_1(h) = area, as
+    for elastic spheres with Gaussian heights (Greenwood & Williamson 1966, eqs 5 and 6). F_n(h) is the integral of (z - h)^n
+    phi(z) over z > h, with the standard Gaussian density phi.
     """
     log_area, log_share = _tables()
     small = np.log(np.maximum(area, 1e-300))

@@ -37,11 +37,11 @@ from stiction.laws.segment import NormalSegment
 
 @formula
 def residual(w_max, load_max, area_max):
-    """Return the displacement over sigma that remains after unloading of a yielded asperity, w_max - P/sqrt(A), at least 0.
+    """Return the displacement over sigma that remains after unloading, w_max - load_max/sqrt(area_max), at least 0.
 
-    w_max, load_max, area_max: displacement, load and contact area at the turning point, where unloading begins. In SI the
-    formula is omega_max - 3 P/(4 E* a). It would be negative where a published law lets the load jump up, or the area down, at
-    yield; the law of Kogut and Etsion does so up to 1.58 omega_c.
+    w_max, load_max, area_max: displacement, load and contact area of a yielded asperity at the turning point, where unloading
+    begins. In SI the formula is omega_max - 3 P/(4 E* a). It would be negative where a published law lets the load jump up, or
+    the area down, at yield; the law of Kogut and Etsion does so up to 1.58 omega_c.
     """
     if not area_max > 0.0:
         return 0.0
@@ -94,9 +94,9 @@ def _unloading_formulas(normal: Callable, coordinate: Callable, parameters: int)
     def released(v, *row):
         """Return displacement w, dw/dv, load and contact area after unloading, of the asperity with the coordinate v.
 
-        The asperity was loaded to the coordinate u = free + v^2 of the loading law; free: u of the asperity that has just lost
-        contact. The load starts like (u - free)^(3/2), which is smooth in v. row: parameters of the loading law, increase of
-        the separation, free.
+        The asperity was loaded to the coordinate u = free + v^2 of the loading law. free: u below which contact is lost, as
+        `fill_free` computes it. From a loss on, the load starts like (u - free)^(3/2), which is smooth in v. row: parameters
+        of the loading law, increase of the separation, free.
         """
         w_max, stretch, load_max, area_max = normal(row[parameters + 1] + v * v, *row[:parameters])
         w = w_max - row[parameters]

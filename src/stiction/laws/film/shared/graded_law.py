@@ -24,7 +24,7 @@ ALONE, WHOLE = 11, 20  # number of parameters for adhesion and strength; togethe
 
 @formula
 def stiffness(u, bodies):
-    """Return the modulus of film and bodies together over the bodies' modulus, its derivative by ln u, and the film's weight.
+    """Return the modulus of film and bodies together over the bodies', its derivative by ln u, and the film's weight in it.
 
     The modulus is (S5.11) at the contact radius a = sqrt(R sigma) u^2. bodies: smallest and largest result, sqrt(R sigma) over
     the film thickness on one body, then the fields of `TwoBodies`, with the mean Poisson's ratio of film and each body.
@@ -44,11 +44,12 @@ def stiffness(u, bodies):
 
 @formula
 def contact(u, S, bodies):
-    """Return w, dw/du, Q, d ln Q/d ln u and the film's weight of an elastic JKR contact on a graded film.
+    """Return w, dw/du, Q, d ln Q/d ln u and the film's weight in the modulus, for an elastic JKR contact on a graded film.
 
     w: displacement over sigma. Q = sqrt(K_eff/K_s) u^3, with the modulus K_eff of film and substrate together (S5.11) and K_s
-    of the substrate. u: coordinate, with the contact radius sqrt(R sigma) u^2. S: sqrt(6 pi n_g/theta), strength of adhesion.
-    bodies: as in `stiffness`.
+    of the substrate. u: coordinate, with the contact radius sqrt(R sigma) u^2. S: sqrt(6 pi n_g/theta), strength of adhesion,
+    with the work of adhesion n_g of the film over the substrate's and the elastic adhesion index theta. bodies: as in
+    `stiffness`.
     """
     ratio, rise, share = stiffness(u, bodies)
     root = math.sqrt(ratio)

@@ -46,10 +46,10 @@ def _from_there_on(published: Callable, own: int, junction: Callable, more: int)
 def beyond(
     plastic_junctions: str, start: np.ndarray, published: TangentialResistance, segment: NormalSegment, groups: Groups
 ) -> TangentialResistance:
-    """Return the published resistance up to the displacement `start`, and the resistance of another law beyond.
+    """Return a resistance that is `published` up to the displacement `start`, and that of another tangential law beyond.
 
-    start (n,): displacement over sigma; it must be one of the kinks of the published resistance. plastic_junctions: key of a
-    tangential law, or "none", which returns `published` unchanged. groups: dimensionless groups of n contacts.
+    start (n,): displacement over sigma; it must be one of the kinks of the published resistance. plastic_junctions: key of the
+    other law, or "none", which returns `published` unchanged. groups: dimensionless groups of n contacts.
     """
     other = of_whole_segment(plastic_junctions, segment, groups)
     if other is None:
