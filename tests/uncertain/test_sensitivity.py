@@ -141,7 +141,7 @@ def test_the_way_of_finding_asperities_is_an_input(tmp_path):
 
 def test_pictures_and_tables_rank_what_matters(of_power_law):
     table = indices_table(of_power_law)
-    assert [row[0] for row in table.rows] == ["interfacial_shear_strength", "asperity_radius"]
+    assert [row[0] for row in table.rows] == ["interfacial shear strength", "asperity radius"]
     assert table.rows[0][1] == f"{float(of_power_law['friction_coefficient_total_order'][0, 0]):.2f}"
     assert log_sensitivities_table(of_power_law).rows[0][1] == "+1"
     indices, over_load, screening, slopes = sensitivity_figure(of_power_law).axes
@@ -201,7 +201,7 @@ def test_the_command_writes_its_files_and_json(tmp_path):
     words = ["sensitivity", str(path), "--models", "none", "--out", str(tmp_path / "out")]
     result = CliRunner().invoke(cli.app, words)
     assert result.exit_code == 0, (result.output, result.exception)
-    assert "interfacial_shear_strength" in result.stdout and "input raised by 1 %" in result.stdout
+    assert "interfacial shear strength" in result.stdout and "input raised by 1 %" in result.stdout
     names = {"sensitivity.csv", "log_sensitivities.csv", "sensitivity.nc", "sensitivity.png"}
     assert {one.name for one in (tmp_path / "out").iterdir()} == names
     found = json.loads(CliRunner().invoke(cli.app, [*words[:4], "--json"]).stdout)

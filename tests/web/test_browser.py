@@ -277,7 +277,7 @@ def test_studies_are_made_and_stopped(page):
     page.get_by_label("target μ").fill("0.5")  # beyond what the ends of the free number give
     page.get_by_role("button", name="Design", exact=True).click()
     page.get_by_role("alert").get_by_text(
-        re.compile(r"^Objective missed: friction_coefficient = 0\.\d+, \d\d.* % below 0\.5\.$")
+        re.compile(r"^Objective missed: friction coefficient = 0\.\d+, \d\d.* % below 0\.5\.$")
     ).wait_for()
     page.get_by_role("button", name="Sensitivity", exact=True).click()
     page.get_by_role("button", name="Stop").click()

@@ -46,9 +46,10 @@ _STYLE = """
 .group > :last-child { display: flex; flex-direction: column; gap: 3px; min-width: 0 }
 .group + .group { border-top: 1px solid #8886 }
 .number { display: grid; grid-template-columns: 84px 106px minmax(0, 1fr); gap: 0 8px; align-items: center; width: 100% }
+.number:has(.q-field--error) { align-items: start }
 .number .q-select { grid-column: span 2 } .number .uncertain { grid-column: span 2 }
 .number .uncertain + .q-slider { grid-column: span 3 } .number .q-slider { padding-right: 8px }
-.number .q-field__bottom { width: 212px; padding: 2px 0 }
+.number .q-field__bottom { width: 212px; padding: 2px 0; overflow-wrap: anywhere }
 .knobs .q-field--dense .q-field__control, .knobs .q-field--dense .q-field__marginal { height: 30px; min-height: 30px }
 .knobs .q-field--dense .q-field__native { min-height: 28px; padding: 0; font-size: 0.875rem }
 .knobs .q-field__control { padding: 0 8px } .knobs .q-item { min-height: 26px; padding: 0 4px }
@@ -78,9 +79,11 @@ _STYLE = """
   .card dd { margin-bottom: 4px } }
 @media (max-width: 800px) { .head { flex-wrap: wrap; row-gap: 0 } .head > .q-btn { margin-left: auto }
   .title { order: 1; flex: 1 0 100% } .frame { grid-template-columns: minmax(0, 1fr) } .no-wrap-wide { flex-wrap: wrap }
+  .number .q-field__bottom { width: calc(100vw - 214px) }
   .q-page { padding: 4px } .frame > .results { order: -1 } .knobs { position: static; max-height: none } }
 /* the colours of the library are important in a layer, which nothing after it outranks: so its variables are changed */
 .body--light .text-negative { --q-negative: #b00020 } .body--dark .text-negative { --q-negative: #ff8a80 }
+.body--light .q-field--error { --q-negative: #b00020 } .body--dark .q-field--error { --q-negative: #ff8a80 }
 .body--dark .text-primary { --q-primary: #90caf9 }
 .q-tabs { max-width: 100% } .q-tabs__content { flex-wrap: wrap }
 :focus-visible { outline: 3px solid #E69F00; outline-offset: 1px }

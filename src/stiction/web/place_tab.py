@@ -66,7 +66,7 @@ class PlaceTab:
         """Show the plane of the adhesion indices, and the selected figure of the paper."""
         self.show()
         caption, drawing = await run(_panel, self._figure.value, self._variant.value, self._explorer.view.narrow)
-        self._caption.set_text(caption)
+        self._caption.set_text(letters(caption.replace("\n", ", ")))
         self._curves.show([drawing])
 
     async def _claimed(self) -> None:

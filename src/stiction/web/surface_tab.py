@@ -64,7 +64,7 @@ class SurfaceTab:
             self._failures = Rows(ui.column(), lambda why: ui.label(why).classes("text-sm"))
             self._solid = ui.echart({}, enable_3d=True).classes("w-full").style("height: 380px")
             self._solid.props('role="img" aria-label="map of the heights in three dimensions"')
-            label = "Resolution: asperities and mu against the shortest wave"
+            label = "Resolution: asperities and μ against the shortest wave"
             Study(explorer, label, self._resolution, lambda drawing: self._resolved.show([drawing]))
             self._resolved = Rows(ui.column().classes("w-full"), show_drawing)
         self._body.set_visibility(False)

@@ -142,7 +142,7 @@ def resolution_picture(surface: HeightMap, contact: Contact | None, load: float,
     """
     asked: dict[str, Any] = {} if contact is None else {"contact": contact, "load": load}
     study = resolution_study(surface, progress=progress("Filtering"), **asked)
-    return drawing_of(resolution_figure(study), "sigma, R, N and mu against the shortest wave, by each method", narrow)
+    return drawing_of(resolution_figure(study), "σ, R, N and μ against the shortest wave, by each method", narrow)
 
 
 _SHOWN = 96  # points along a side of the three-dimensional map, up to twice as many
@@ -181,7 +181,7 @@ def spectrum_chart(
         seen = np.where(one.density > limits[0], one.density, np.nan)
         series.append(line(name, one.wavevector, seen, at, showSymbol=False, clip=True))
     series[1]["markArea"] = area
-    unit = "m^3" if whole.is_profile else "m^4"
+    unit = "m³" if whole.is_profile else "m⁴"
     x = {"type": "log", "name": "wavevector q [rad/m]", "min": ends[0], "max": ends[1]}
     y = {"type": "log", "name": f"C [{unit}]", "min": limits[0], "max": limits[1]}
     return chart("radially averaged power spectrum against the wavevector", x, y, series, dark)

@@ -75,7 +75,9 @@ def design_notes(data: "xarray.Dataset") -> Iterator[Text]:
     if used["uncertain"]:
         yield Text(f"uncertain inputs ({used['uncertain']}): objectives and limits hold for 95 % of the samples")
     for words in filter(None, used["missed"].split("\n")):
-        yield Text(f"objective missed: {words}; widen the ranges or choose another number", style="bold yellow")
+        yield Text(
+            f"objective missed: {words.replace('_', ' ')}; widen the ranges or choose another number", style="bold yellow"
+        )
     if used["verdict"]:
         yield Text(used["verdict"], style="bold yellow")
     for row in range(min(data.sizes["design"], _ROWS)):
@@ -120,6 +122,6 @@ def design_view(design: "DesignSearch", folder: Path | None = None) -> View:
         files[f"{along}.csv"] = partial(write_csv, data[list(columns)].rename(columns).drop_vars(along, errors="ignore"))
     if folder is not None:
         files["designed.toml"] = lambda path: path.write_text(design.case_text(folder), encoding="utf-8")
-    missed = [f"Objective missed: {words}." for words in data.attrs["missed"].split("\n") if words]
+    missed = [f"Objective missed: {words.replace('_', ' ')}." for words in data.attrs["missed"].split("\n") if words]
     pictures = {"design.png": picture("designs, the nearest to the objective first", "design_pictures.design_figure", data)}
     return View("design", data, parts, lambda: record(data.drop_dims("evaluated"), {}), files, pictures, tuple(missed))

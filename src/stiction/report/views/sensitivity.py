@@ -76,7 +76,7 @@ def indices_table(data: "xarray.Dataset") -> Table:
         low, high = (float(row[f"{first}_total_order_{end}"]) for end in ("low", "high"))
         cells = [_share(row, f"{first}_total_order"), f"{max(low, 0.0):.2f} to {high:.2f}" if np.isfinite(low) else "-"]
         cells += [_share(row, f"{first}_first_order"), _share(row, f"{first}_effect")]
-        rows.append([str(row["input"].item()), *cells, *(_share(row, f"{name}_total_order") for name in others)])
+        rows.append([part_name(str(row["input"].item())), *cells, *(_share(row, f"{name}_total_order") for name in others)])
     return Table([Column(f"{of_point(data, working_place(data))}\n"), *numbers(*heads)], rows, whole=True, ranked=True)
 
 
@@ -93,8 +93,8 @@ def log_sensitivities_table(data: "xarray.Dataset") -> Table:
     results, names = at_working_load(data), results_of(data, "log_sensitivity")
     order: Any = ranked(results, names[0], "log_sensitivity", "number") if names else []
     rows = [
-        [str(results["number"].values[place]), *(_signed(float(results[f"{name}_log_sensitivity"][place])) for name in names)]
-        for place in order
+        [part_name(str(number)), *(_signed(float(results[f"{name}_log_sensitivity"][place])) for name in names)]
+        for place, number in zip(order, results["number"].values[order], strict=True)
     ]
     return Table(
         [Column("input raised by 1 %"), *numbers(*(f"{_HEADS[name]} changes by [%]" for name in names))], rows, ranked=True
