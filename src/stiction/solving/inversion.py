@@ -33,7 +33,7 @@ class Unreachable(Exception):
     """Report a load that a contact does not carry at any separation.
 
     law: index of the contact. at: index of the load. low, high: range of the loads that the contact carries, normalised.
-    Without adhesion low is 0, and 0 itself is not carried.
+    If the contact carries no tension, low is 0, and 0 itself is not carried.
     """
 
     def __init__(self, law: int, at: int, low: float, high: float):
@@ -45,10 +45,10 @@ class Unreachable(Exception):
 class Inversion:
     """Store the separations at which n contacts carry m loads each.
 
-    h (n, m): separations over sigma. residual (n, m): load error over the load, or over the largest tension if the load is
-    negligible. tension (n,): largest tension on the branch (loading or unloading) of the problem, normalised, 0 without
-    adhesion. where (n,): separation of the largest tension, NaN without adhesion. evaluations: largest number of evaluations
-    for one root.
+    h (n, m): separations over sigma, NaN for loads that are not carried. residual (n, m): load error over the load, or over
+    the largest tension if the load is negligible. tension (n,): largest tension on the branch (loading or unloading) of the
+    problem, normalised, 0 if the contact carries none. where (n,): separation of the largest tension, NaN if there is none.
+    evaluations: largest number of evaluations for one root.
     """
 
     h: np.ndarray

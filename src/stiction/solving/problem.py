@@ -57,7 +57,7 @@ class AsperitySum(Problem):
 
     @cached_property
     def regimes(self) -> list[Regime]:
-        """Return the regimes (smooth parts of the laws) of the solids, then those of additional laws, such as menisci."""
+        """Return the regimes (smooth segments of the laws) of the solids, then those of added laws that have any (menisci)."""
         return [*self._solids(), *(regime for law in self.chosen.additions.values() for regime in law.regimes(self.groups))]
 
     def _solids(self) -> list[Regime]:

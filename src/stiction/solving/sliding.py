@@ -77,8 +77,8 @@ def slide(
         For a map at one load: forces from rest, below the sum of strengths, in place of displacements. Points then have to
         keep their strength.
     residual_strength : float, optional
-        Fraction of its strength that an asperity, or a point, retains once it slides, 0 to 1; 1 is Coulomb's law. By default
-        the value of the contact, or 1.
+        Fraction of its strength, 0 to 1, that an asperity retains once it slides, or a point of a map after `weakening_slip`;
+        1 is Coulomb's law. By default the value of the contact, or 1.
     weakening_slip : float [m] or str with a unit, optional
         For a map: slip over which a point loses the rest of its strength, linearly. By default the value of the contact.
     spring_stiffness : float [N/m] or str with a unit, optional

@@ -111,7 +111,8 @@ def slide_case(
     choice : Choice, optional
         Model and laws that replace those of the case.
     residual_strength : float, optional
-        Fraction of its shear strength that an asperity, or a point of a map, retains once it slides, 0 to 1.
+        Fraction of its shear strength, 0 to 1, that an asperity retains once it slides, or a point of a map after
+        `weakening_slip`.
     weakening_slip : float [m] or str with a unit, optional
         For a height map: slip over which a point loses the rest of its strength.
     spring_stiffness : float [N/m] or str with a unit, optional

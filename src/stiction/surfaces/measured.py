@@ -100,9 +100,11 @@ class MeasuredRoughness(Input):
     first: _Body | None = Field(None, description="a table with the scan, or the numbers, of the first body")
     second: _Body | None = Field(None, description="a table with the scan, or the numbers, of the second body")
     method: str | None = Field(None, json_schema_extra=_with_methods)
-    form: int = Field(1, ge=0, le=4, strict=True, description="order of the polynomial that is taken off, 0 to 4")
+    form: int = Field(1, ge=0, le=4, strict=True, description="order of the polynomial to remove, 0 to 4")
     spikes: float | None = Field(None, gt=0, description="mask points so many robust deviations from the median, e.g. 10")
-    fill: str | None = Field(None, description="harmonic or nearest: fill missing points; else they are left out")
+    fill: str | None = Field(
+        None, description="harmonic or nearest: how missing points are filled; by default they stay missing"
+    )
     shortest: _Length | None = Field(None, description="shortest wavelength that is kept")
     longest: _Length | None = Field(None, description="longest wavelength that is kept")
     heights: str | None = Field(None, description="gaussian, weibull or empirical; else the simplest that fits")

@@ -93,7 +93,7 @@ class SurfaceTab:
 
     def _options(self) -> None:
         with ui.row().classes("items-center gap-3"):
-            self._form = ui.select(_FORMS, value=1, label="form taken off", on_change=self._released)
+            self._form = ui.select(_FORMS, value=1, label="form removed", on_change=self._released)
             self._form.classes("w-32").props("dense outlined")
             labels = {"": "none"} | {key: method.label for key, method in methods().items()}
             self._method = ui.select(labels, value="eight_neighbour", label="asperities on the map", on_change=self._marked)

@@ -51,8 +51,9 @@ class Moments:
     def from_asperities(cls, deviation, radius, density) -> "Moments":
         """Return the spectral moments of the Gaussian surface whose summits have these statistics.
 
-        deviation: standard deviation sigma of the summit heights [m]. radius: mean tip radius R [m]. density: summits per area
-        N [1/m^2]. All may be arrays. Source: McCool 1986, solved for the moments; R and N are Nayak's (1971).
+        deviation: standard deviation sigma of the summit heights [m]. radius: R, one over the mean curvature of the summits
+        [m]. density: summits per area N [1/m^2]. All may be arrays. Source: McCool 1986, solved for the moments; R and N are
+        Nayak's (1971).
         """
         m4 = 9.0 * math.pi / (64.0 * radius * radius)
         m2 = m4 / (6.0 * math.pi * math.sqrt(3.0) * density)
