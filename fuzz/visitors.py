@@ -1,9 +1,10 @@
 """Open the page as many visitors do, one after the other, and print how much memory the server has before, during and after.
 
-    python fuzz/visitors.py [--count 200] [--at-once 4] [--rounds 3]
+    python fuzz/visitors.py [--count 500] [--every 50] [--at-once 1]
 
-A visitor loads the page, opens its websocket, and leaves: every third within the computation, before the page has arrived. The
-server forgets a visitor ten seconds after the websocket has closed, and one who opened none after a minute.
+A visitor loads the page, opens its websocket, tells how wide the page is, waits until the charts are drawn for that, and leaves.
+Every third leaves within the computation, before the page has arrived. The server forgets a visitor ten seconds after the
+websocket has closed, and one who opened none after a minute.
 """
 
 import argparse
@@ -25,6 +26,7 @@ import aiohttp
 
 FORGOTTEN = 75.0  # seconds after which the server has forgotten all visitors
 _LEAVES_WITHIN = 0.2  # seconds, in which no page is computed
+_PATIENCE = 60.0  # seconds until the charts must be drawn
 
 
 @contextmanager
@@ -56,14 +58,32 @@ def resident(process: int) -> float:
     return int(re.findall(r"VmRSS:\s+(\d+)", status)[0]) / 1024.0
 
 
-async def visit(session: aiohttp.ClientSession, address: str, state: str = "", stays: float = 0.0) -> str:
-    """Return the page of a visitor who opens its websocket and leaves after some seconds."""
+async def visit(session: aiohttp.ClientSession, address: str, state: str = "") -> str:
+    """Return the page of a visitor who opens its websocket, waits until the charts are drawn anew, and leaves."""
     async with session.get(address, params={"s": state} if state else None) as answer:
         page = await answer.text()
-    said = await greeting(session, address, client_of(page), stays)
-    if not said.startswith("40"):
-        raise RuntimeError(f"the server does not take the visitor: {said}")
+    client = client_of(page)
+    async with websocket(session, address, client) as (stream, said):
+        if not said.startswith("40"):
+            raise RuntimeError(f"the server does not take the visitor: {said}")
+        await asyncio.wait_for(_answer_and_wait(stream, client), _PATIENCE)
     return page
+
+
+async def _answer_and_wait(stream: aiohttp.ClientWebSocketResponse, client: str) -> None:
+    """Answer the first question of the server to the browser, and wait for the elements that change by the answer."""
+    answered = False
+    async for message in stream:
+        if not message.data.startswith("42"):
+            continue
+        name, content = json.loads(message.data[2:])
+        if name == "run_javascript" and "request_id" in content:
+            response = {"request_id": content["request_id"], "client_id": client, "result": [True, 400]}
+            await stream.send_str("42" + json.dumps(["javascript_response", response]))
+            answered = True
+        elif name == "update" and answered:
+            return
+    raise RuntimeError("the server closed the websocket of a visitor")
 
 
 def client_of(page: str) -> str:
@@ -71,16 +91,23 @@ def client_of(page: str) -> str:
     return re.findall(r"""client_id['"]: ?['"]([^'"]+)""", page)[0]
 
 
-async def greeting(session: aiohttp.ClientSession, address: str, client: str, stays: float = 0.0) -> str:
-    """Open the websocket of a visitor, stay some seconds, and return the server's greeting: 40 if the visitor is let in."""
+@asynccontextmanager
+async def websocket(
+    session: aiohttp.ClientSession, address: str, client: str
+) -> AsyncIterator[tuple[aiohttp.ClientWebSocketResponse, str]]:
+    """Open the websocket of a visitor; yield it with the server's greeting: 40 if the visitor is let in."""
     asked = {"EIO": "4", "transport": "websocket", "client_id": client, "tab_id": str(uuid.uuid4())}
     asked |= {"document_id": str(uuid.uuid4()), "next_message_id": "0", "implicit_handshake": "true"}
     async with session.ws_connect(f"{address}/_nicegui_ws/socket.io/", params=asked, max_msg_size=0) as stream:
         await stream.receive_str()
         await stream.send_str("40")
-        said = await stream.receive_str()
-        await asyncio.sleep(stays)
-    return said
+        yield stream, await stream.receive_str()
+
+
+async def greeting(session: aiohttp.ClientSession, address: str, client: str) -> str:
+    """Return the server's greeting of a visitor: 40 if the visitor is let in."""
+    async with websocket(session, address, client) as (_, said):
+        return said
 
 
 async def leave_within(session: aiohttp.ClientSession, address: str, state: str = "") -> None:
@@ -110,21 +137,20 @@ async def visits(address: str, count: int, at_once: int = 4) -> None:
 
 
 def main() -> None:
-    """Print the memory of the server before, right after and some time after each round of visitors."""
+    """Print the memory of the server after every so many visitors, and again once it has forgotten them."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--count", type=int, default=200, help="visitors of all rounds")
-    parser.add_argument("--at-once", type=int, default=4, help="visitors at the same time")
-    parser.add_argument("--rounds", type=int, default=3, help="pauses, in which the server may forget")
+    parser.add_argument("--count", type=int, default=500, help="number of visitors")
+    parser.add_argument("--every", type=int, default=50, help="visitors between two figures")
+    parser.add_argument("--at-once", type=int, default=1, help="visitors at the same time")
     wanted = parser.parse_args()
     with served() as (address, process):
         asyncio.run(visits(address, 1))
         print(json.dumps({"visitors": 1, "memory [MB]": round(resident(process))}), flush=True)
-        for number in range(wanted.rounds):
-            asyncio.run(visits(address, wanted.count // wanted.rounds, wanted.at_once))
-            right_after = resident(process)
-            time.sleep(FORGOTTEN)
-            told = {"visitors": 1 + (number + 1) * (wanted.count // wanted.rounds), "right after [MB]": round(right_after)}
-            print(json.dumps(told | {"when forgotten [MB]": round(resident(process))}), flush=True)
+        for number in range(wanted.every, wanted.count + 1, wanted.every):
+            asyncio.run(visits(address, wanted.every, wanted.at_once))
+            print(json.dumps({"visitors": 1 + number, "memory [MB]": round(resident(process))}), flush=True)
+        time.sleep(FORGOTTEN)
+        print(json.dumps({"when all are forgotten [MB]": round(resident(process))}), flush=True)
 
 
 if __name__ == "__main__":

@@ -267,12 +267,23 @@ def test_work_of_adhesion_from_surface_energies():
             "coating.material.hardnes: 1; allowed: hardness or range (all: ",
         ),
         ({"hardness_to_yield": 0.9}, "hardness_to_yield: 0.9; allowed: >= 1"),
+        ({"coating": {"": 1}}, 'coating."": 1; allowed: '),
     ],
 )
 def test_bad_contact_is_one_line_with_the_dotted_field(changes, message):
     with pytest.raises(InputError) as error:
         contact(**changes)
     assert str(error.value).startswith(message) and "\n" not in str(error.value)
+
+
+def test_a_group_that_no_one_stated_is_explained():
+    """A yield stress above the hardness is refused by their ratio, which the user has not stated."""
+    strong = Material(youngs_modulus="200 GPa", poissons_ratio=0.3, hardness="1 GPa", yield_stress="2 GPa")
+    with pytest.raises(InputError) as error:
+        contact(strong, strong).indices()
+    assert str(error.value) == (
+        "hardness_to_yield: 0.5; allowed: >= 1; follows from the numbers of the contact: hardness over yield stress, H/Y"
+    )
 
 
 @pytest.mark.parametrize(

@@ -17,7 +17,7 @@ from stiction.contact.pair import Pair, choose, compliance_of, more_compliant
 from stiction.contact.size_effect import at_radius, size_notes, size_ratio
 from stiction.contact.subject import Scales, Subject
 from stiction.quantities.dimensions import coordinates, labelled
-from stiction.quantities.errors import InputError, field_named
+from stiction.quantities.errors import InputError, explained, field_named
 from stiction.quantities.inputs import Number, OptionalNumber, by_default, plain_number
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show, to_si
@@ -151,7 +151,8 @@ class Contact(Subject):
         except ArithmeticError:
             raise InputError("contact", "numbers that overflow", "numbers of the size that real materials have") from None
         names = {} if self.unlabelled is self else coordinates(self.arrays())
-        return Indices(**{name: labelled(value, names) for name, value in groups.items()} if names else groups)
+        with explained(lambda name: f"follows from the numbers of the contact: {QUANTITIES[name].meaning}"):
+            return Indices(**{name: labelled(value, names) for name, value in groups.items()} if names else groups)
 
     @property
     def impossible(self) -> "NumberOrArray":
@@ -344,8 +345,7 @@ class Contact(Subject):
     @property
     def interface_strength(self) -> "NumberOrArray | None":
         """Return tau_0 of the interface [Pa], capped at the shear strength of the weaker surface; None if it is not stated."""
-        stated = self.interface_at()[0] is not None
-        return self.indices().interface_strength * self._bare.hardness if stated else None
+        return None if self.interface_at()[0] is None else self.indices().interface_strength * self._bare.hardness
 
     @property
     def kelvin_radius(self) -> "NumberOrArray | None":

@@ -67,6 +67,18 @@ class InputError(ValueError):
 
 
 @contextmanager
+def explained(text: Callable[[str], str]) -> Iterator[None]:
+    """Within the context, add a hint to every InputError that is raised.
+
+    text: function that maps the field name to the hint.
+    """
+    try:
+        yield
+    except InputError as error:
+        raise InputError(error.field, error.value, error.allowed, text(error.field)) from None
+
+
+@contextmanager
 def field_as(name: Callable[[str], str]) -> Iterator[None]:
     """Within the context, replace the field name of every InputError that is raised.
 

@@ -342,7 +342,7 @@ def _input_error(error: ValidationError, cls: type[Input]) -> InputError:
     makes a required field appear to be missing.
     """
     details = min(error.errors(), key=lambda entry: entry["type"] != "extra_forbidden")
-    path = [str(part) for part in details["loc"]]
+    path = [str(part) or '""' for part in details["loc"]]
     cause = details.get("ctx", {}).get("error")
     if isinstance(cause, InputError):
         return InputError(".".join([*path, cause.field] if cause.field else path), cause.value, cause.allowed)

@@ -1,6 +1,5 @@
 """Serve the page in one process, to this machine only unless another address is given."""
 
-import asyncio
 import gc
 import socket
 from pathlib import Path
@@ -21,7 +20,7 @@ _MOST_CONNECTIONS = 1000
 # Objects between two garbage collections, and collections of the young between two of older ones. A page is some 10,000 objects
 # that refer to each other: those of visitors who have left stay until the oldest are collected, here after some five pages.
 _COLLECTED = 5_000, 5, 2
-_LATER = 1.0  # seconds from the end of a page to a collection, in which nothing refers to the page any more
+_FORGOTTEN = 60.0  # seconds after which the library forgets the tab of a browser; by default it is 30 days
 _PATIENCE = 600.0  # seconds until a page must be there; the first use of a model compiles its kernels
 
 
@@ -64,7 +63,7 @@ def serve(query: Query, host: str, port: int) -> None:
         await make_page(query, s)
 
     app.on_shutdown(close_all)
-    app.on_delete(lambda: asyncio.get_running_loop().call_later(_LATER, gc.collect))
+    app.storage.max_tab_storage_age = _FORGOTTEN
     gc.collect()
     gc.freeze()  # what is imported stays: to go through it in every collection would take longer than a page
     gc.set_threshold(*_COLLECTED)
