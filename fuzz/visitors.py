@@ -2,9 +2,9 @@
 
     python fuzz/visitors.py [--count 500] [--every 50] [--at-once 1]
 
-A visitor loads the page, opens its websocket, tells how wide the page is, waits until the charts are drawn for that, and leaves.
-Every third leaves within the computation, before the page has arrived. The server forgets a visitor ten seconds after the
-websocket has closed, and one who opened none after a minute.
+A visitor loads the page, opens its websocket, tells how wide the page is, waits until the charts are drawn for that width, and
+leaves. Every third leaves within the computation, before the page has arrived. The server forgets a visitor ten seconds after
+the websocket has closed, and one who opened none after a minute.
 """
 
 import argparse

@@ -1,9 +1,11 @@
 """Public functions refuse arguments of wrong types and shapes in one line that names the argument; found by `make fuzz`."""
 
 import math
+from decimal import Decimal
 
 import numpy as np
 import pytest
+import xarray
 
 import stiction as st
 
@@ -11,6 +13,7 @@ MAP = st.HeightMap(np.random.default_rng(1).normal(0.0, 1e-8, (16, 16)), (1e-5, 
 CASE = {"indices": {"theta": 40, "lam": 10}, "solve": {"separation": [0.5]}}
 SPECTRUM = {"hurst": 0.8, "rolloff": "2 um", "shortest": "1.5 um", "deviation": "10 nm"}
 ARRAY = np.ones((2, 3))
+DATASET = xarray.Dataset({"load": 1.0})
 
 
 def _made(**moments):
@@ -43,6 +46,19 @@ def _made(**moments):
         ("dimensions", lambda: st.SelfAffine(**SPECTRUM, dimensions=[])),
         ("skewness", lambda: _made(skewness="1 nm", kurtosis=3.0)),
         ("kurtosis", lambda: _made(skewness=0.5, kurtosis=10**400)),
+        ("shape", lambda: st.gaussian_surface(16, (1e-5, 1e-5), st.SelfAffine(**SPECTRUM), 1)),
+        ("spectrum", lambda: st.gaussian_surface((16, 16), (1e-5, 1e-5), "flat", 1)),
+        ("heights", lambda: st.HeightMap([[1.0], [1.0, 2.0]], (1e-5, 1e-5))),
+        ("heights", lambda: st.HeightMap(DATASET, (1e-5, 1e-5))),
+        ("keys", lambda: st.models([["jkr"]])),
+        ("what", lambda: st.cite([["hertz_1882"]])),
+        ("what", lambda: st.cite(1.0)),
+        ("what", lambda: st.cite(xarray.DataArray([1.0]))),
+        ("scans", lambda: st.combined_spectrum(np.float64(1.0))),
+        ("load", lambda: st.axis("load", DATASET)),
+        ("dimension", lambda: st.axis("load", [1.0], np.ones(2))),
+        ("youngs_modulus", lambda: st.Material(youngs_modulus=DATASET, poissons_ratio=0.3, hardness="1 GPa")),
+        ("height_distribution.exponent", lambda: st.height_distribution("weibull", exponent=Decimal("nan"))),
     ],
 )
 def test_a_wrong_argument_is_named_in_one_line(field, call):

@@ -9,6 +9,7 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import cache
+from numbers import Real
 from typing import TYPE_CHECKING, TypedDict, Unpack
 
 import numpy as np
@@ -123,7 +124,7 @@ def weibull(exponent: float) -> Heights:
 
     Values outside this range raise an InputError; below 1 the density would be infinite at its lower end.
     """
-    if not 1.0 <= exponent <= 100.0:
+    if not isinstance(exponent, Real) or not 1.0 <= exponent <= 100.0:
         raise InputError("height_distribution.exponent", exponent, "1 to 100")
     mean = math.gamma(1.0 + 1.0 / exponent)
     deviation = math.sqrt(math.gamma(1.0 + 2.0 / exponent) - mean * mean)

@@ -59,7 +59,7 @@ def to_si(value, name: str):
         number = _from_text(value, quantity)
     elif foreign.has_unit(value):
         number = _from_pint(value, quantity)
-    elif hasattr(value, "dims"):
+    elif hasattr(value, "dims") and hasattr(value, "dtype"):  # a DataArray, not a Dataset
         number = _from_labelled(value, quantity)
     else:
         number = _from_numbers(value, quantity)
@@ -153,9 +153,9 @@ def axis(name: str, values: "QuantityLike | None" = None, dimension: str | None 
         first = 'first the name of a quantity, then its values, e.g. axis("load", ["1 N", "2 N"])'
         raise InputError("axis", name, f"{first}: {nearest(name, QUANTITIES)}")
     quantity, numbers = QUANTITIES[name], values_along(name, values)
-    dimension = dimension or name
-    if not isinstance(dimension, str):
+    if dimension is not None and not isinstance(dimension, str):
         raise InputError("dimension", dimension, "a name, as text")
+    dimension = dimension or name
     attributes = {name: text for name, text in quantity.attributes.items() if name != "symbol"}
     along = {dimension: coordinate(dimension, numbers, attributes)}
     return xarray.DataArray(variable((dimension,), numbers, attributes), coords=along, name=name)

@@ -1,6 +1,7 @@
 """Return what is known of the registered models and laws, and the bibliography entries of a result."""
 
 from collections.abc import Callable, Iterable
+from contextlib import suppress
 from typing import TYPE_CHECKING, Any, NotRequired, TypedDict, cast
 
 from stiction.quantities.errors import InputError, nearest
@@ -82,11 +83,7 @@ def models(keys: Iterable[str] | None = None) -> list[ModelRow]:
     """
     if keys is None:
         return [_row(record) for record in records()]
-    try:
-        wanted = list(keys)
-    except TypeError:
-        raise InputError("keys", keys, "a list of keys of models, or None for all") from None
-    known = {record.key for record in records()}
+    known, wanted = {record.key for record in records()}, _texts(keys, "keys", "a list of keys of models, or None for all")
     for key in wanted:
         if key not in known:
             raise InputError("key", key, nearest(key, sorted(known)))
@@ -199,12 +196,26 @@ def cite(what: "xarray.Dataset | str | Iterable[str] | None" = None) -> str:
     if what is None:
         return entries()
     if hasattr(what, "attrs"):
+        if "sources" not in what.attrs:
+            raise InputError("what", "a dataset without the attribute sources", "a result of `solve`")
         return entries(what.attrs["sources"].split())
     keys: list[str] = []
-    for key in [what] if isinstance(what, str) else what:
+    for key in _texts([what] if isinstance(what, str) else what, "what", "a result of `solve`, a key or a list of keys"):
         named = [source.key for record in records() if record.key == key for source in record.sources]
         keys += named or [key]
     return entries(keys)
+
+
+def _texts(values: Any, field: str, allowed: str) -> list[str]:
+    """Return an iterable of texts as a list; raise InputError for anything else.
+
+    field, allowed: texts of the error.
+    """
+    with suppress(TypeError):
+        texts = list(values)
+        if all(isinstance(text, str) for text in texts):
+            return texts
+    raise InputError(field, values, allowed)
 
 
 def entries(keys: Iterable[str] | None = None) -> str:

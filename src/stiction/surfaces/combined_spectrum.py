@@ -106,9 +106,11 @@ def combined_spectrum(scans: "Iterable[HeightMap]", tip_radius: "float | str | N
     of several scans, wavelengths 93.7573 nm to 16.4569 µm
     >>> surface = st.gaussian_surface((512, 512), ("12 um", "12 um"), spectrum, seed=3)
     """
-    if not isinstance(scans, Iterable) or isinstance(scans, str):
-        raise InputError("scans", scans, "a list of maps, e.g. [st.read_scan(FILE), ...]")
-    maps = [as_height_map(scan, f"scans[{index}]") for index, scan in enumerate(scans)]
+    try:
+        listed = list(scans)
+    except TypeError:
+        raise InputError("scans", scans, "a list of maps, e.g. [st.read_scan(FILE), ...]") from None
+    maps = [as_height_map(scan, f"scans[{index}]") for index, scan in enumerate(listed)]
     if not maps:
         raise InputError("scans", 0, "at least one scan")
     if len({surface.is_profile for surface in maps}) > 1:

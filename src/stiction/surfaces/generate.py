@@ -118,7 +118,7 @@ class _Periodic:
             q = np.hypot(along, across)
             if part.start == 0:
                 q[0, 0] = smallest  # a power law has no value at q = 0, the mean, which is set to 0 below
-            density = np.asarray(spectrum(q), dtype=float)
+            density = np.asarray(spectrum(q) if callable(spectrum) else np.nan, dtype=float)
             if density.shape != q.shape or not (density >= 0.0).all() or np.isinf(density).any():
                 raise InputError(
                     "spectrum", str(spectrum), "a function of an array q > 0 that returns finite values >= 0 of the same shape"
@@ -266,7 +266,8 @@ def rms_slope(surface: HeightMap) -> float:
 
 
 def _check_grid(shape, seed) -> None:
-    whole = len(shape) == 2 and all(isinstance(count, int | np.integer) and count > 0 for count in shape)
+    pair = isinstance(shape, tuple | list) and len(shape) == 2
+    whole = pair and all(isinstance(count, int | np.integer) and count > 0 for count in shape)
     if not whole or shape[1] < _LEAST_POINTS or 1 < shape[0] < _LEAST_POINTS:
         raise InputError("shape", shape, f"(rows, columns), at least {_LEAST_POINTS} each, or (1, columns) for a profile")
     require_arrays(shape, _ARRAYS)

@@ -145,7 +145,10 @@ class HeightMap:
 def _unmasked(heights) -> np.ndarray:
     """Return heights as an array, with NaN in place of masked values if they are a masked array of real numbers."""
     if not isinstance(heights, np.ma.MaskedArray) or heights.dtype.kind not in "iuf":
-        return np.asarray(heights)
+        try:
+            return np.asarray(heights)
+        except (TypeError, ValueError):  # rows of different lengths, or a dataset
+            raise InputError("heights", heights, "numbers of shape (rows, columns), in m") from None
     return np.ma.filled(heights.astype(np.float64), np.nan)
 
 
