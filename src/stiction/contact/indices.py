@@ -145,7 +145,7 @@ class Indices(Subject):
             allowed = "no value together with theta and lam, because it follows from them"
             raise InputError("hardness_group", self.hardness_group, allowed)
         raise InputError(
-            missing, None, f"{QUANTITIES[missing].described}; without adhesion, state hardness_group instead of both"
+            missing, None, f"{QUANTITIES[missing].described}; without adhesion, state hardness_group instead of theta and lam"
         )
 
     @model_validator(mode="after")
