@@ -123,10 +123,10 @@ def test_a_reader_without_a_terminal_gets_no_command(step, words):
 
 def test_the_card_says_how_many_handbook_contacts_agree(predicted):
     rows = dict(card_of(predicted.assign_attrs(in_handbooks=(5, 6))).lines)
-    assert rows["Handbooks"] == "5 of 6 contacts agree"
+    assert rows["Confidence"] == "low; 5 of 6 handbook contacts agree"
     fitted = {"measured": 3, "strength": (2e7, 1e7, 3e7), "grows_with_pressure": True}
     for none in ({"in_handbooks": (0, 0)}, {"in_handbooks": (5, 6)} | fitted):
-        assert "Handbooks" not in dict(card_of(predicted.assign_attrs(**none)).lines)
+        assert "handbook" not in dict(card_of(predicted.assign_attrs(**none)).lines)["Confidence"]
 
 
 def test_a_warning_leaves_at_most_fair_confidence(predicted):

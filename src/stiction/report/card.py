@@ -57,7 +57,7 @@ class Card(NamedTuple):
     @property
     def lines(self) -> list[tuple[str, str]]:
         """Return the rows that the card shows below mu, as pairs (heading, text); rows without text are left out."""
-        rows = [("Confidence", self.confidence), ("Handbooks", self.handbooks), ("Uncertainty from", self.decides)]
+        rows = [("Confidence", "; ".join(filter(None, [self.confidence, self.handbooks]))), ("Uncertainty from", self.decides)]
         rows += [
             ("Lower mu by", self.lowered_by),
             ("Worn to clean metal", self.worn_through),
@@ -123,9 +123,9 @@ def card_of(data: "xarray.Dataset", named: str = "") -> Card:
 
 
 def _agreement(data: "xarray.Dataset") -> str:
-    """Return "5 of 6 contacts agree" for a prediction; "" if friction that the user measured takes the place of handbooks."""
+    """Return "5 of 6 handbook contacts agree"; "" if friction that the user measured takes their place."""
     held, contacts = data.attrs["in_handbooks"]
-    return f"{held} of {contacts} contacts agree" if contacts and "measured" not in data.attrs else ""
+    return f"{held} of {contacts} handbook contacts agree" if contacts and "measured" not in data.attrs else ""
 
 
 def shortened(warning: str) -> str:
