@@ -10,10 +10,10 @@ costs time at every prediction.
 """
 
 import json
+import math
 from pathlib import Path
 
 import numpy as np
-from scipy.stats import norm
 
 from stiction.records.record import of_kind
 from stiction.records.registry import RoughSurface
@@ -55,8 +55,13 @@ def densities(known: SolvedSet, errors: np.ndarray, seen: str) -> np.ndarray:
 
 def _robust(value: float, levels: np.ndarray) -> float:
     """Return ln of the density where one surface in fifty is like no other, so that no single one decides."""
-    wide = norm.logpdf(value, levels[2], _LIKE_NO_OTHER)
-    return float(np.logaddexp(np.log(0.98) + log_density(value, levels), np.log(0.02) + wide))
+    wide = _log_normal(value, levels[2], _LIKE_NO_OTHER)
+    return float(np.logaddexp(math.log(0.98) + log_density(value, levels), math.log(0.02) + wide))
+
+
+def _log_normal(value: float, middle: float = 0.0, deviation: float = 1.0) -> float:
+    """Return ln of the normal density; scipy's takes twenty times as long for one number."""
+    return -0.5 * ((value - middle) / deviation) ** 2 - math.log(deviation * math.sqrt(2.0 * math.pi))
 
 
 def log_density(value: float, levels: np.ndarray) -> float:
@@ -65,12 +70,12 @@ def log_density(value: float, levels: np.ndarray) -> float:
     slopes = np.diff(levels) / np.diff(NORMAL_SCORES)
     beyond = (levels[-1] - levels[0]) / (NORMAL_SCORES[-1] - NORMAL_SCORES[0])
     if value < levels[0]:
-        return float(norm.logpdf(NORMAL_SCORES[0] + (value - levels[0]) / beyond) - np.log(beyond))
+        return float(_log_normal(NORMAL_SCORES[0] + (value - levels[0]) / beyond) - np.log(beyond))
     if value > levels[-1]:
-        return float(norm.logpdf(NORMAL_SCORES[-1] + (value - levels[-1]) / beyond) - np.log(beyond))
+        return float(_log_normal(NORMAL_SCORES[-1] + (value - levels[-1]) / beyond) - np.log(beyond))
     at = int(np.clip(np.searchsorted(levels, value) - 1, 0, len(slopes) - 1))
     slope = max(slopes[at], 1e-3 * beyond)
-    return float(norm.logpdf(np.interp(value, levels, NORMAL_SCORES)) - np.log(slope))
+    return float(_log_normal(np.interp(value, levels, NORMAL_SCORES)) - np.log(slope))
 
 
 def stacked(scores: np.ndarray, counts: np.ndarray) -> np.ndarray:
