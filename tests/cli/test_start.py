@@ -29,10 +29,13 @@ def test_compilation_is_told_and_the_cache_is_not(tmp_path, monkeypatch):
 def test_the_law_that_is_compiled_is_named(tmp_path):
     """It is that of the formulas in the loop, here Hertz's; in a process of its own, because others keep compiled loops."""
     ask = (
-        "import stiction as st\nfrom stiction.engine.compiling import telling\n"
-        "contact = st.Indices(hardness_group=1.0, shear_strength=0.1)\n"
+        "import numpy, stiction as st\nfrom stiction.engine.compiling import telling\n"
+        "from stiction.engine.heights import gaussian\nfrom stiction.engine.summation import scattered\n"
+        "from stiction.solving.choice import Choice\nfrom stiction.solving.problem import make_problem\n"
+        "choice = Choice('greenwood_williamson_1966', asperity='hertz', tangential='none')\n"
+        "regimes = make_problem(st.Indices(hardness_group=1.0), choice).regimes\n"
         "with telling(lambda done, name: print(name)):\n"
-        "    st.solve(contact, separation=[0.0], model='greenwood_williamson_1966', asperity='hertz')\n"
+        "    scattered(regimes, numpy.zeros(1), gaussian())\n"
     )
     environment = os.environ | {"STICTION_CACHE_DIR": str(tmp_path), "STICTION_LOOPS": "shared"}
     told = subprocess.run([sys.executable, "-c", ask], env=environment, text=True, capture_output=True, check=True).stdout

@@ -76,7 +76,8 @@ def check_types(folder, text):
     script = folder / "script.py"
     script.write_text(text, encoding="utf-8")
     assert (Path(st.__file__).parent / "py.typed").exists()  # or a type checker would not look into the installed package
-    options = ["--strict", "--follow-imports=silent", "--config-file=", f"--cache-dir={folder / 'cache'}", "--no-error-summary"]
+    cache = f"--cache-dir={Path(__file__).parents[2] / '.mypy_cache' / 'of_a_user'}"  # libraries are read once
+    options = ["--strict", "--follow-imports=silent", "--config-file=", cache, "--no-error-summary"]
     command = [sys.executable, "-m", "mypy", *options, str(script)]
     environment = os.environ | {"MYPYPATH": str(Path(st.__file__).parents[1])}
     return subprocess.run(command, text=True, capture_output=True, env=environment, cwd=folder, check=False).stdout
