@@ -3,6 +3,7 @@
 import gc
 import os
 import signal
+import sys
 
 # Tests run in processes side by side: with as many threads each, they would wait for each other. Before numpy is there.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
@@ -25,13 +26,26 @@ WORTH_COMPILING, tiers._WORTH_COMPILING = tiers._WORTH_COMPILING, 10_000_000
 signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
+@pytest.hookimpl(tryfirst=True)  # before xdist reads the marks
 def pytest_collection_modifyitems(items):
     """What one process does alone, as the browser, begins where two thirds are done: kernels are compiled by then, and the
-    other process has enough left to do meanwhile."""
+    other process has enough left to do meanwhile. Tests that share a fixture of their module run in one process, which makes
+    it once."""
     alone = [item for item in items if item.get_closest_marker("xdist_group")]
     others = [item for item in items if not item.get_closest_marker("xdist_group")]
+    for item in others:
+        if group := _shared_by(item):
+            item.add_marker(pytest.mark.xdist_group(group))
     done = 2 * len(others) // 3
     items[:] = [*others[:done], *alone, *others[done:]]
+
+
+def _shared_by(item):
+    """Return the module of a test with the parameters of the module's fixtures that it uses; "" if it uses none."""
+    fixtures = getattr(item, "_fixtureinfo", None)
+    found = {name for name, known in fixtures.name2fixturedefs.items() if known[-1].scope == "module"} if fixtures else set()
+    chosen = getattr(getattr(item, "callspec", None), "indices", {})
+    return "-".join([item.module.__name__, *(str(chosen[name]) for name in sorted(found & chosen.keys()))]) if found else ""
 
 
 @pytest.fixture(autouse=True)
@@ -39,6 +53,12 @@ def no_silent_nan():
     """Arithmetic that makes NaN or infinity is an error in every test; underflow to zero is meant."""
     with np.errstate(all="raise", under="ignore"):
         yield
+
+
+@pytest.fixture
+def no_pictures(monkeypatch):
+    """Leave out pictures, as where matplotlib is not installed; they take longer than the numbers."""
+    monkeypatch.setitem(sys.modules, "matplotlib", None)
 
 
 @pytest.fixture

@@ -95,13 +95,13 @@ def test_a_slip_of_weakening_belongs_to_a_map(case):
 def test_the_map_of_a_case_is_moved_aside(tmp_path):
     """As in Python, at all loads; the surface is a period that is read from a file."""
     length = 1e-5
-    surface = st.gaussian_surface((64, 64), (length, length), st.SelfAffine(0.8, length / 4, length / 16, 2e-8), seed=1)
+    surface = st.gaussian_surface((48, 48), (length, length), st.SelfAffine(0.8, length / 4, length / 16, 2e-8), seed=1)
     np.save(tmp_path / "map.npy", surface.heights)
     (tmp_path / "case.toml").write_text(
         """
 [contact]
 first = "hardened_steel_52100"
-second = "silicon_nitride"
+second = "hardened_steel_52100"
 interfacial_shear_strength = "300 MPa"
 nominal_area = "100 um^2"
 [contact.roughness]

@@ -249,7 +249,7 @@ def cut_finely(regime):
 @pytest.mark.parametrize("coated", [True, False])
 def test_sums_are_as_good_as_the_record_says(coated):
     """Over the whole range, thinnest films included, against finely cut segments."""
-    count = 8000
+    count = 4000
     laws, h = random_laws(count, 11), separations(count, 11)
     regimes = graded.graded_regimes(*laws) if coated else graded.bare_regimes_with_transition(laws[0])
     (found, _), (expected, size) = sums(regimes, h), sums([cut_finely(regime) for regime in regimes], h)

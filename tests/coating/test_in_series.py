@@ -36,12 +36,12 @@ def by_hand(n_E, n_H, tau):
     def weighed(w):
         return one(w) * np.exp(-((H + w) ** 2) / 2) / np.sqrt(2 * np.pi)
 
-    grid = np.linspace(0.0, 6.0, 241)
+    grid = np.linspace(0.0, 6.0, 121)
     gap = [n_E * resistance(film, w) - (resistance(substrate, w - tau) if w >= tau else 0.0) for w in grid]
-    turns = [grid[i] for i in range(240) if (gap[i] > 0) != (gap[i + 1] > 0)]
+    turns = [grid[i] for i in range(120) if (gap[i] > 0) != (gap[i + 1] > 0)]
     ends = sorted({0.0, 6.0, tau, float(film.w1), float(substrate.w1) + tau, *turns})
     pieces = [(a, b) for a, b in itertools.pairwise(ends) if b <= 6.0]
-    return sum(quad(weighed, a, b, limit=60, epsrel=1e-6, epsabs=1e-12)[0] for a, b in pieces)
+    return sum(quad(weighed, a, b, limit=60, epsrel=1e-5, epsabs=1e-12)[0] for a, b in pieces)
 
 
 @pytest.mark.parametrize(("n_E", "n_H", "tau"), [(3.0, 4.0, 0.3), (1.0, 1.0, 0.5), (0.3, 0.3, 0.4)])

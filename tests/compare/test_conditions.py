@@ -76,9 +76,10 @@ def check(contact, found):
 def test_no_model_escapes(film):
     rng = np.random.default_rng(11 + film)
     met, solved = set(), set()
-    for _ in range(24):
+    for number in range(13 if film else 24):  # a film is solved for each
         contact = drawn(rng, film)
-        load = contact.nominal_area * hardness_of(contact) * 10.0 ** rng.uniform(-9.0, 0.3)
+        pressure = 10.0 ** rng.uniform(-9.0, 0.3) if number < 12 or not film else 1.5  # over the hardness
+        load = contact.nominal_area * hardness_of(contact) * pressure
         for one in candidates(contact):
             try:
                 found = st.solve(contact, load=load, model=one.name)

@@ -208,7 +208,7 @@ def test_order_of_convergence(choice, coated, monkeypatch):
 def test_shipped_rules_suffice(choice, coated, monkeypatch):
     """The worst that the engine's own number of nodes meets: long elastic segments, seen by every height at once (surfaces
     pressed together, hard films, hardly any adhesion)."""
-    rng, n = np.random.default_rng(73), 4000
+    rng, n = np.random.default_rng(73), 2000
     hard = {"n_E": 10.0 ** rng.uniform(-1.0, 0.0, n), "n_H": 10.0 ** rng.uniform(1.0, 2.0, n)} if coated else {}
     theta, lam = 10.0 ** rng.uniform(3.0, 8.0, n), 10.0 ** rng.uniform(6.0, 8.0, n)
     given = draw(n, coated, 79, theta=theta, lam=lam, **hard)
@@ -375,7 +375,9 @@ def pairs_on_a_film():
 @pytest.mark.parametrize(("asperity", "tangential"), list(pairs_on_a_film()))
 def test_films_solved_as_one_with_any_asperity_and_tangential_law(film, asperity, tangential):
     """Summed, on load and area of the contact alone, if the records say that all three suit each other; if not, refused with
-    the reason, and with the law to take where there is one, which is then taken. Tables of the film are solved for each contact."""
+    the reason, and with the law to take where there is one, which is then taken.
+
+    A film is solved for each contact, which takes up to a second."""
     given = draw(8, True, 97)
     choice = Choice(PLAIN, asperity.key, tangential.key, film.key)
     if incompatibility(film, asperity) or incompatibility(tangential, asperity):

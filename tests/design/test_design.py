@@ -206,7 +206,7 @@ def test_a_front_is_of_designs_that_none_beats():
         "roughness": {"asperity_height_deviation": {"low": "10 nm", "high": "200 nm"}},
         "coating": {"thickness": {"low": "20 nm", "high": "2 um"}},
     }
-    table = coated(TWO, choose)
+    table = coated(TWO, choose, effort=30)
     found = design(table)
     front = np.column_stack([found[f"pareto_{name}"].values for name in ("friction_coefficient", "contact_area")])
     assert len(front) > 10 and (np.diff(front[:, 0]) > 0).all() and (np.diff(front[:, 1]) < 0).all()
@@ -487,7 +487,7 @@ load = "1 N"
 [design]
 objective = [{ minimise = "friction_coefficient" }, { minimise = "contact_area" }]
 validity = "any"
-effort = 5
+effort = 2
 [design.choose.coating]
 material = ["silver", "gold"]
 thickness = { low = "20 nm", high = "1 um" }

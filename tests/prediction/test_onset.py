@@ -98,10 +98,10 @@ def test_a_slip_needs_a_residual_strength():
 
 
 def on_map(seed, hurst, longest, shortest, gradient, periodic=True, **more):
-    """A contact whose nominal area is its map of 128 x 128 points."""
+    """A contact whose nominal area is its map of 96 x 96 points."""
     side = 10e-6
     waves = st.SelfAffine(hurst, side / longest, side / shortest, gradient * side)
-    surface = replace(st.gaussian_surface((128, 128), (side, side), waves, seed=seed), periodic=periodic)
+    surface = replace(st.gaussian_surface((96, 96), (side, side), waves, seed=seed), periodic=periodic)
     pair = {"first": "hardened_steel_52100", "second": "silicon_nitride", "interfacial_shear_strength": "300 MPa"}
     return st.Contact(**pair | {"roughness": surface, "nominal_area": side**2} | more)
 

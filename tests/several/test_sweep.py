@@ -4,6 +4,7 @@ import errno
 import filecmp
 import json
 import os
+import shutil
 import signal
 import subprocess
 import sys
@@ -47,6 +48,33 @@ MANY_BLOCKS = (
     "[indices]\ntheta = {start = 10, stop = 100, count = 100}\nlam = {start = 1, stop = 100, count = 100}\n"
     "[solve]\nload = [0.001, 0.01]\n[sweep]\nblock = 4\n"
 )
+
+
+OF_STATISTICS = DRAWN | {"sweep": DRAWN["sweep"] | {"statistics": ["mean", "median"], "keep": ["contact_area"]}}
+
+
+@pytest.fixture(scope="module")
+def stores(tmp_path_factory):
+    """Finished stores of two cases, to be compared with or copied, never changed. Loops that are compiled in this process, not
+    read from the cache, may differ in the last bit: what is stored is computed a second time."""
+    folder = tmp_path_factory.mktemp("stores")
+    for name, case in (("drawn", DRAWN), ("statistics", OF_STATISTICS)):
+        sweep(case, folder / "first" / name)
+        sweep(case, folder / name)
+    return {"drawn": folder / "drawn", "statistics": folder / "statistics"}
+
+
+@pytest.fixture
+def whole(stores):
+    """The finished store of DRAWN."""
+    return stores["drawn"]
+
+
+@pytest.fixture
+def computed(whole):
+    """The results in the finished store of DRAWN."""
+    with xarray.open_zarr(whole, consolidated=False, chunks=None) as data:
+        yield data
 
 
 def _contacts(plan, region):
@@ -117,22 +145,21 @@ def test_lists_go_together_as_points(tmp_path):
         make_plan({**case, "indices": {"theta": [20, 40, 80], "lam": [1, 10]}})
 
 
-def test_only_what_is_asked_for_is_kept_in_the_precision_asked_for(tmp_path):
+def test_only_what_is_asked_for_is_kept_in_the_precision_asked_for(tmp_path, computed):
     case = changed(DRAWN, sweep={"keep": ["friction_coefficient"], "precision": "float32"})
     data = sweep(case, tmp_path / "store")
-    whole = sweep(DRAWN, tmp_path / "whole")
     of_blocks = {"validity_warnings_by_block", "checksum_by_block"}
     assert set(data.data_vars) == {"friction_coefficient", "validity_warnings"} | of_blocks
     assert data["friction_coefficient"].dtype == np.float32
-    np.testing.assert_allclose(data["friction_coefficient"], whole["friction_coefficient"], rtol=1e-6)
+    np.testing.assert_allclose(data["friction_coefficient"], computed["friction_coefficient"], rtol=1e-6)
     with refusal("sweep.keep", "friction", "friction_force"):
         sweep(changed(DRAWN, sweep={"keep": ["friction"]}), tmp_path / "other")
 
 
-def test_statistics_are_those_of_all_points(tmp_path):
+def test_statistics_are_those_of_all_points(tmp_path, computed):
     kinds = ["count", "mean", "standard_deviation", "least", "most"]
     data = sweep(changed(DRAWN, sweep={"keep": ["friction_coefficient"], "statistics": kinds}), tmp_path / "store")
-    mu = sweep(DRAWN, tmp_path / "whole")["friction_coefficient"].values
+    mu = computed["friction_coefficient"].values
     found = data["friction_coefficient"].sel
     wanted = [[64] * 3, mu.mean(axis=0), mu.std(axis=0, ddof=1), mu.min(axis=0), mu.max(axis=0)]
     for kind, values in zip(kinds, wanted, strict=True):
@@ -271,9 +298,8 @@ def interrupted(case, out, after):
         sweep(case, out, progress=stop)
 
 
-def test_what_is_done_is_not_done_again(tmp_path, monkeypatch):
-    whole, parts, done = tmp_path / "whole", tmp_path / "parts", []
-    sweep(DRAWN, whole)
+def test_what_is_done_is_not_done_again(tmp_path, monkeypatch, whole):
+    parts, done = tmp_path / "parts", []
     interrupted(DRAWN, parts, after=3)
     (parts / "friction_coefficient" / "c" / "0.0123abcd.partial").write_bytes(b"begun")  # as a process that is killed leaves it
     begun = xarray.open_zarr(parts, consolidated=False, chunks=None)
@@ -287,11 +313,9 @@ def test_what_is_done_is_not_done_again(tmp_path, monkeypatch):
     assert len(done) == 5 and same(whole, parts)
 
 
-def test_the_store_is_the_same_whoever_does_the_work(tmp_path):
-    sweep(DRAWN, tmp_path / "first")  # loops that are compiled now, not read from the cache, may differ in the last bit
-    sweep(DRAWN, tmp_path / "one")
+def test_the_store_is_the_same_whoever_does_the_work(tmp_path, whole):
     sweep(DRAWN, tmp_path / "two", workers=2)
-    assert same(tmp_path / "one", tmp_path / "two")
+    assert same(whole, tmp_path / "two")
 
 
 def test_processes_are_started_once_while_none_dies(monkeypatch):
@@ -325,7 +349,7 @@ if __name__ == "__main__":
 
 @pytest.mark.skipif(not hasattr(signal, "SIGKILL"), reason="no such signal")
 @pytest.mark.parametrize("workers", [1, 2])
-def test_a_kill_loses_nothing(tmp_path, workers):
+def test_a_kill_loses_nothing(tmp_path, whole, workers):
     """With one process it is the sweep itself that dies, with two a worker, which is replaced."""
     script, out = tmp_path / "script.py", tmp_path / "store"
     script.write_text(SCRIPT, encoding="utf-8")
@@ -334,11 +358,10 @@ def test_a_kill_loses_nothing(tmp_path, workers):
     assert (tmp_path / "store.died").exists()
     assert first.returncode == (-signal.SIGKILL if workers == 1 else 0), first.stderr
     sweep(DRAWN, out)
-    sweep(DRAWN, tmp_path / "whole")
-    assert same(tmp_path / "whole", out)
+    assert same(whole, out)
 
 
-def test_a_full_disk_is_one_line_and_nothing_is_lost(tmp_path, monkeypatch):
+def test_a_full_disk_is_one_line_and_nothing_is_lost(tmp_path, monkeypatch, whole):
     do = sweep_store.Store.do
 
     def full(store, block):
@@ -352,12 +375,10 @@ def test_a_full_disk_is_one_line_and_nothing_is_lost(tmp_path, monkeypatch):
             sweep(DRAWN, tmp_path / "store")
         assert "\n" not in str(error.value)
     sweep(DRAWN, tmp_path / "store")
-    sweep(DRAWN, tmp_path / "whole")
-    assert same(tmp_path / "whole", tmp_path / "store")
+    assert same(whole, tmp_path / "store")
 
 
-def test_a_disk_that_fills_up_while_statistics_are_merged_is_one_line(tmp_path, monkeypatch):
-    case = changed(DRAWN, sweep={"statistics": ["mean"]})
+def test_a_disk_that_fills_up_while_statistics_are_merged_is_one_line(tmp_path, monkeypatch, stores):
 
     def full(store):
         raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
@@ -365,10 +386,9 @@ def test_a_disk_that_fills_up_while_statistics_are_merged_is_one_line(tmp_path, 
     with monkeypatch.context() as patched:
         patched.setattr(sweep_store.Store, "finish", full)
         with refusal("--out", "full"):
-            sweep(case, tmp_path / "store")
-    sweep(case, tmp_path / "store")
-    sweep(case, tmp_path / "whole")
-    assert same(tmp_path / "whole", tmp_path / "store")
+            sweep(OF_STATISTICS, tmp_path / "store")
+    sweep(OF_STATISTICS, tmp_path / "store")
+    assert same(stores["statistics"], tmp_path / "store")
 
 
 LIMITED = """
@@ -382,7 +402,7 @@ cli.app(["sweep", sys.argv[1], "--out", sys.argv[2]])
 
 @pytest.mark.skipif(os.name != "posix", reason="no such limit")
 @pytest.mark.parametrize("limit", [10, 108])  # bytes: before the store is there, and at the first block
-def test_a_file_that_grows_beyond_a_limit_is_one_line_and_nothing_is_lost(tmp_path, limit):
+def test_a_file_that_grows_beyond_a_limit_is_one_line_and_nothing_is_lost(tmp_path, computed, limit):
     """By the limit of the operating system, which stands for a disk that is full."""
     case, store = tmp_path / "case.toml", tmp_path / "store"
     case.write_text(as_toml(DRAWN), encoding="utf-8")
@@ -393,10 +413,10 @@ def test_a_file_that_grows_beyond_a_limit_is_one_line_and_nothing_is_lost(tmp_pa
     errors = [line for line in ended.stderr.splitlines() if line.startswith("stiction: ")]
     assert ended.returncode == 2 and len(errors) == 1 and "--out" in errors[0], ended.stderr
     assert [path.name for path in tmp_path.iterdir() if path.name.startswith(".")] == []
-    np.testing.assert_array_equal(sweep(case, store).contact_area, sweep(case, tmp_path / "whole").contact_area)
+    np.testing.assert_array_equal(sweep(case, store).contact_area, computed.contact_area)
 
 
-def test_a_store_that_another_process_creates_meanwhile_is_used(tmp_path, monkeypatch):
+def test_a_store_that_another_process_creates_meanwhile_is_used(tmp_path, monkeypatch, whole):
     """The other process is faster while this one writes its store beside the place."""
     fill = sweep_opening._fill
     begun = []
@@ -409,18 +429,16 @@ def test_a_store_that_another_process_creates_meanwhile_is_used(tmp_path, monkey
 
     monkeypatch.setattr(sweep_opening, "_fill", beaten)
     sweep(DRAWN, tmp_path / "store")
-    sweep(DRAWN, tmp_path / "whole")
-    assert same(tmp_path / "whole", tmp_path / "store")
+    assert same(whole, tmp_path / "store")
     assert [path.name for path in tmp_path.iterdir() if path.name.startswith(".")] == []
 
 
-def test_a_clock_that_jumps_changes_nothing(tmp_path, monkeypatch):
-    sweep(DRAWN, tmp_path / "whole")
+def test_a_clock_that_jumps_changes_nothing(tmp_path, monkeypatch, whole):
     interrupted(DRAWN, tmp_path / "store", after=2)
     jumps = iter(np.random.default_rng(0).uniform(0.0, 4e9, 1_000_000))
     monkeypatch.setattr(time, "time", lambda: next(jumps))
     sweep(DRAWN, tmp_path / "store")
-    assert same(tmp_path / "whole", tmp_path / "store")
+    assert same(whole, tmp_path / "store")
 
 
 @pytest.mark.parametrize(
@@ -467,24 +485,22 @@ def _exchange(chunks):
 
 @pytest.mark.parametrize("spoil", [_delete, _damage, _exchange])
 @pytest.mark.parametrize(
-    ("case", "array"),
+    ("name", "array"),
     [
-        (DRAWN, "friction_coefficient"),
-        (DRAWN, "validity_warnings"),
-        (DRAWN, "theta"),
-        (changed(DRAWN, sweep={"statistics": ["mean", "median"]}), "statistics_by_block/contact_area"),
-        (changed(DRAWN, sweep={"statistics": ["mean", "median"]}), "counts_by_block/contact_area"),
+        ("drawn", "friction_coefficient"),
+        ("drawn", "validity_warnings"),
+        ("drawn", "theta"),
+        ("statistics", "statistics_by_block/contact_area"),
+        ("statistics", "counts_by_block/contact_area"),
     ],
 )
-def test_blocks_whose_files_were_spoilt_are_done_again(tmp_path, case, array, spoil):
+def test_blocks_whose_files_were_spoilt_are_done_again(tmp_path, stores, name, array, spoil):
     """Also where a wrong chunk can be read, or a chunk that is absent would be read as its fill value."""
-    whole, spoilt = tmp_path / "whole", tmp_path / "spoilt"
-    sweep(case, whole)
-    sweep(case, spoilt)
-    assert same(whole, spoilt)
+    spoilt = tmp_path / "spoilt"
+    shutil.copytree(stores[name], spoilt)
     spoil(sorted(path for path in (spoilt / array / "c").rglob("*") if path.is_file()))
-    sweep(case, spoilt)
-    assert same(whole, spoilt)
+    sweep(DRAWN if name == "drawn" else OF_STATISTICS, spoilt)
+    assert same(stores[name], spoilt)
 
 
 @pytest.mark.parametrize("spoil", [_damage, _exchange])

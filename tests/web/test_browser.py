@@ -86,7 +86,8 @@ def browser():
 @pytest.fixture(scope="module")
 def context(browser):
     """One for all pages, so that what the server gives away is loaded once."""
-    one = browser.new_context(viewport={"width": 1280, "height": 900}, color_scheme="light", accept_downloads=True)
+    one = browser.new_context(viewport={"width": 1280, "height": 900}, color_scheme="light", accept_downloads=True,
+                              reduced_motion="reduce")  # fmt: skip
     yield one
     one.close()
 
@@ -133,7 +134,12 @@ def _pages(context, url, address=None):
 def _open(page, url):
     page.goto(url)
     page.locator("canvas").first.wait_for()
-    page.wait_for_function("window.socket && window.socket.connected")
+    _until(page, "window.socket && window.socket.connected")
+
+
+def _until(page, condition, arg=None):
+    """Wait for a condition, asked ten times a second: at every frame it would keep the browser busy."""
+    page.wait_for_function(condition, arg=arg, polling=100)
 
 
 def _card(page):
@@ -206,18 +212,18 @@ def test_a_film_is_switched_off_and_on_and_the_last_change_is_undone(fresh):
     before, film = _card(page), page.get_by_role("switch", name="there is a film")
     thickness = "film thickness, of both films together if there are two t"
     film.click()
-    page.wait_for_function("before => !document.querySelector('[role=status]').innerText.startsWith(before)", arg=before)
+    _until(page, "before => !document.querySelector('[role=status]').innerText.startsWith(before)", arg=before)
     assert not page.get_by_label(thickness, exact=True).count()
     page.get_by_text("Hardened steel 52100 on hardened steel 52100", exact=True).wait_for()
     page.wait_for_timeout(1.5 * SECOND)
     film.click()
-    page.wait_for_function("before => document.querySelector('[role=status]').innerText.startsWith(before)", arg=before)
+    _until(page, "before => document.querySelector('[role=status]').innerText.startsWith(before)", arg=before)
     assert page.get_by_label(thickness, exact=True).input_value() == "200 nm"
     page.get_by_role("combobox", name="examples").click()
     page.get_by_role("option", name="PTFE on steel").click()
     page.locator("header").get_by_text("PTFE on steel", exact=True).wait_for()
     page.get_by_role("button", name="undo").click()
-    page.wait_for_function("before => document.querySelector('[role=status]').innerText.startsWith(before)", arg=before)
+    _until(page, "before => document.querySelector('[role=status]').innerText.startsWith(before)", arg=before)
     page.get_by_label(thickness, exact=True).wait_for()
 
 
@@ -229,7 +235,7 @@ def test_a_comparison_follows_a_knob_that_moves_while_it_runs(fresh):
     page.get_by_text(re.compile(r".+, \d+ s$")).first.wait_for()
     page.get_by_label("film thickness, of both films together if there are two t", exact=True).fill("1 um")
     page.get_by_text("These fit the contact").wait_for(timeout=60 * SECOND)
-    page.wait_for_function("() => !document.querySelector('.old') && !document.body.classList.contains('waiting')")
+    _until(page, "() => !document.querySelector('.old') && !document.body.classList.contains('waiting')")
     coating = SILVER["contact"]["coating"] | {"thickness": "1 um"}
     case = SILVER | {"contact": SILVER["contact"] | {"interface": "soft-metal film", "coating": coating}}
     _, found, _ = compared(Query(case), None, lambda _: iter)
@@ -416,7 +422,7 @@ def test_a_surface_its_asperities_and_what_its_cutoff_does_to_friction(of_model)
     page.get_by_role("slider", name="shortest wave that is kept").locator("[tabindex='0']").focus()
     for _ in range(3):
         page.keyboard.press("PageDown")
-    page.wait_for_function("before => ![...document.querySelectorAll('[role=status]')].some(one => one.innerText === before)"
+    _until(page, "before => ![...document.querySelectorAll('[role=status]')].some(one => one.innerText === before)"
                            " && document.body.innerText.includes('" + OF_MODEL + "')", arg=before)  # fmt: skip
     page.get_by_label("asperities on the map").click()
     page.get_by_role("option", name="persistent summits").click()
@@ -445,7 +451,7 @@ def test_everything_that_is_used_has_a_name_and_the_page_is_as_wide_as_its_windo
     page.set_viewport_size({"width": 400, "height": 900})
     for scheme in ("dark", "light"):
         page.emulate_media(color_scheme=scheme)
-        page.wait_for_function(f"document.body.classList.contains('body--dark') === {json.dumps(scheme == 'dark')}")
+        _until(page, f"document.body.classList.contains('body--dark') === {json.dumps(scheme == 'dark')}")
         for name in TABS:
             _tab(page, name)
             assert page.evaluate("document.documentElement.scrollWidth") <= 400, name
@@ -465,7 +471,7 @@ def test_no_serious_fault_for_who_does_not_see_or_has_no_mouse(page, width, sche
     axe = pytest.importorskip("axe_playwright_python", reason="axe-core is not installed")
     page.set_viewport_size({"width": width, "height": 900})
     page.emulate_media(color_scheme=scheme)
-    page.wait_for_function(f"document.body.classList.contains('body--dark') === {json.dumps(scheme == 'dark')}")
+    _until(page, f"document.body.classList.contains('body--dark') === {json.dumps(scheme == 'dark')}")
     page.wait_for_timeout(0.5 * SECOND)  # colours change gradually
     if page.evaluate("typeof axe") == "undefined":
         page.evaluate((Path(axe.__file__).parent / "axe.min.js").read_text(encoding="utf-8"))
@@ -489,7 +495,7 @@ def test_an_interface_is_chosen_from_its_menu_and_what_is_old_is_said_until_the_
     page.get_by_text("Computing: the numbers are of the case before.").wait_for()
     number, low, high = _predicted(interface="soft-metal film")
     assert number != _predicted()[0]
-    page.wait_for_function("() => !document.body.classList.contains('waiting')")
+    _until(page, "() => !document.body.classList.contains('waiting')")
     assert _card(page) == f"μ = {number} {low} to {high} (90% interval) at 2.36 N"
     assert not page.get_by_text("Computing: the numbers are of the case before.").is_visible()
 
@@ -501,9 +507,9 @@ def test_a_knob_moves_by_keyboard_and_its_text_and_number_follow(of_model):
     for at in range(5):
         before = page.evaluate("document.querySelector('[role=status]').innerText")
         page.keyboard.press("ArrowRight")
-        page.wait_for_function("before => document.querySelector('[role=status]').innerText !== before", arg=before)
+        _until(page, "before => document.querySelector('[role=status]').innerText !== before", arg=before)
         radius = f"{10.0 ** (0.01 * round(100 * math.log10(50.0)) + 0.01 * (at + 1)):.4g} µm"  # on the steps of the slider
-        page.wait_for_function("said => document.querySelector('input[aria-label=\"asperity tip radius R\"]').value === said",
+        _until(page, "said => document.querySelector('input[aria-label=\"asperity tip radius R\"]').value === said",
                                arg=radius)  # fmt: skip
         assert slider.get_attribute("aria-valuetext") == radius
 
@@ -512,7 +518,7 @@ def test_the_address_opens_the_same_page_elsewhere_and_what_is_wrong_stands_besi
     page = of_model
     before = page.url
     page.get_by_label("work of adhesion gamma", exact=True).first.fill("0.3 J/m^2")
-    page.wait_for_function("() => !document.querySelector('[role=status]').innerText.startsWith('μ ≈ 0.046')")
+    _until(page, "() => !document.querySelector('[role=status]').innerText.startsWith('μ ≈ 0.046')")
     page.wait_for_url(lambda url: url != before)
     said, url = _number(page), page.url
     page.get_by_label("asperity tip radius R", exact=True).fill("50")
@@ -527,7 +533,7 @@ def test_a_free_number_is_searched_from_a_third_of_it_to_three_times_as_much(fre
     _tab(page, "Studies")
     page.get_by_label("free number").first.click()
     page.get_by_role("option", name="thickness t, film").click()  # 200 nm
-    page.wait_for_function("() => [...document.querySelectorAll('input')].some(one => one.value === '66.67 nm')")
+    _until(page, "() => [...document.querySelectorAll('input')].some(one => one.value === '66.67 nm')")
     assert [page.get_by_label(name, exact=True).first.input_value() for name in ("from", "to")] == ["66.67 nm", "600 nm"]
 
 
@@ -551,7 +557,7 @@ def test_a_comparison_of_earlier_numbers_says_so_until_it_is_made_again(of_model
 def _mu_of_the_case(page):
     """The number of the named model, from what "Why" unfolds."""
     said = page.locator(".rows").first
-    page.wait_for_function("() => document.querySelector('.rows').textContent.includes('mu to four digits')")
+    _until(page, "() => document.querySelector('.rows').textContent.includes('mu to four digits')")
     return float(re.search(r"mu to four digits ([\d.]+)", said.text_content())[1])
 
 
@@ -566,7 +572,7 @@ def test_the_place_with_a_figure_as_the_case(fresh):
     page.get_by_text(re.compile(r"The bodies: theta = 229, lambda = 2\.15e\+05")).wait_for()
     page.get_by_text("Figure 1(a) of the 2015 paper, corrected variant").wait_for()
     page.get_by_role("button", name="Open as the case").click()
-    page.wait_for_function("() => document.body.innerText.includes('elastic adhesion index')")
+    _until(page, "() => document.body.innerText.includes('elastic adhesion index')")
 
 
 def test_a_scan_is_the_roughness_of_the_case(of_model):
@@ -576,7 +582,7 @@ def test_a_scan_is_the_roughness_of_the_case(of_model):
     page.get_by_text(re.compile("256 x 256 points")).wait_for()
     page.get_by_role("switch", name="use it in the case").click()
     page.get_by_text("measured: see the tab Surface").wait_for()
-    page.wait_for_function("() => !document.querySelector('header').innerText.includes('μ ≈ 0.046')")
+    _until(page, "() => !document.querySelector('header').innerText.includes('μ ≈ 0.046')")
     _tab(page, "Share")
     page.get_by_text(re.compile("Not in the address: .*Who opens it has to have these files")).wait_for()
 
@@ -674,4 +680,4 @@ def test_a_single_load_has_charts_around_it_on_the_first_screen(context, address
         assert _card(page).endswith("at 50 N")
         page.get_by_role("img", name=re.compile("^friction coefficient .* against normal load P")).first.wait_for()
         low = "[...document.querySelectorAll('canvas')].map(one => one.getBoundingClientRect().bottom)"
-        page.wait_for_function(f"() => {{ const low = {low}; return low.length === 3 && Math.max(...low) <= 800 }}")
+        _until(page, f"() => {{ const low = {low}; return low.length === 3 && Math.max(...low) <= 800 }}")

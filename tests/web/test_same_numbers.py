@@ -30,6 +30,7 @@ def _rows(text: str) -> list[str]:
     return [line for line in text.splitlines() if not line.startswith("#")]
 
 
+@pytest.mark.usefixtures("no_pictures")
 @pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
 def test_a_case_file_of_the_page_gives_the_same_numbers_on_the_command_line(path, tmp_path, monkeypatch):
     answer = solved(Query(tomllib.loads(path.read_text(encoding="utf-8")), path.parent))

@@ -83,7 +83,7 @@ def test_visitors_who_have_left_leave_no_memory_behind(server):
 @pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning")  # a file of a half imported module stays open
 def test_a_computation_that_is_killed_leaves_the_next_one_right():
     """A kill may come within a kernel that is compiled, a cache that is filled, or a module that is imported."""
-    query, chance = Query(OTHER), random.Random(1)
+    query, chance = Query(first_case()), random.Random(1)
     for _ in range(6):
         progress = Progress()
         killer = threading.Timer(chance.uniform(0.0, 1.0), progress.stop)
@@ -102,4 +102,4 @@ def test_a_computation_that_is_killed_leaves_the_next_one_right():
 
 
 def _compared():
-    return compared(Query(OTHER), None, Progress(600.0))[1]
+    return compared(Query(first_case()), None, Progress(600.0))[1]
