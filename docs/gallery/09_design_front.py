@@ -26,7 +26,7 @@ CASE = {
     "design": {
         "objective": [{"minimise": "friction_coefficient"}, {"maximise": "contact_area"}],
         "validity": "possible",
-        "effort": 12,
+        "effort": 6,
         "choose": {
             "coating": {"thickness": {"low": "20 nm", "high": "500 nm"}},
             "roughness": {"asperity_height_deviation": {"low": "20 nm", "high": "80 nm"}},

@@ -97,11 +97,11 @@ def test_a_slip_needs_a_residual_strength():
         st.Contact(**PAIR, weakening_slip="1 nm")
 
 
-def on_map(seed, hurst, longest, shortest, gradient, periodic=True, **more):
-    """A contact whose nominal area is its map of 96 x 96 points."""
+def on_map(seed, hurst, longest, shortest, gradient, periodic=True, points=128, **more):
+    """A contact whose nominal area is its map of so many points a side."""
     side = 10e-6
     waves = st.SelfAffine(hurst, side / longest, side / shortest, gradient * side)
-    surface = replace(st.gaussian_surface((96, 96), (side, side), waves, seed=seed), periodic=periodic)
+    surface = replace(st.gaussian_surface((points, points), (side, side), waves, seed=seed), periodic=periodic)
     pair = {"first": "hardened_steel_52100", "second": "silicon_nitride", "interfacial_shear_strength": "300 MPa"}
     return st.Contact(**pair | {"roughness": surface, "nominal_area": side**2} | more)
 
@@ -110,8 +110,8 @@ def on_map(seed, hurst, longest, shortest, gradient, periodic=True, **more):
     ("surface", "more"),
     [
         ((1, 0.8, 4, 16, 2e-3), {"weakening_slip": "2 nm", "residual_strength": 0.3, "second": "hardened_steel_52100"}),
-        ((2, 0.8, 4, 16, 2e-3), {"weakening_slip": "3 nm", "residual_strength": 0.0}),
-        ((5, 0.3, 4, 12, 4e-3), {"weakening_slip": "2 nm", "residual_strength": 0.6, "first": "silicon"}),
+        ((2, 0.8, 4, 16, 2e-3, True, 96), {"weakening_slip": "3 nm", "residual_strength": 0.0}),
+        ((5, 0.3, 4, 12, 4e-3, True, 96), {"weakening_slip": "2 nm", "residual_strength": 0.6, "first": "silicon"}),
         (
             (6, 0.8, 4, 16, 2e-3, False),
             {"weakening_slip": "2 nm", "residual_strength": 0.3, "first": "silicon", "second": "silicon"},
