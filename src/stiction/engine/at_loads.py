@@ -28,7 +28,7 @@ WAY = np.linspace(10.0, -8.0, 73)
 _STEP = float(WAY[0] - WAY[1])
 
 # Range of the displacements, over sigma, that contribute to the load at any of these separations.
-_LOWEST, _TOP = -3.0 * math.sqrt(2.0 * NEGLIGIBLE) - WAY[0], 2.5 + math.sqrt(2.0 * NEGLIGIBLE) - WAY[-1]
+NODE_RANGE = -3.0 * math.sqrt(2.0 * NEGLIGIBLE) - WAY[0], 2.5 + math.sqrt(2.0 * NEGLIGIBLE) - WAY[-1]
 _BLOCK = 256  # number of laws in a block, so few that their nodes stay in the processor's cache
 
 # Iterations end with a step below these. The error left is of the order of the step cubed for Halley's method, and of the
@@ -352,10 +352,10 @@ class Approach:
         Yields the slice of the laws; their integration nodes; the grid with loads and slopes (see `_sample`); and their largest
         tensions (see `_find_lowest`). The next block overwrites the arrays.
         """
-        w_low = max(min(regime.lowest for regime in self._regimes), _LOWEST)
+        w_low = max(min(regime.lowest for regime in self._regimes), NODE_RANGE[0])
         ENGINE.take(_PAIRS * len(self._regimes) * self._laws)
         alone, most = specialised(self._laws), min(_BLOCK, max(self._laws, 1))
-        placing = [Placing.of(regime, gaussian_window, _TOP - w_low, 1, alone) for regime in self._regimes]
+        placing = [Placing.of(regime, gaussian_window, NODE_RANGE[1] - w_low, 1, alone) for regime in self._regimes]
         room, shape = sum(placed.room for placed in placing), np.zeros(1)
         place, weights = np.empty((most, room)), np.empty((most, 1, room))
         loads, slopes = np.empty((2, most, WAY.size))
@@ -367,8 +367,8 @@ class Approach:
             nodes, way = (place, weights[:, 0], used), (WAY, loads[:count], slopes[:count])
             lowest = (*np.empty((2, count)), nearer)
             for append in appenders:
-                append((w_low, _TOP, WAY[-1]), shape, some, (place, weights, used))
-            _sample(way, _TOP, nodes)
+                append((w_low, NODE_RANGE[1], WAY[-1]), shape, some, (place, weights, used))
+            _sample(way, NODE_RANGE[1], nodes)
             _find_lowest(way, lowest, nodes)
             yield some, nodes, way, lowest
 

@@ -107,7 +107,7 @@ class Scattered:
     """
 
     def __init__(self, regimes: Sequence[Regime], heights: Heights):
-        self._regimes, self._heights = regimes, heights
+        self.regimes, self.heights = regimes, heights
 
     def __call__(self, h: np.ndarray, law: np.ndarray, threads: int = 1) -> np.ndarray:
         """Return the sums (regimes, m, 5) at the separations h (m,), over sigma, of the laws with the indices law (m,).
@@ -116,9 +116,9 @@ class Scattered:
         resistance.
         """
         h, law = np.ascontiguousarray(h, dtype=float), np.ascontiguousarray(law)
-        out = np.empty((len(self._regimes), h.size, len(QUANTITIES)))
-        ENGINE.take(len(self._regimes) * h.size)
-        if self._heights.density is gaussian_density and (series := series_for(h, law)) is not None:
+        out = np.empty((len(self.regimes), h.size, len(QUANTITIES)))
+        ENGINE.take(len(self.regimes) * h.size)
+        if self.heights.density is gaussian_density and (series := series_for(h, law)) is not None:
             self._fill_by_series(h, *series, out)
             return out
         for fill, sums in zip(self._fills(h.size), out, strict=True):
@@ -142,25 +142,25 @@ class Scattered:
 
     @cached_property
     def _expanded(self) -> list[Callable]:
-        return [_summing_in_stages(regime, self._heights, expand) for regime in self._regimes]
+        return [_summing_in_stages(regime, self.heights, expand) for regime in self.regimes]
 
     def _fills(self, pairs: int) -> list[Callable]:
-        if self._heights.listed.size:
+        if self.heights.listed.size:
             return self._listed
-        return self._alone if self._regimes and specialised(len(self._regimes[0].edges), pairs) else self._in_stages
+        return self._alone if self.regimes and specialised(len(self.regimes[0].edges), pairs) else self._in_stages
 
     @cached_property
     def _listed(self) -> list[Callable]:
-        return [_summing_listed(regime, self._heights) for regime in self._regimes]
+        return [_summing_listed(regime, self.heights) for regime in self.regimes]
 
     @cached_property
     def _alone(self) -> list[Callable]:
-        return [_summing_alone(regime, self._heights) for regime in self._regimes]
+        return [_summing_alone(regime, self.heights) for regime in self.regimes]
 
     @cached_property
     def _in_stages(self) -> list[Callable]:
-        add = adding(self._heights.density)
-        return [_summing_in_stages(regime, self._heights, add) for regime in self._regimes]
+        add = adding(self.heights.density)
+        return [_summing_in_stages(regime, self.heights, add) for regime in self.regimes]
 
 
 def _summing_listed(regime: Regime, heights: Heights) -> Callable:

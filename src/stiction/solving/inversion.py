@@ -165,34 +165,24 @@ def _quickly(problem: AsperitySum, targets: np.ndarray) -> tuple[Inversion, np.n
     carried = np.where((tension > 0.0)[:, None], targets >= -tension[:, None], targets > 0.0)
     known = carried & np.isfinite(start.h) & holds[:, None]
     h, excess, law = start.h, np.full(targets.shape, np.nan), np.nonzero(known)[0]
+    sums = problem.sums_at(np.where(known, h, 0.0))
     target, slope = targets[known], start.slope[known]
     enough = np.maximum(_LEFT * np.abs(target), _ROUNDING * start.size[known])
-    x, left, of_each, evaluations = _polished(problem, law, start.h[known], target, slope, enough)
-    h[known], excess[known] = x, left
-    sums = of_each.reshape(len(of_each), *known.shape, of_each.shape[-1]) if known.all() else _where(known, of_each)
+    polished = _polished(problem, law, h[known], sums[:, known], target, slope, enough)
+    h[known], excess[known], sums[:, known], evaluations = polished
+    sums[:, ~known] = np.nan
     good = holds & ~np.isnan(excess).any(axis=1)
     return Inversion(h, _relative(excess, targets, tension), tension.copy(), where.copy(), evaluations), good, sums
 
 
-def _where(known: np.ndarray, sums: np.ndarray) -> np.ndarray:
-    """Return a table (regimes, n, m, 5) that holds known sums, and NaN elsewhere.
-
-    known: mask (n, m) of the k pairs whose sums are known. sums: (regimes, k, 5).
-    """
-    table = np.full((len(sums), *known.shape, sums.shape[-1]), np.nan)
-    table[:, known] = sums
-    return table
-
-
-def _polished(problem: AsperitySum, law, h, target, slope, enough) -> tuple[np.ndarray, np.ndarray, np.ndarray, int]:
+def _polished(problem: AsperitySum, law, h, sums, target, slope, enough) -> tuple[np.ndarray, np.ndarray, np.ndarray, int]:
     """Refine the separations h (k,), over sigma, by Newton's method with a known slope of the load.
 
-    law, target, slope, enough (k,): index of the contact, requested load, derivative of the load by the separation, and load
-    error at which no further step is needed. Returns separations; load errors there, NaN if too large; the sums (regimes, k,
-    5); and the number of evaluations.
+    sums (regimes, k, 5): sums over asperities at these separations. law, target, slope, enough (k,): index of the contact,
+    requested load, derivative of the load by the separation, and load error at which no further step is needed. Returns
+    separations; load errors there, NaN if too large; the sums (regimes, k, 5) there; and the number of evaluations.
     """
-    h, sums, times = h.copy(), problem.sums(h, law), 1
-    excess = sums[..., LOAD].sum(axis=0) - target
+    times, excess = 1, sums[..., LOAD].sum(axis=0) - target
     while times <= _STEPS and (some := np.flatnonzero(np.abs(excess) > enough)).size:
         ahead = np.divide(excess[some], slope[some], where=slope[some] != 0.0, out=np.zeros(some.size))
         further = h[some] - ahead

@@ -11,6 +11,7 @@ from stiction.contact.subject import Subject, as_subject
 from stiction.engine.at_loads import Approach
 from stiction.engine.blocks import blocks
 from stiction.engine.heights import Heights, gaussian, height_distribution
+from stiction.engine.own_separations import sums_of_each
 from stiction.engine.regime import MENISCUS, Regime
 from stiction.engine.summation import Scattered, check_threads, on_grid, totals_on_grid
 from stiction.laws.joining import Law
@@ -134,8 +135,8 @@ class AsperitySum(Problem):
 
         The five values, per asperity: number touching, load, area, slip-limited and yield-limited tangential force.
         """
-        law = np.repeat(np.arange(len(h)), h.shape[1])
-        return self.sums(h.reshape(-1), law).reshape(len(self.regimes), *h.shape, 5)
+        sums = sums_of_each(self._scattered, np.ascontiguousarray(h, dtype=float), self.threads)
+        return sums if self.most_pull is None else bounded(sums, self.regimes, self.most_pull[..., None])
 
     def loads_on_grid(self, h: np.ndarray) -> np.ndarray:
         if self.most_pull is None:
