@@ -5,6 +5,7 @@ One model may solve all samples, or each sample may have its own model.
 
 from collections import Counter
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -119,8 +120,11 @@ def draw(
             raise InputError(
                 "model", variant.choice.model_key, "a model that can solve many samples, because numbers are uncertain"
             )
-    draws = _layout(case, variants, names)
     count = len(shares)
+    if len(variants) == 1 and case.load is not None and count * case.load.size <= _AT_ONCE and not case.swept:
+        with suppress(InputError, ArithmeticError):
+            return _all_together(case, shares, variants[0], names)
+    draws = _layout(case, variants, names)
     if count * draws.points > _MOST:
         raise InputError("uncertainty.count", count, f"at most {_MOST // draws.points} for {draws.points} points per contact")
     draws.tables = {name: np.full((count, *table.shape), np.nan) for name, table in draws.tables.items()}
@@ -141,6 +145,23 @@ def draw(
         numbers = case.numbers_at(shares[some])
         for region, _, solved in evaluate_many(cases[index], numbers, points, choice, names, along=(SAMPLE,)):
             _keep(draws, some[region.get(SAMPLE, slice(None))], solved)
+    return draws
+
+
+def _all_together(case: Case, shares: np.ndarray, variant: Variant, names: Sequence[str]) -> Draws:
+    """Solve all samples in one batch, and return their results; the nominal contact is not solved.
+
+    shares: quantile levels (n, k) of the samples. Raises InputError or ArithmeticError if the model refuses a sample.
+    """
+    numbers = case.numbers_at(shares)
+    _, solved = evaluate_together(variant.case(case), numbers, _points(case), variant.choice, names)
+    draws, count = Draws(points=np.size(case.load)), len(shares)
+    for name, (dims, values, attributes) in solved.variables.items():
+        if name in names:
+            sizes = {dim: size for dim, size in zip(dims, values.shape, strict=True) if dim != SAMPLE}
+            draws.tables[name] = np.full((count, *sizes.values()), np.nan)
+            draws.dims[name], draws.attributes[name] = tuple(sizes), attributes
+    _keep(draws, np.arange(count), solved)
     return draws
 
 
