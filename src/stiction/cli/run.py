@@ -55,14 +55,18 @@ def run(
     laws = chosen_laws(context, chosen)
     with solving():
         from stiction.studies.case_results import solve_case
+        from stiction.studies.prediction.around import predict_with_curve
         from stiction.studies.prediction.predict import is_predicted, predict
 
-        predicted = is_predicted(replace(chosen, choice=laws))
-        data = predict(chosen) if predicted else solve_case(chosen, laws)
+        curve = None
+        if predicted := is_predicted(replace(chosen, choice=laws)):
+            data, curve = (predict(chosen), None) if out is None else predict_with_curve(chosen)
+        else:
+            data = solve_case(chosen, laws)
     if predicted:
         from stiction.report.views.prediction import prediction_view
 
-        present(prediction_view(chosen, data, str(case), details, out is not None), out, json)
+        present(prediction_view(chosen, data, str(case), details, out is not None, curve), out, json)
     else:
         from stiction.report.views.run import run_view
 
