@@ -155,7 +155,7 @@ def _all_together(case: Case, shares: np.ndarray, variant: Variant, names: Seque
     """
     numbers = case.numbers_at(shares)
     _, solved = evaluate_together(variant.case(case), numbers, _points(case), variant.choice, names)
-    draws, count = Draws(points=np.size(case.load)), len(shares)
+    draws, count = Draws(points=1 if case.load is None else case.load.size), len(shares)
     for name, (dims, values, attributes) in solved.variables.items():
         if name in names:
             sizes = {dim: size for dim, size in zip(dims, values.shape, strict=True) if dim != SAMPLE}
