@@ -6,6 +6,7 @@ import stiction as st
 from stiction.quantities.data_files import GRADES
 from stiction.quantities.ranges import range_in_words
 from stiction.quantities.table import QUANTITIES
+from stiction.quantities.units import show
 from stiction.report.lists import grade_of, median_in_words, range_of
 from stiction.surfaces.finishes import NUMBERS, finishes
 
@@ -34,12 +35,20 @@ def sources() -> str:
         for key in _OF_A_STATE
         if row[key] is not None
     ]
+    limits = {row["name"]: row["pressure_limit"] for row in st.interfaces()}
+    symbol = QUANTITIES["pressure_limit"].symbol
+    rows += [(f"`{name}`", symbol, limit["source"]) for name, limit in limits.items() if limit is not None]
     return table(("interface", "number", "source"), rows)
 
 
 def limits() -> str:
-    """Where a state must not be used."""
-    return table(("interface", "not for"), [(f"`{row['name']}`", row["not_for"]) for row in st.interfaces()])
+    """Where a state must not be used, and the pressure that it bears."""
+    rows = []
+    for row in st.interfaces():
+        limit = row["pressure_limit"]
+        bears = "" if limit is None else f"{show(limit['value'], 'pressure_limit')} ({limit['grade']})"
+        rows.append((f"`{row['name']}`", row["not_for"], bears))
+    return table(("interface", "not for", "pressure limit (grade)"), rows)
 
 
 def weights() -> str:

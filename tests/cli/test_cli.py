@@ -343,6 +343,23 @@ def test_cite_prints_entries():
     assert "{hamilton_1983," in command("cite", "hamilton_1983").stdout
 
 
+def test_cite_prints_the_sources_of_a_case(tmp_path):
+    """Of the models and the interface of its prediction, or of the model that it names."""
+    path = tmp_path / "copper.toml"
+    path.write_text(
+        'contact.first = "copper"\ncontact.second = "copper"\ncontact.interface = "oxidised metal"\n'
+        'contact.roughness = { rms_height = "0.2 um", finish = "ground" }\n'
+        'contact.nominal_area = "1 cm^2"\nsolve.load = "10 N"\n',
+        encoding="utf-8",
+    )
+    text = command("cite", path, "hamilton_1983").stdout
+    assert all(f"{{{key}," in text for key in ("persson_2001", "wheeler_1976", "tabor_1959", "hamilton_1983"))
+    path.write_text(path.read_text(encoding="utf-8") + 'solve.model = "persson_2001"\n', encoding="utf-8")
+    named = command("cite", path).stdout
+    assert "{persson_2001," in named and "{wheeler_1976," not in named
+    refused("cite", tmp_path / "none.toml", field="case file")
+
+
 def test_schema_to_the_screen_or_a_file(tmp_path):
     printed = strict(command("schema").stdout)
     assert printed["title"] == "stiction case"

@@ -33,7 +33,8 @@ def test_every_state_has_numbers_with_range_source_and_grade():
     for name in interface_names():
         state = interface(name)
         numbers = {state.strength} | ({"pressure_coefficient"} if state.pressure_coefficient is not None else set())
-        assert set(state.range) == set(state.source) == set(state.grade) == numbers, name
+        limit = {"pressure_limit"} if state.pressure_limit is not None else set()
+        assert set(state.range) == numbers and set(state.source) == set(state.grade) == numbers | limit, name
         assert state.not_for.endswith(".") and state.pairs, name
         for number in numbers:
             low, high = state.range[number]
@@ -218,8 +219,8 @@ def test_the_command_prints_every_state_within_80_columns():
     assert all(len(line) <= 80 for line in text.splitlines()) and "…" not in text
     rows = {line.strip().partition("  ")[0]: line for line in text.splitlines()}
     assert rows.keys() >= STATES and all(letter in text for letter in GRADES)
-    assert " ".join(rows["layered solid"].split()) == "layered solid 25 MPa 12 to 70 MPa A 0.015 0.002 to 0.08 B"
-    assert " ".join(rows["elastomer"].split()) == "elastomer 400 kPa 150 kPa to 1 MPa B none"
+    assert " ".join(rows["layered solid"].split()) == "layered solid 25 MPa 12 to 70 MPa (A) 0.015 0.002 to 0.08 (B)"
+    assert " ".join(rows["elastomer"].split()) == "elastomer 400 kPa 150 kPa to 1 MPa (B) none"
 
 
 def test_the_command_says_how_a_case_and_python_state_it():
@@ -241,3 +242,14 @@ def test_the_command_gives_the_rows_of_python_as_json():
     rows = st.interfaces(["ice"])
     rows[0]["pairs"].clear()
     assert st.interfaces(["ice"])[0]["pairs"]
+
+
+def test_a_common_name_leads_to_the_state():
+    with pytest.raises(InputError, match="'monolayer'"):
+        interface("SAM")
+
+
+def test_the_monolayer_bears_a_limited_pressure_with_a_source():
+    (row,) = interfaces(["monolayer"])
+    assert row["pressure_limit"]["value"] == 3e9 and row["pressure_limit"]["grade"] == "C" and row["pressure_limit"]["source"]
+    assert interfaces(["ceramic"])[0]["pressure_limit"] is None

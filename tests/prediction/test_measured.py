@@ -161,4 +161,25 @@ def test_a_line_for_the_case_is_offered_only_where_it_keeps_the_answer(slope, tm
     path.write_text(CASE.replace("[contact.interface]", f"[contact.interface]\n{slope}"), encoding="utf-8")
     found = st.predict(path, load="1 N", measured=series(tmp_path, "load [N],friction_coefficient\n1,0.12\n"))
     told = dict(answer_lines(found))["measured"]
-    assert ("in the case: " in told) is (not slope) and ("the pressure coefficient of the state" in told) is bool(slope)
+    assert ("in place of interface: " in told) is (not slope) and ("the pressure coefficient of the state" in told) is bool(
+        slope
+    )
+
+
+def test_a_fit_predicts_another_load_as_precisely_as_the_fitted_one(tmp_path):
+    """The written case loses which strength goes with which hardness; the fit at another load does not."""
+    contact = {
+        "first": "gold_film", "second": "gold_film", "nominal_area": "25 um^2",
+        "interfacial_shear_strength": {"low": "50 MPa", "high": "400 MPa", "spacing": "log"},
+        "roughness": {"rms_height": "5 nm", "finish": "sputtered film"},
+    }  # fmt: skip
+    file = tmp_path / "relay.csv"
+    file.write_text("load [uN],friction_coefficient,friction_coefficient_error\n100,0.37,0.03\n", encoding="utf-8")
+    width = {}
+    for load in ("100 uN", "1 mN"):
+        answer = st.predict({"contact": contact, "solve": {"load": "100 uN"}}, load=load, measured=file)
+        width[load] = float(answer.friction_coefficient_high / answer.friction_coefficient_low)
+    ends = dict(zip(("low", "high"), (f"{float(answer[end][0])!r} Pa" for end in ("low", "high")), strict=True))
+    pasted = contact | {"interfacial_shear_strength": {**ends, "spacing": "log"}}
+    alone = st.predict({"contact": pasted, "solve": {"load": "1 mN"}})
+    assert width["1 mN"] < 1.3 * width["100 uN"] < (alone.friction_coefficient_high / alone.friction_coefficient_low).item()

@@ -293,3 +293,15 @@ def test_a_stated_error_is_shown_and_the_strength_has_one_name():
     data = st.sensitivity(case)
     assert "interface" not in data["input"].values and data["input"].values[0] == "interfacial_shear_strength"
     assert "uncertain: interfacial_shear_strength: 160 MPa ± 16 MPa" in [str(part) for part in sensitivity_view(data).parts()]
+
+
+def test_the_numbers_of_a_named_interface_are_among_the_sensitivities():
+    """mu is alpha plus tau_0 over the pressure: with both it doubles. On hard bodies alpha is nearly all of it."""
+    case = predicted_case()
+    del case["contact"]["interfacial_shear_strength"]
+    silicon = {"first": "silicon", "second": "silicon", "interface": "monolayer"}
+    found = st.sensitivity({**case, "contact": case["contact"] | silicon})["friction_coefficient_log_sensitivity"]
+    alpha, tau = (
+        float(found.sel(number=f"interface.{name}")) for name in ("pressure_coefficient", "interfacial_shear_strength")
+    )
+    assert alpha > 0.9 and 0.0 < tau < 0.1 and alpha + tau == pytest.approx(1.0, abs=0.03)

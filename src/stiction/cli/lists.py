@@ -6,7 +6,7 @@ from typing import Any
 
 from stiction.cli.options import Json, argument, every_key, names_of, option
 from stiction.cli.output import print_json
-from stiction.cli.program import app, show
+from stiction.cli.program import app, read, show, solving
 from stiction.quantities.errors import InputError
 
 
@@ -82,13 +82,24 @@ def interfaces(
 @app.command()
 def cite(
     keys: list[str] | None = argument(
-        "[KEY]...", "Models or entries; without KEY all of them.", None, autocompletion=every_key
+        "[KEY|CASE.toml]...",
+        "Models, entries, or case files, which give the sources of their result; without KEY the whole bibliography.",
+        None,
+        autocompletion=every_key,
     ),
 ) -> None:
-    """Print the BibTeX entries of models and laws, or of keys of the bibliography."""
+    """Print the BibTeX entries of models and laws, of keys of the bibliography, or of the result of a case."""
     from stiction.solving.overview import cite as bibtex_of
 
-    print(bibtex_of(keys or None), end="")
+    wanted = list(keys or [])
+    for name in [name for name in wanted if name.endswith(".toml")]:
+        case = read(Path(name))
+        with solving():
+            from stiction.studies.case_results import sources_of_case
+
+            wanted += sources_of_case(case)
+        wanted.remove(name)
+    print(bibtex_of(wanted or None), end="")
 
 
 @app.command()

@@ -27,6 +27,7 @@ if TYPE_CHECKING:
 
 _BAD_INPUT = 2
 _TABLE = re.compile(r"\[(?=[a-z])")
+_TRAILING = re.compile(r" +$", re.MULTILINE)
 _LINE_ENDS = re.compile(r"(?<!\n)\n *(?=\S)")  # inside a paragraph; the terminal wraps the text itself
 
 
@@ -319,7 +320,7 @@ def show(parts: Iterable[Any]) -> None:
     """Print texts and tables on the terminal.
 
     A text with `no_wrap` is printed on one line. If its `overflow` allows it, a terminal cuts this line at its width; a file
-    or pipe receives the whole line.
+    or pipe receives the whole line. Lines do not end in blanks.
     """
     from rich.text import Text
 
@@ -328,7 +329,9 @@ def show(parts: Iterable[Any]) -> None:
         text = Text(part) if isinstance(part, str) else part
         line = isinstance(text, Text) and bool(text.no_wrap)
         cut = text.overflow if line and terminal.is_terminal else None
-        terminal.print(text, soft_wrap=line and not cut, no_wrap=line, overflow=cut)
+        with terminal.capture() as printed:
+            terminal.print(text, soft_wrap=line and not cut, no_wrap=line, overflow=cut)
+        terminal.file.write(_TRAILING.sub("", printed.get()))
 
 
 def written(folder: Path, names) -> None:

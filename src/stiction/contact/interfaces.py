@@ -16,6 +16,15 @@ from stiction.quantities.lognormal import lognormal_quantile
 from stiction.quantities.ranges import Ranges, check_ranges, range_in_words
 from stiction.quantities.table import QUANTITIES
 
+# Common names of interface states -> name of the state, for the hint of an error.
+_SYNONYMS = {
+    **dict.fromkeys(("sam", "self-assembled monolayer", "fdts", "ots", "silane"), "monolayer"),
+    **dict.fromkeys(("oil", "grease", "greasy", "lubricated", "lubricant"), "boundary lubricant"),
+    **dict.fromkeys(("oxide", "oxidized metal", "native oxide", "metal"), "oxidised metal"),
+    **dict.fromkeys(("rubber", "silicone", "pdms"), "elastomer"),
+    **dict.fromkeys(("graphite", "mos2"), "layered solid"),
+}
+
 # Fields that state the strength: as a stress, over the hardness, or over the shear modulus of the softer body.
 STRENGTHS = ("interfacial_shear_strength", "shear_strength", "strength_over_shear_modulus")
 
@@ -26,7 +35,8 @@ class Interface(Input):
     The shear strength is tau_0 + alpha p at the pressure p, tau_0 and alpha being lognormally distributed.
     interfacial_shear_strength, shear_strength, strength_over_shear_modulus: median of tau_0 in Pa, over the hardness, or over
     the shear modulus of the softer touching body or film; exactly one is stated. pressure_coefficient: median of alpha; None if
-    the strength does not depend on pressure. range: 5 and 95 % quantiles of a number, by name; a number without a range is
+    the strength does not depend on pressure. pressure_limit: mean pressure of contact spots [Pa] above which the interface
+    fails; None if unknown. range: 5 and 95 % quantiles of a number, by name; a number without a range is
     exact. source, grade: of each number, by name, with grades as in data_files.GRADES. pairs: prior weight of the state for a
     pair of material classes, such as "metal, ceramic" or "polymer, any"; with weight 0 only the user can choose it. only_with:
     names of materials; at least one body must be one of them. of_film: whether pairs of weight 0 require a film.
@@ -40,6 +50,7 @@ class Interface(Input):
     shear_strength: OptionalNumber = by_default(None)
     strength_over_shear_modulus: OptionalNumber = by_default(None)
     pressure_coefficient: OptionalNumber = by_default(None)
+    pressure_limit: OptionalNumber = by_default(None)
     range: Ranges = Field(default_factory=dict, description="5 and 95 % quantiles of its numbers")
     source: dict[str, str] = Field(default_factory=dict, description="where each number comes from")
     grade: dict[str, Literal["A", "B", "C"]] = Field(default_factory=dict, description="A, B or C for each number")
@@ -129,6 +140,8 @@ class Interface(Input):
             if getattr(self, name) is not None:
                 ends = f", 90 % within {range_in_words(*self.range[name], name)}" if name in self.range else ""
                 rows.append((name, as_text(getattr(self, name), name) + ends))
+        if self.pressure_limit is not None:
+            rows.append(("pressure_limit", as_text(self.pressure_limit, "pressure_limit")))
         return rows
 
     def _quantile(self, name: str, level: Any, median: Any = None) -> Any:
@@ -158,7 +171,9 @@ def interface(name: str, /) -> Interface:
     Raises InputError, with similar names, if there is none.
     """
     if not isinstance(name, str) or name not in _states():
-        raise InputError("interface", name, "a state of an interface: " + nearest(name, interface_names()))
+        known = _SYNONYMS.get(name.lower(), "") if isinstance(name, str) else ""
+        hint = f"{known!r}" if known else nearest(name, interface_names())
+        raise InputError("interface", name, f"a state of an interface: {hint}")
     return _states()[name]
 
 
@@ -210,12 +225,22 @@ class InterfaceNumber(TypedDict):
     grade: str
 
 
+class InterfaceLimit(TypedDict):
+    """Describe the largest pressure of contact spots that an interface state bears: value, unit, source and grade."""
+
+    value: float
+    unit: str
+    source: str
+    grade: str
+
+
 class InterfaceRow(TypedDict):
-    """Describe one interface state, as `interfaces` returns it: its two numbers (the second may be None) and its uses."""
+    """Describe one interface state, as `interfaces` returns it: its numbers (the last two may be None) and its uses."""
 
     name: str
     strength: InterfaceNumber
     pressure_coefficient: InterfaceNumber | None
+    pressure_limit: InterfaceLimit | None
     pairs: dict[str, float]
     only_with: list[str]
     of_film: bool
@@ -233,8 +258,9 @@ def interfaces(names: Iterable[str] | None = None) -> list[InterfaceRow]:
     Returns
     -------
     list of dict
-        Fields name, strength, pressure_coefficient, pairs, only_with, of_film and not_for. The two numbers are dicts of
-        quantity, value (median), unit, range (5 and 95 % quantiles), source and grade.
+        Fields name, strength, pressure_coefficient, pressure_limit, pairs, only_with, of_film and not_for. The first two
+        numbers are dicts of quantity, value (median), unit, range (5 and 95 % quantiles), source and grade. The pressure limit
+        is a dict of value, unit, source and grade, or None.
 
     Raises
     ------
@@ -260,6 +286,7 @@ def _row(state: Interface) -> InterfaceRow:
         "name": state.name,
         "strength": _number(state, state.strength),
         "pressure_coefficient": (None if state.pressure_coefficient is None else _number(state, "pressure_coefficient")),
+        "pressure_limit": None if state.pressure_limit is None else _limit(state, "pressure_limit"),
         "pairs": dict(state.pairs),
         "only_with": list(state.only_with),
         "of_film": state.of_film,
@@ -275,6 +302,15 @@ def _number(state: Interface, name: str) -> InterfaceNumber:
         "unit": QUANTITIES[name].unit or "1",
         "range": list(ends),
         "range_in_words": range_in_words(*ends, name),
+        "source": state.source[name],
+        "grade": state.grade[name],
+    }
+
+
+def _limit(state: Interface, name: str) -> InterfaceLimit:
+    return {
+        "value": float(getattr(state, name)),
+        "unit": QUANTITIES[name].unit or "1",
         "source": state.source[name],
         "grade": state.grade[name],
     }

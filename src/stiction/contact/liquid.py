@@ -65,7 +65,7 @@ class Liquid(Input):
     def _wets(self):
         self.check_dimensions()
         if not np.all(np.asarray(self.wetting) > _LEAST_WETTING):
-            allowed = "contact angles whose cosines sum to more than 0, or no meniscus forms between the bodies"
+            allowed = "contact angles whose cosines sum to more than 0: no meniscus forms here, so leave out the liquid"
             angles = {name: float(np.max(getattr(self, name))) for name in ("contact_angle_second", "contact_angle_first")}
             name = max(angles, key=lambda name: angles[name])
             raise InputError(name, show(angles[name], name), allowed)

@@ -44,6 +44,7 @@ _NAMES = {
     "sliding": "size of the contact spots",
 }
 _BODIES = {"first": "first body", "second": "second body", "coating.material": "film", "coating": "film"}
+_FEW_VALUES = 3  # measured values below which the confidence is at most fair
 _NO_WIDTH = 1e-9  # width of an interval over its upper end that is only round-off
 
 
@@ -79,14 +80,15 @@ def confidence_in(data: "xarray.Dataset") -> str:
 
     The width of the interval decides, see `confidence`. With a warning the confidence is at most "fair". It is "low" in any
     case if predictions for this interface state agree with fewer than two thirds of the contacts whose friction is printed in
-    handbooks. That condition does not apply if friction measured by the user is part of the prediction. data: result of
-    `predict`.
+    handbooks. That condition does not apply if friction measured by the user is part of the prediction. With fewer than three
+    measured values the confidence is at most "fair". data: result of `predict`.
     """
     held, contacts = data.attrs["in_handbooks"]
     if "measured" not in data.attrs and held < _ENOUGH * contacts:
         return "low"
     word = confidence(*ends_of_mu(data))
-    return "fair" if word == "high" and data.attrs["warnings"] else word
+    few = data.attrs.get("measured", _FEW_VALUES) < _FEW_VALUES
+    return "fair" if word == "high" and (few or data.attrs["warnings"]) else word
 
 
 def confidence_scale(word: str) -> str:
@@ -220,11 +222,14 @@ def headline(data: "xarray.Dataset") -> str:
 
 
 def working_load_in_words(data: "xarray.Dataset") -> str:
-    """Format the working load of a prediction and, if it has more than one load, their range: "1 N (curve: 0.1 N to 10 N)"."""
+    """Format the working load of a prediction, with the range of its loads if there are several.
+
+    For example "1 N (working load of 0.1 N to 10 N)".
+    """
     load, *ends = (
         show(float(value), "load", 3) for value in (at_working_load(data)["load"], data["load"].min(), data["load"].max())
     )
-    return load if data["load"].size < 2 else f"{load} (curve: {' to '.join(ends)})"
+    return load if data["load"].size < 2 else f"{load} (working load of {' to '.join(ends)})"
 
 
 def beside_area(attrs: dict[str, Any]) -> str:
@@ -252,6 +257,7 @@ def answer_lines(data: "xarray.Dataset", terminal: bool = True) -> list[tuple[st
         ("friction force", f"{force} ({span(point, _FORCE, _FORCE)}); real contact {area}"),
         ("along the load", _along(data)),
         ("measured", _of_measured(data)),
+        ("its error", attrs.get("measured_error", "")),
         ("state", attrs["regime"]),
         ("lower mu by", attrs["lowered_by"]),
         ("uncertainty from", sources_in_words(attrs["shares"])),
@@ -310,7 +316,8 @@ def _of_measured(data: "xarray.Dataset") -> str:
     if "parameter" not in data.dims and data.attrs["grows_with_pressure"]:
         return f"{values}: {strength} at zero pressure; the pressure coefficient of the state still applies"
     if "parameter" not in data.dims:
-        return f'{values}: {strength}; in the case: interfacial_shear_strength = {{ low = "{low}", high = "{high}" }}'
+        line = f'interfacial_shear_strength = {{ low = "{low}", high = "{high}" }}'
+        return f"{values}: {strength}; in the case, in place of interface: {line}"
     names = data["parameter"].values.tolist()
     texts = [] if "interfacial_shear_strength" in names else [strength]
     for index, name in enumerate(names):

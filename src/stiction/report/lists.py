@@ -106,6 +106,10 @@ def grade_of(number: Mapping[str, Any] | None) -> str:
     return "" if number is None else number["grade"]
 
 
+def _with_grade(number: Mapping[str, Any] | None) -> str:
+    return "" if number is None else f"{range_of(number)} ({grade_of(number)})"
+
+
 def interfaces_table() -> Group:
     """Return a table of all interface states, one line each, with a legend and the way to state one in a case.
 
@@ -114,9 +118,9 @@ def interfaces_table() -> Group:
     rows = []
     for row in interfaces():
         numbers = row["strength"], row["pressure_coefficient"]
-        cells = [text for number in numbers for text in (median_in_words(number), range_of(number), grade_of(number))]
+        cells = [text for number in numbers for text in (median_in_words(number), _with_grade(number))]
         rows.append([row["name"], *cells])
-    table = Table([*map(Column, ("state", "tau_0", "90 % range", "", "alpha", "90 % range", ""))], rows, ruled=True, gap=1)
+    table = Table([*map(Column, ("state", "tau_0", "90 % (grade)", "alpha", "90 % (grade)"))], rows, ruled=True, gap=1)
     letters = [Text(f"{letter}: {meaning}") for letter, meaning in GRADES.items()]
     meaning = Text("Strength: tau_0 + alpha p. H: hardness, G: shear modulus, both of the softer body")
     return Group(table, meaning, *letters, _how_to_state("oxidised metal"))
@@ -136,6 +140,9 @@ def interface_in_full(name: str) -> Group:
             Text(f"{QUANTITIES[number['quantity']].symbol}: {text}"),
             Padding(Text(number["source"]), (0, 0, 0, 4)),
         ]
+    if (limit := row["pressure_limit"]) is not None:
+        lines.append(Text(f"holds up to {show(limit['value'], 'pressure_limit')} on the contact spots, grade {limit['grade']}"))
+        lines.append(Padding(Text(limit["source"]), (0, 0, 0, 4)))
     with_one = f"; one body of {' or '.join(row['only_with'])}" if row["only_with"] else ""
     pairs = (f"{pair} (a film)" if row["of_film"] and not weight else pair for pair, weight in row["pairs"].items())
     lines.append(Text(f"allowed between: {'; '.join(pairs)}{with_one}"))

@@ -175,7 +175,7 @@ def cite(what: "xarray.Dataset | str | Iterable[str] | None" = None) -> str:
     Parameters
     ----------
     what : xarray.Dataset, str or iterable of str, optional
-        A result of `solve`, or keys of models or of bibliography entries; by default the whole bibliography.
+        A result of `solve` or `predict`, or keys of models or of bibliography entries; by default the whole bibliography.
 
     Returns
     -------

@@ -77,17 +77,21 @@ def unused_inputs(problem: Problem) -> list[Unused]:
     return listed
 
 
+def ignored_strength(problem: Problem) -> list[str]:
+    """Return the names of stated inputs of the interface strength, such as "interface", that the laws in use ignore."""
+    given = problem.subject.optional_inputs() if problem.subject is not None else {}
+    names = {name for name, group in given.items() if group in _STRENGTH}
+    return [unused.input for unused in unused_inputs(problem) if unused.input in names] if names else []
+
+
 def refuse_ignored_strength(problem: Problem, choice: Choice) -> None:
     """Raise InputError if the default model would ignore a stated shear strength or pressure coefficient of the interface.
 
     A model or tangential law that the user named may ignore it; the result then lists it as unused.
     """
-    given = problem.subject.optional_inputs()
-    names = [name for name, group in given.items() if group in _STRENGTH]
-    if choice.model is not None or choice.tangential is not None or not names:
+    if choice.model is not None or choice.tangential is not None:
         return
-    ignored = [unused.input for unused in unused_inputs(problem) if unused.input in names]
-    if ignored:
+    if ignored := ignored_strength(problem):
         inputs = dict(problem.subject.inputs())
         value = InWords(inputs.get(ignored[0]) or inputs.get(f"{ignored[0]}.name", "given"))
         allowed = f"no value with the default model, {choice.model_key}, which ignores it"

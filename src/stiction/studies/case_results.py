@@ -80,6 +80,16 @@ def solve_case(case: "CaseLike", choice: Choice | None = None, progress: Progres
     return with_groups(_with_notes(data, case), case.with_surface_moments(choice.model_key).subject)
 
 
+def sources_of_case(case: "CaseLike") -> list[str]:
+    """Return the bibliography keys of the result of a case: of its prediction, or of its named model.
+
+    Raises InputError as `solve_case` and `predict`.
+    """
+    case = as_case(case)
+    data = predict(case) if is_predicted(case) else solve_case(case)
+    return data.attrs["sources"].split()
+
+
 def film_of_case(case: Case, choice: Choice) -> "xarray.Dataset":
     """Compute the stresses in the film of a case at its points, with the models and laws of `choice`.
 

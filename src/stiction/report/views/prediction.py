@@ -8,7 +8,15 @@ from typing import TYPE_CHECKING, Any
 
 from rich.text import Text
 
-from stiction.report.answer import PREDICTION_HEADS, answer_lines, answer_record, beside_area, confidence_in, confidence_scale
+from stiction.report.answer import (
+    PREDICTION_HEADS,
+    answer_lines,
+    answer_record,
+    beside_area,
+    confidence_in,
+    confidence_scale,
+    ends_of_mu,
+)
 from stiction.report.files import comment_lines, record, write_csv
 from stiction.report.swept_tables import combinations_shown, swept_table
 from stiction.report.table import facts
@@ -24,6 +32,7 @@ if TYPE_CHECKING:
     from stiction.case.read import Case
 
 _RESULTS = ("friction_coefficient", "friction_force", "contact_area")
+_WIDE = 3.0  # ratio of the interval ends above which the sources of the interval are always shown
 _COLUMNS = [f"{name}{end}" for name in _RESULTS for end in ("", "_low", "_high")]
 
 
@@ -55,11 +64,14 @@ def prediction_view(
             yield Text(case.title, style="bold")
         name = Path(file).name
         more = f"--details; --out DIR; stiction compare {name}"
+        if "measured" in data.attrs:
+            more = "--details; --out DIR; --load LOAD predicts other loads by the same measurement"
         rows = [(head, text.replace("CASE.toml", name)) for head, text in answer_lines(data)]
         if details:
             yield from (facts(rows), *_details(case, data))
         else:
-            yield _in_short([*rows, ("details", more)], MOST_LINES - bool(case.title) - saved)
+            wide = _is_wide(data)
+            yield _in_short([*rows, ("details", more)], MOST_LINES - bool(case.title) - saved, wide)
 
     def as_record() -> dict[str, Any]:
         curve = {name: data[name].values.ravel().tolist() for name in ("load", *_COLUMNS)}
@@ -76,12 +88,20 @@ def prediction_view(
     return View("curve", plain(data), parts, as_record, files, pictures, is_brief=True)
 
 
-def _in_short(rows: list[tuple[str, str]], most: int) -> Any:
+def _is_wide(data: "xarray.Dataset") -> bool:
+    """Return whether the interval of mu at the working load is wider than a factor of 3."""
+    _, low, high = ends_of_mu(data)
+    return high > _WIDE * low
+
+
+def _in_short(rows: list[tuple[str, str]], most: int, wide: bool = False) -> Any:
     """Return the table of an answer with at most `most` lines, from which the least important rows are left out.
 
-    rows: pairs (heading, text).
+    rows: pairs (heading, text). wide: whether the interval is so wide that its sources are always shown.
     """
-    for name in ("model", "along the load", "checked against", "uncertainty from", "if worn through"):
+    sources = ["uncertainty from"]
+    order = ["model", "along the load", "checked against", *([] if wide else sources), "if worn through", "lower mu by"]
+    for name in order:
         if lines_of(facts(rows)) <= most:
             break
         rows = [row for row in rows if row[0] != name]

@@ -28,6 +28,7 @@ from stiction.solving.points import points_of, solve_points
 from stiction.solving.problem import Problem, make_problem, problem_of
 from stiction.solving.results import labelled
 from stiction.solving.state import state_of
+from stiction.solving.unused import ignored_strength
 from stiction.studies.pressing_loads import pressing_loads
 
 if TYPE_CHECKING:
@@ -174,8 +175,9 @@ class _Answer:
 
     curve: results (points,) by name. range_status: at each point, WITHIN or OUTSIDE the validity ranges, or IMPOSSIBLE.
     at_load: results at the working load, if the model reaches it. outside: validity warnings at the working load; without one,
-    along the curve. attributes: values for the names in _TEXTS and _NUMBERS. dry: whether the model ignores the liquid of the
-    contact. sources: keys of publications. why_not: reason for missing results or missing friction; "" if none is missing.
+    along the curve. attributes: values for the names in _TEXTS and _NUMBERS. ignored: what the model ignores of the interface
+    and the liquid of the contact, in words. sources: keys of publications. why_not: reason for missing results or missing
+    friction; "" if none is missing.
     """
 
     candidate: Candidate
@@ -184,7 +186,7 @@ class _Answer:
     at_load: dict[str, float] | None = None
     outside: list[ValidityWarning] = field(default_factory=list)
     attributes: dict[str, Any] = field(default_factory=dict)
-    dry: bool = False
+    ignored: str = ""
     sources: list[str] = field(default_factory=list)
     why_not: str = ""
 
@@ -193,14 +195,14 @@ class _Answer:
         """Return a text that states whether the contact fits the model, with the reason if it does not."""
         if self.why_not:
             return f"no answer: {self.why_not}"
-        dry = ", without the liquid" if self.dry else ""
+        left_out = f", without {self.ignored}" if self.ignored else ""
         of_chance = [warning.in_brief for warning in self.outside if warning.kind == "statistics"]
         if len(of_chance) == len(self.outside):  # these hold for any model
-            return "; ".join((f"fits{dry}", *of_chance))
+            return "; ".join((f"fits{left_out}", *of_chance))
         worst = [warning for warning in self.outside if warning.kind == "impossible"]
         texts = list(dict.fromkeys(warning.in_brief for warning in worst or self.outside))
         more = f" and {len(texts) - 2} more" if len(texts) > 2 else ""
-        return f"{'cannot be right' if worst else 'does not fit'}: {', '.join(texts[:2])}{more}{dry}"
+        return f"{'cannot be right' if worst else 'does not fit'}: {', '.join(texts[:2])}{more}{left_out}"
 
 
 def _solve_candidate(contact: Subject, candidate: Candidate, h: np.ndarray, loads: np.ndarray, target: float | None) -> _Answer:
@@ -228,13 +230,24 @@ def _solve_candidate(contact: Subject, candidate: Candidate, h: np.ndarray, load
     if at_load or target is None:  # a model that cannot carry the working load has no results to check
         answer.outside = answer.outside + warnings_of_results(problem, at_load or rows)
         answer.attributes |= film_errors.as_attributes(problem, at_load or rows)
-    answer.dry = leaves_out_liquid(problem)
+    answer.ignored = _ignored(problem)
     answer.curve = _in_units(problem, curve)
     answer.range_status = points_outside(problem, rows)
     if at_load:
         answer.attributes |= _measured(measured_error.measured_errors(problem, at_load))
         answer.at_load = {name: float(table[0, 0]) for name, table in _in_units(problem, at_load).items()}
     return answer
+
+
+def _ignored(problem: Problem) -> str:
+    """Return what a model ignores of the stated interface and liquid, in words; "" if nothing."""
+    names = ignored_strength(problem) if problem.friction else []
+    texts = []
+    if any(not name.endswith("pressure_coefficient") for name in names):
+        texts.append("the interface")
+    elif names:
+        texts.append("alpha")
+    return " and ".join([*texts, *(["the liquid"] if leaves_out_liquid(problem) else [])])
 
 
 def _of_laws(problem: Problem) -> dict[str, str]:

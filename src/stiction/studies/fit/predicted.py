@@ -19,12 +19,15 @@ if TYPE_CHECKING:
     import xarray
 
 
-def fit_prediction(given: Any, data: Any, folder: Path | None = None) -> "tuple[Case, xarray.Dataset] | None":
+def fit_prediction(
+    given: Any, data: Any, folder: Path | None = None, load: str | None = None
+) -> "tuple[Case, xarray.Dataset] | None":
     """Return a case and its prediction updated by measured values; None if the case names a model.
 
     Each free parameter of [fit.free] becomes uncertain, uniformly distributed between its ends. given: path of a case file, or
     its tables. data: path of the CSV file of measured values. folder: folder at which relative paths in the tables start; None
-    for the folder of the case file. Raises InputError.
+    for the folder of the case file. load: replaces the loads of the case. Raises InputError, also for a load if the case names
+    a model.
     """
     content, own_folder = tables_of(given)
     folder = folder or own_folder
@@ -32,10 +35,13 @@ def fit_prediction(given: Any, data: Any, folder: Path | None = None) -> "tuple[
     if not is_predicted(case_in(plain, folder)):
         if "fit" not in content:
             raise InputError("fit", None, WANTED, "where a model is named")
+        if load is not None:
+            raise InputError("--load", load, "no value if the case names a model; state the loads in [solve]")
         return None
     if "fit" in content:
         plain = with_numbers(plain, _ends(content, as_numbers(with_files_read(plain, folder)[0])))
     case = case_in(plain, folder)
+    case = case if load is None else case.at_load(load)
     return case, predict(case, measured=data)
 
 
@@ -69,5 +75,9 @@ def fitted_case(given: Any, case: Case, found: "xarray.Dataset", out: Path) -> s
         here = found.sel(parameter=".".join(one.path[1:]))
         low, high = float(here["low"]), float(here["high"])
         numbers[one.path] = _between(one.path, low, high, "log" if low > 0.0 else "linear")
-    comment = f"Fitted by stiction {__version__} to {found.attrs['measured']} measured values: {found.level:.0%} intervals."
-    return case_text(with_numbers(without_studies(read_content(given)), numbers), [comment], Path(given).parent, out)
+    comments = [
+        f"Fitted by stiction {__version__} to {found.attrs['measured']} measured values: {found.level:.0%} intervals.",
+        "They lose which strength goes with which hardness and area: mu of this case is wider than that of the fit.",
+        f"For other loads without this loss: stiction fit {Path(given).name} --data FILE --load LOAD",
+    ]
+    return case_text(with_numbers(without_studies(read_content(given)), numbers), comments, Path(given).parent, out)

@@ -1,9 +1,10 @@
 """Fit numbers of a case to measured friction, pull-off force, contact area or resistance.
 
 The table [fit.free] of the case names the free parameters, each with its low and high end. A case that names no model is
-predicted: samples count by how well they agree with the measured values. For a case that names a model, 95 % intervals follow
-from the profile likelihood, and the output states what the data do not determine. --out writes fitted.toml, a case file for
-`stiction run`, with pictures and tables. If interrupted after the model is fitted, the command keeps this fit.
+predicted: samples count by how well they agree with the measured values, and --load predicts another load from the same
+values. For a case that names a model, 95 % intervals follow from the profile likelihood, and the output states what the data
+do not determine. --out writes fitted.toml, a case file for `stiction run`, with pictures and tables. If interrupted after the
+model is fitted, the command keeps this fit.
 """
 
 from pathlib import Path
@@ -17,21 +18,22 @@ from stiction.studies.study import Study
 def _plan(
     case: Path,
     data: Annotated[Path, Option(help="CSV file of a measured series, units in the column names.", metavar="MEASURED.csv")],
+    load: str | None = None,
     out: Path | None = None,
     details: bool = False,
 ) -> tuple[Any, ...]:
     from stiction.studies.fit.run import plan_of_fit  # noqa: F401  # slow to import, which is part of reading
 
-    return case, data, out, details
+    return case, data, load, out, details
 
 
 def _run(plan: tuple[Any, ...], progress: Any) -> tuple[Any, ...]:
     from stiction.studies.fit.predicted import fit_prediction
     from stiction.studies.fit.run import plan_of_fit, run_fit
 
-    case, data, out, details = plan
+    case, data, load, out, details = plan
     for _ in progress("Solving")([case]):
-        predicted = fit_prediction(case, data)
+        predicted = fit_prediction(case, data, load=load)
     if predicted is not None:
         return (case, *predicted, details, data), out
     return run_fit(plan_of_fit(case, data), progress), out

@@ -18,6 +18,7 @@ from stiction.studies.prediction.mixture import Mixture
 FILE = Path(__file__).parent / "checked.json"  # made by validation/contacts/score.py
 
 _BARE, _METALS = "clean metal", ("metal", "soft metal")
+_UNPARTED = (_BARE, "oxidised metal")  # an oxide that is rubbed off forms again in air
 _DRAWS = 256
 _WIDE = 1.5  # error factor of the area from which it is shown as a factor instead of a percentage
 _LEAST = 0.01  # smallest error of the area that is shown, because the solved surfaces are not more accurate
@@ -27,13 +28,13 @@ def bare_metal(mixture: Mixture, level: float) -> list[float]:
     """Return the interval [low, high] of mu for two metals where the film or surface layer between them is worn away.
 
     level: coverage probability of the interval. The list is empty if a body is not a metal, or if the contact states neither a
-    film nor an interface other than clean metal. The contact spots are plastic, have the shear strength tau_0 of clean metal,
-    and grow under shear. As tau_0 is proportional to the hardness H, mu = tau_0/H times the junction growth does not depend on
-    H.
+    film nor an interface other than clean and oxidised metal. The contact spots are plastic, have the shear strength tau_0 of
+    clean metal, and grow under shear. As tau_0 is proportional to the hardness H, mu = tau_0/H times the junction growth does
+    not depend on H.
     """
     contact = mixture.sampled.contact
     bodies = (contact.first, contact.second)
-    parted = contact.has_film or (contact.interface is not None and contact.interface.name != _BARE)
+    parted = contact.has_film or (contact.interface is not None and contact.interface.name not in _UNPARTED)
     if not parted or any(class_of(body) not in _METALS for body in bodies):
         return []
     ratio = Pair(*bodies).k if contact.hardness_to_yield is None else contact.hardness_to_yield

@@ -18,6 +18,7 @@ from stiction.studies.evaluate_many import part_of
 from stiction.studies.prediction.mixture import Mixture
 from stiction.studies.prediction.predict import COUNT, draws_of, intervals, with_uncertain
 from stiction.studies.prediction.sampled_case import SampledCase
+from stiction.studies.prediction.sources import sources_of
 from stiction.studies.prediction.unused import refusal_of
 
 if TYPE_CHECKING:
@@ -143,12 +144,15 @@ def _together(
         sampled = SampledCase(case, loads, levels.inputs)
         if not (sampled.loads > 0.0).all():
             raise InputError("load", float(sampled.loads.min()), "above 0 N, because mu is friction force over load")
-        samples = Mixture.of(sampled).samples(levels, np.arange(len(levels)))
+        mixture = Mixture.of(sampled)
+        samples = mixture.samples(levels, np.arange(len(levels)))
         tables = intervals(samples, sampled.loads, level)
     shape, dims = tuple(sampled.dims.values()), tuple(sampled.dims)
     variables = {name: (dims, values.reshape(shape), attributes) for name, (values, attributes) in tables.items()}
     refused = np.isnan(tables["friction_coefficient"][0]).reshape(shape)
-    return case, BatchResult(variables, (dims, refused.astype(np.uint32) << np.uint32(REFUSED)), [], case.subject, {})
+    return case, BatchResult(
+        variables, (dims, refused.astype(np.uint32) << np.uint32(REFUSED)), [], case.subject, {"sources": sources_of(mixture)}
+    )
 
 
 def _one_finish(case: Case, numbers: Mapping) -> dict[tuple[str, ...], Any]:
@@ -170,8 +174,8 @@ def predict_swept(case: Case, level: float = 0.9) -> "xarray.Dataset":
 
     level: coverage probability of the intervals. Variables are named as in `predict`. Refused points, each a contact at a load,
     are NaN; the attribute `refused` is their number, `why_refused` the reason for the first of them. The attribute `draws` is
-    the number of samples per contact. Raises InputError if the case has separations instead of loads, or if all points are
-    refused.
+    the number of samples per contact, `sources` lists bibliography keys. Raises InputError if the case has separations instead
+    of loads, or if all points are refused.
     """
     import xarray
 
@@ -184,19 +188,21 @@ def predict_swept(case: Case, level: float = 0.9) -> "xarray.Dataset":
         raise InputError("load", float(case.load.max()), "above 0 N, because mu is friction force over load")
     loads = xarray.DataArray(case.load[pressing], dims=("load",))
     tables: dict[str, tuple] = {}
+    sources: dict[str, None] = {}
     refused = contacts * (case.load.size - pressing.size)
     for region, _, solved in predict_many(case, case.swept, loads, case.uncertain, level=level, count=count):
         if solved is None:
             refused += 1
             continue
         refused += int(np.count_nonzero(solved.validity_warnings[1]))
+        sources |= dict.fromkeys(solved.attributes["sources"].split())
         for name, (dims, values, attributes) in solved.variables.items():
             table = tables.setdefault(name, (tuple(sizes), np.full(tuple(sizes.values()), np.nan), attributes))[1]
             places: dict[str, Any] = {**region, "load": pressing[region["load"]]}
             table[np.ix_(*(np.arange(size)[places[dim]] for dim, size in sizes.items()))] = arranged(values, dims, sizes)
     coords = coordinates(case.subject.arrays())
     coords["load"] = xarray.Variable("load", case.load, {"units": "N", "long_name": "load"})
-    attributes = {"level": level, "draws": count, "refused": refused, "model": RECOMMENDED}
+    attributes = {"level": level, "draws": count, "refused": refused, "model": RECOMMENDED, "sources": " ".join(sources)}
     if refused:
         missing = np.argwhere(np.isnan(tables["friction_coefficient"][1]))[0]
         attributes["why_refused"] = _why_refused(case, {dim: slice(at, at + 1) for dim, at in zip(sizes, missing, strict=True)})

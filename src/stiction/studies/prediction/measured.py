@@ -12,6 +12,7 @@ from stiction.quantities.errors import InputError
 # Relative standard error of a measured coefficient whose error is not stated: the scatter of three or more values, but at least
 # _LEAST_ERROR; USUAL_ERROR for fewer values. Judgements (grade C).
 _LEAST_ERROR, USUAL_ERROR = 0.05, 0.15
+_ENOUGH = 3  # number of values from which their scatter gives their error
 _FEW = 50.0  # smallest effective number of samples behind an interval
 
 
@@ -19,12 +20,14 @@ _FEW = 50.0  # smallest effective number of samples behind an interval
 class Measured:
     """Store k measured friction coefficients as natural logarithms, with loads [N] and standard errors of the logarithms.
 
-    Each array has the shape (k,).
+    Each array has the shape (k,). assumed: how the errors that the file does not state were found, in words; "" if it states
+    them all.
     """
 
     load: np.ndarray
     log_mu: np.ndarray
     error: np.ndarray
+    assumed: str = ""
 
 
 def read_measured(path: str | PathLike, case: Case) -> Measured:
@@ -54,8 +57,13 @@ def read_measured(path: str | PathLike, case: Case) -> Measured:
     if not (mu > 0.0).all():
         raise InputError("--data", float(mu.min()), "measured friction above 0")
     relative = np.where(force, series.error / series.load, series.error) / mu
-    spread = np.std(np.log(mu), ddof=1) if len(mu) >= 3 else USUAL_ERROR
-    return Measured(series.load, np.log(mu), np.where(np.isfinite(relative), relative, max(spread, _LEAST_ERROR)))
+    enough = len(mu) >= _ENOUGH
+    spread = max(float(np.std(np.log(mu), ddof=1)), _LEAST_ERROR) if enough else USUAL_ERROR
+    assumed = ""
+    if not np.isfinite(relative).all():
+        why = f"from the scatter of {len(mu)} values" if enough else "assumed: the file states none"
+        assumed = f"{spread:.0%} of each value, {why}"
+    return Measured(series.load, np.log(mu), np.where(np.isfinite(relative), relative, spread), assumed)
 
 
 def interval_after_measuring(mu: np.ndarray, level: float) -> list[float]:

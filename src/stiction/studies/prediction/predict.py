@@ -22,6 +22,7 @@ from stiction.studies.prediction.mixture import Mixture, Samples
 from stiction.studies.prediction.regime import mu_by_state, next_step, regime_of, warnings_of
 from stiction.studies.prediction.sampled_case import SampledCase
 from stiction.studies.prediction.shares import shares_of_variance
+from stiction.studies.prediction.sources import beside_area, sources_of
 from stiction.studies.prediction.unused import not_used, refusal_of
 from stiction.studies.pressing_loads import pressing_loads
 
@@ -68,14 +69,15 @@ def predict(
         Attributes, at the middle load: `level`, `regime` (a sentence), `lowered_by` (what would lower mu), `shares` (part ->
         fraction of the variance of ln mu), `warnings` (a list, the most serious first), `inputs_not_used` (a list),
         `next_step` (what to measure or state next), `after_measuring` (interval of mu that one measurement with 15 % error
-        would leave), `models` (area model -> weight), `beside_area` (laws of menisci and contamination that apply), `excluded`
-        (fraction of impossible samples), `strength` (tau_0 [Pa]: median and ends of the interval).
+        would leave), `models` (area model -> weight), `beside_area` (laws of menisci and contamination that apply), `sources`
+        (bibliography keys, for `st.cite`), `excluded` (fraction of impossible samples), `strength` (tau_0 [Pa]: median and
+        ends of the interval).
 
         With measured friction, `shares` is empty. `value`, `low` and `high` over `parameter` are then the updated uncertain
         numbers, and `verdict` names those that the measurement does not determine.
 
-        With swept numbers there are no samples, and the attributes are `level`, `draws` (samples per contact) and `refused`
-        (number of points, each a contact at a load, without an answer).
+        With swept numbers there are no samples, and the attributes are `level`, `draws` (samples per contact), `sources` and
+        `refused` (number of points, each a contact at a load, without an answer).
 
     Raises
     ------
@@ -261,6 +263,8 @@ def _given(
         "warnings": [*warnings, *attributes["warnings"]],
         "models": weights,
         "measured": len(known.load),
+        "measured_error": known.assumed,
+        "bare_metal": [],
         "next_step": "",
     }
     attributes["grows_with_pressure"] = int(mixture.strength.grows_with_pressure)  # a netCDF file has no truth values
@@ -280,15 +284,6 @@ def _given(
 def _width(low: float, high: float) -> float:
     """Return the width of an interval, or of its logarithm if the lower end is positive."""
     return math.log(high / low) if low > 0.0 else high - low
-
-
-def _beside_area(contact: Contact) -> list[str]:
-    """Return the names of the meniscus and contamination laws that apply because the contact states their inputs."""
-    stated = {
-        "meniscus law equilibrium_meniscus": contact.liquid,
-        "contamination law independent_junctions": contact.strength_variation,
-    }
-    return [name for name, value in stated.items() if value is not None]
 
 
 def _attributes(
@@ -313,7 +308,8 @@ def _attributes(
         "next_step": next_step(shares, mixture),
         "models": {law.name: float(law.weight[working_index]) for law in mixture.laws if law.weight[working_index] > 0.0},
         "after_measuring": interval_after_measuring(mu, level),
-        "beside_area": _beside_area(mixture.sampled.contact),
+        "beside_area": beside_area(mixture.sampled.contact),
+        "sources": sources_of(mixture),
         "excluded": float(np.mean(~np.isfinite(samples.force))),
         "bare_metal": bare_metal(mixture, level),
         "checked_against": checked_against(mixture, working_index),

@@ -5,7 +5,9 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
+from stiction.contact.contact import Contact
 from stiction.contact.materials import class_of
+from stiction.quantities.units import show
 from stiction.solvers.boundary_elements.limits import LEAST_WAVES
 from stiction.solving.state import of_the_map
 from stiction.studies.prediction.levels import Levels
@@ -15,10 +17,12 @@ _STICKS = 2.0  # factor of the area by adhesion above which adhesion, and not th
 _FLAT = 0.95  # real over nominal area from which a contact counts as pressed flat
 _PLASTIC = 0.9  # mean pressure over hardness from which spots count as plastic
 _SOME = 0.1  # fraction of the samples
-_GROWN = 1.5  # factor of junction growth from which it is mentioned
+_GROWN = 1.1  # factor of junction growth, and of the area by adhesion, from which it is mentioned
+_BY_STRENGTH = 0.2  # fraction of friction that tau_0 causes, below which another area hardly changes mu
 _FEW = 10.0  # number of touching asperities below which mu varies from place to place
 _DRY = ("clean metal", "oxidised metal", "ceramic", "dry polymer", "elastomer", "gold contact")  # a lubricant weakens them
 _STEEP = 0.93  # strength of the interface over the body's, c: ln mu goes with 1/(1 - c^2) times ln c, 0.15 for 2 % here
+_SAME = 0.015  # relative difference of two strengths that counts as none
 _DECIDES = 0.05  # fraction of the variance above which a part is worth a warning
 _ATOM = 1e-19  # m^2, some 0.3 nm squared
 _MANY = 0.05  # fraction of impossible samples above which a warning is issued
@@ -35,52 +39,73 @@ def regime_of(mixture: Mixture, samples: Samples, index: int) -> tuple[str, str]
         for table in (samples.area, samples.pull, samples.growth, samples.pressure)
     )
     sentences, added = [], " plus the pressure coefficient" if mixture.strength.has_coefficient else ""
+    times = _times(mixture, growth, pull)
     stated = mixture.sampled.contact.interface
     is_dry = stated is not None and stated.name in _DRY
     weaker = "a weaker interface (e.g. lubricated)" if is_dry else "a weaker interface"
+    by_area = _by_strength(samples, index) > _BY_STRENGTH  # else friction is alpha W, whatever the area
     if area > _FLAT * float(np.median(mixture.sampled.drawn.nominal_area)):
-        lever = f"more load, a smaller nominal area or {weaker}"
+        lever = f"more load, a smaller nominal area or {weaker}" if by_area else weaker
         sentences.append(f"Pressed flat, the real area is the nominal area: mu = tau_0·A_n/P{added}.")
     elif pressure > _PLASTIC:
         lever = weaker
-        if not mixture.strength.is_relative_to("shear_strength"):
+        if by_area and not mixture.strength.is_relative_to("shear_strength"):
             lever += f" or a higher hardness of the {_softer(mixture)}"
-        grows = (", times the growth of junctions under shear" if growth > _GROWN else "") + added
         elastic = np.nanmean(samples.pressure[:, index] < _PLASTIC) if samples.pressure.ndim == 2 else 0.0
         if elastic > _SOME:
-            sentences.append(f"The contacts are probably plastic: then mu = tau_0/H{grows}. If they are elastic, mu is larger.")
+            sentences.append(
+                f"The contacts are probably plastic: then mu = tau_0/H{times}{added}. If they are elastic, mu is larger."
+            )
         else:
-            sentences.append(f"All contacts are plastic: mu = tau_0/H{grows}, whatever the roughness.")
+            sentences.append(f"All contacts are plastic: mu = tau_0/H{times}{added}, whatever the roughness.")
     else:
-        sentence, other = _of_pressure(mixture, pressure, index, added)
+        sentence, other = _of_pressure(mixture, pressure, index, times, added)
         sentences.append(sentence)
-        lever = f"{weaker} or {other}"
+        lever = f"{weaker} or {other}" if by_area else weaker
     if pull > _STICKS:
         lever = f"less adhesion or {weaker}"
         sentences.insert(
             0, "Adhesion exceeds the load: the contact sticks even without load, so use the friction force, not mu."
         )
-    touching = float(mixture.touching[index])
-    if touching < _FEW:
-        count = round(max(touching, 1.0))
-        sentences.append(
-            f"About {count} {'asperity touches' if count == 1 else 'asperities touch'}: mu varies from one place to the next."
-        )
-    return " ".join(sentences[:2]), lever
+    return " ".join(sentences), lever
 
 
-def _of_pressure(mixture: Mixture, pressure: float, index: int, added: str) -> tuple[str, str]:
+def _times(mixture: Mixture, growth: float, pull: float) -> str:
+    """Return words for the factors between tau_0 over the pressure before shear and its part of mu, or "".
+
+    growth, pull: factors of the area by growth of junctions, and by adhesion and menisci. Stated menisci are always named.
+    """
+    contact = mixture.sampled.contact
+    pulls = [name for name, value in (("adhesion", contact.adheres), ("menisci", contact.liquid is not None)) if value]
+    grown = "the growth of junctions under shear" if growth > _GROWN else ""
+    pulled = f"{pull:.2f} for {' and '.join(pulls)}" if pulls and (pull > _GROWN or contact.liquid is not None) else ""
+    factors = " and ".join(filter(None, [grown, pulled]))
+    return f", times {factors}" if factors else ""
+
+
+def _by_strength(samples: Samples, index: int) -> float:
+    """Return the median fraction of friction that tau_0 causes; the pressure coefficient causes the rest.
+
+    index: position of the load among the loads of the prediction.
+    """
+    strength = np.broadcast_to(samples.strength, samples.area.shape)[:, index]
+    force = samples.force[:, index] / samples.efficiency[:, index]
+    return float(np.nanmedian(strength * samples.area[:, index] / force))
+
+
+def _of_pressure(mixture: Mixture, pressure: float, index: int, times: str, added: str) -> tuple[str, str]:
     """Return a sentence on the pressure of contact spots that are not plastic, and a phrase on what else lowers mu.
 
     The phrase leaves out a weaker interface. On a film, the sentence may state that the body below yields. pressure: mean
-    pressure over the hardness of the softer surface. index: position of the load among the loads of the prediction. added:
-    words for what is added to tau_0 over the pressure, or "".
+    pressure over the hardness of the softer surface. index: position of the load among the loads of the prediction. times,
+    added: words for the factors of tau_0 over the pressure, and for what is added, or "".
     """
     contact, hardness = mixture.sampled.contact, float(np.median(mixture.sampled.bodies.hardness))
     carried = min(float(np.median(law.yields_at[:, index])) for law in mixture.laws)
     if contact.coating is None or not carried < hardness or pressure * hardness < _PLASTIC * carried:
         softer = _softer(mixture)
-        sentence = f"mu = tau_0/p{added}: the spots bear p, {100.0 * pressure:.2g}% of the {softer}'s hardness."
+        before = "before shear " if "shear" in times else ""
+        sentence = f"mu = tau_0/p{times}{added}: {before}the spots bear p, {100.0 * pressure:.2g}% of the {softer}'s hardness."
         stiffer = "" if mixture.strength.is_relative_to("strength_over_shear_modulus") else "stiffer or "
         return sentence, f"{stiffer}rougher surfaces"
     coated = [getattr(contact, name) for name in ("first", "second") if contact.coating.bodies in (name, "both")]
@@ -88,7 +113,7 @@ def _of_pressure(mixture: Mixture, pressure: float, index: int, added: str) -> t
     sentence = (
         f"The body below the film yields{'' if below.name == 'unnamed' else f', {below.name}'}: contacts bear "
         f"{pressure * hardness / float(np.mean(below.hardness)):.2g} times its hardness, {pressure:.0%} of the "
-        f"{_softer(mixture)}'s. mu is tau_0 over that pressure{added}."
+        f"{_softer(mixture)}'s. mu is tau_0 over that pressure{times}{added}."
     )
     return sentence, "a harder body below the film"
 
@@ -118,19 +143,22 @@ def warnings_of(
             f"The interface is not stated: mu is {', '.join(by_state)}." if by_state else "The interface is not stated."
         )
     if (times := mixture.strength.over_body) > 1.0:
-        warnings.append(f"The stated interface is {times:.3g} times as strong as the weaker body, which limits mu.")
+        warnings.append(f"The stated interface is {_as_strong(times)} the weaker body, which limits mu.")
     elif times > _STEEP and mixture.sampled.metallic:
         warnings.append(
-            f"The stated interface is {times:.3g} times as strong as the weaker body, and junctions grow: if its "
+            f"The stated interface is {_as_strong(times)} the weaker body, and junctions grow: if its "
             "strength changes by 2 %, mu changes by 15 % or more."
         )
     contact = mixture.sampled.contact
-    area, pressure = (float(np.nanmedian(table[:, index])) for table in (samples.area, samples.pressure))
+    area, pressure = (
+        float(np.nanmedian(np.broadcast_to(table, samples.area.shape)[:, index])) for table in (samples.area, samples.pressure)
+    )
+    warnings += _beyond_limit(contact, pressure * float(np.median(mixture.sampled.bodies.hardness)))
     is_flat = area >= _FLAT * float(np.median(mixture.sampled.drawn.nominal_area))
     soft = any(class_of(body) == "elastomer" for body in contact.touching)
     if contact.work_of_adhesion is None and soft and not is_flat:  # adhesion cannot enlarge a full contact
-        warnings.append("work_of_adhesion is not stated: adhesion of an elastomer can raise mu several times at light loads.")
-    warnings += _of_few_waves(mixture)
+        warnings.append("work_of_adhesion is not stated: if the bodies stick after unloading, mu is several times higher.")
+    warnings += [*_of_few_asperities(float(mixture.touching[index])), *_of_small_menisci(contact), *_of_few_waves(mixture)]
     warnings += [] if contact.measured is None else list(contact.measured.validity_warnings)
     is_open = not is_flat and pressure < _PLASTIC
     decides = not shares or shares.get("area model", 0.0) > _DECIDES
@@ -143,6 +171,11 @@ def warnings_of(
     if area < _ATOM:
         warnings.insert(0, "The contact area is smaller than an atom: models of solids do not hold at this load.")
     return warnings
+
+
+def _as_strong(times: float) -> str:
+    """Return "2.5 times as strong as"; a difference of 1 % is left out, because medians of samples scatter by as much."""
+    return "as strong as" if abs(times - 1.0) < _SAME else f"{times:.2g} times as strong as"
 
 
 def mu_by_state(mixture: Mixture, levels: Levels, index: int, level: float) -> list[str]:
@@ -169,6 +202,34 @@ def _kind_is_missing(mixture: Mixture) -> bool:
     contact = mixture.sampled.contact
     stated = mixture.sampled.on_map or contact.surface_kind is not None or bool(contact.surface_shape)
     return not stated and contact.heights[0] == "gaussian"
+
+
+def _beyond_limit(contact: Contact, pressure: float) -> list[str]:
+    """Return a list with a warning if contact spots bear more than the stated interface; otherwise [].
+
+    pressure: mean pressure of the contact spots [Pa].
+    """
+    limit = None if contact.interface is None else contact.interface.pressure_limit
+    if limit is None or pressure <= float(np.min(np.asarray(limit))):
+        return []
+    bears, most = (show(value, "hardness", 2) for value in (pressure, float(np.min(np.asarray(limit)))))
+    return [f"Spots bear {bears}: above {most} this interface fails, mu rises."]
+
+
+def _of_few_asperities(touching: float) -> list[str]:
+    """Return a list with a warning if fewer than ten asperities touch; otherwise []. touching: their number."""
+    count = round(max(touching, 1.0))
+    touch = "asperity touches" if count == 1 else "asperities touch"
+    return [f"About {count} {touch}: mu varies from one place to the next."] if touching < _FEW else []
+
+
+def _of_small_menisci(contact: Contact) -> list[str]:
+    """Return a list with a warning if menisci are smaller than those by which Kelvin's equation was tested; otherwise []."""
+    liquid = contact.liquid
+    if liquid is None or float(np.min(np.asarray(liquid.kelvin_radius_over_confirmed))) >= 1.0:
+        return []
+    radius = 1e9 * float(np.min(np.asarray(liquid.kelvin_radius)))
+    return [f"The menisci, {radius:.2g} nm, are smaller than any tested: mu is uncertain."]
 
 
 def _of_few_waves(mixture: Mixture) -> list[str]:
@@ -212,7 +273,10 @@ def _state_kind(mixture: Mixture) -> str:
 
 
 def _step(part: str) -> str:
-    return _STEPS.get(part, f"measure {part.replace('_', ' ')}")
+    body, _, quantity = part.rpartition(".")
+    name = (f"{quantity} of {body}" if body else part).replace("_", " ")
+    name = name.replace("youngs", "Young's").replace("poissons", "Poisson's")
+    return _STEPS.get(part, f"measure {name}")
 
 
 def without_commands(step: str, fit: str = " and fit the case to it", scan: str = "") -> str:

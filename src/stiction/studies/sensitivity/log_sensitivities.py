@@ -4,6 +4,7 @@ They are central differences in ln x with two widths, extrapolated to width 0 (R
 the width and is bounded by the change through the extrapolation. All points are solved together.
 """
 
+import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
@@ -14,6 +15,7 @@ from stiction.case.distribution import Distribution
 from stiction.case.read import Case
 from stiction.case.swept import Address
 from stiction.case.uncertain import SAMPLE, Uncertain, named
+from stiction.contact.contact import Contact
 from stiction.contact.subject import Subject
 from stiction.quantities.inputs import Input
 from stiction.quantities.table import QUANTITIES
@@ -109,7 +111,7 @@ def log_sensitivities(case: Case, choice: Choice, names: Sequence[str] = OUTPUTS
 def log_sensitivities_of_prediction(case: Case, load: float) -> dict[str, float]:
     """Return d ln mu/d ln x for the median mu of a prediction at a load [N], by name of the number x.
 
-    The derivative is the slope between ln x - 0.2 and ln x + 0.2.
+    The derivative is the slope between ln x - 0.2 and ln x + 0.2. The numbers include those of a named interface.
     """
     inputs, stepped, steps = _stepped_case(case, _WIDE)
     numbers, mu = stepped.numbers_at(steps), np.full(len(steps), np.nan)
@@ -117,7 +119,34 @@ def log_sensitivities_of_prediction(case: Case, load: float) -> dict[str, float]
         if solved is not None:
             mu[region[SAMPLE]] = solved.variables["friction_coefficient"][1].ravel()
     low, high = np.log(mu.reshape(-1, 2)).T
-    return dict(zip(inputs, ((high - low) / np.ptp(_WIDE)).tolist(), strict=True))
+    return _of_interface(case, load) | dict(zip(inputs, ((high - low) / np.ptp(_WIDE)).tolist(), strict=True))
+
+
+def _of_interface(case: Case, load: float) -> dict[str, float]:
+    """Return d ln mu/d ln x for the numbers of the interface that a contact names: its strength, and its pressure coefficient.
+
+    load: in N. Each number is moved together with its 5 and 95 % quantiles. The bodies still limit the strength.
+    """
+    contact = case.subject
+    if not isinstance(contact, Contact) or contact.interface is None:
+        return {}
+    state, slopes = contact.interface, {}
+    for name in (state.strength, "pressure_coefficient"):
+        value, path = getattr(state, name), ("contact", "interface", name)
+        if not isinstance(value, float) or any(number.path == path for number in case.uncertain):
+            continue
+        mu = []
+        for times in np.exp(_WIDE).tolist():
+            ends = {name: tuple(end * times for end in state.range[name])} if name in state.range else {}
+            moved = state.replace(**{name: value * times, "range": state.range | ends})
+            stepped = replace(case, subject=contact.replace(interface=moved))
+            mu += [solved.variables["friction_coefficient"][1].item() for *_, solved in _predicted(stepped, load) if solved]
+        slopes[f"interface.{name}"] = float(np.log(mu[1] / mu[0]) / np.ptp(_WIDE)) if len(mu) == 2 else math.nan
+    return slopes
+
+
+def _predicted(case: Case, load: float) -> Iterator[tuple]:
+    return predict_many(case, {}, np.array([load]), case.uncertain)
 
 
 def _stepped_case(case: Case, stencil: np.ndarray) -> tuple[list[str], Case, np.ndarray]:

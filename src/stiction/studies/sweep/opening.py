@@ -169,7 +169,7 @@ def _fill(path: Path, plan: Plan, first: Any, attributes: Mapping[str, str]) -> 
         )
     group = zarr.create_group(str(path), zarr_format=3)
     said: dict[str, Any] = {"model": RECOMMENDED, "draws": count_of(plan.size)}
-    if solved.attributes:
+    if "options" in solved.attributes:
         said = {name: solved.attributes[name] for name in (*_LAWS, *solved.attributes["options"].split())}
     more = {"results": json.dumps(layout), "points": json.dumps(points), "identity": plan.identity()}
     versions = {name: version(name) for name in _PACKAGES}
