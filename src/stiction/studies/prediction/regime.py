@@ -274,6 +274,7 @@ def _state_kind(mixture: Mixture) -> str:
 
 def _step(part: str) -> str:
     body, _, quantity = part.rpartition(".")
+    body += " body" * (body in ("first", "second"))
     name = (f"{quantity} of {body}" if body else part).replace("_", " ")
     name = name.replace("youngs", "Young's").replace("poissons", "Poisson's")
     return _STEPS.get(part, f"measure {name}")
