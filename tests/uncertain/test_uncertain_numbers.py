@@ -233,7 +233,7 @@ def test_what_is_wrong_is_one_line(tmp_path, entry, message):
 @pytest.mark.parametrize(
     ("table", "message"),
     [({"count": 1000}, "uncertainty.count: 1000; allowed: a power of two"), ({"coverage": 90}, "uncertainty.coverage: 90; al"),
-     ({"ranges": 1}, "uncertainty.ranges: 1; allowed: true"), ({"points": 64}, "uncertainty.points: not a key here; allowed: ")],
+     ({"ranges": 1}, "uncertainty.ranges: 1; allowed: true"), ({"points": 64}, "uncertainty.points: not a key here; allowed")],
 )  # fmt: skip
 def test_what_is_wrong_in_the_table_is_one_line(table, message):
     with pytest.raises(InputError) as error:
