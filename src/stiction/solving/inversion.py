@@ -165,22 +165,25 @@ def _quickly(problem: AsperitySum, targets: np.ndarray) -> tuple[Inversion, np.n
     carried = np.where((tension > 0.0)[:, None], targets >= -tension[:, None], targets > 0.0)
     known = carried & np.isfinite(start.h) & holds[:, None]
     h, excess, law = start.h, np.full(targets.shape, np.nan), np.nonzero(known)[0]
-    sums = problem.sums_at(np.where(known, h, 0.0))
+    sums, every = problem.sums_at(np.where(known, h, 0.0)), known.all()
     target, slope = targets[known], start.slope[known]
     enough = np.maximum(_LEFT * np.abs(target), _ROUNDING * start.size[known])
-    polished = _polished(problem, law, h[known], sums[:, known], target, slope, enough)
-    h[known], excess[known], sums[:, known], evaluations = polished
-    sums[:, ~known] = np.nan
+    flat = (
+        sums.reshape(len(sums), target.size, sums.shape[-1]) if every else sums[:, known]
+    )  # a view, because a copy takes as long as sums
+    h[known], excess[known], evaluations = _polished(problem, law, h[known], flat, target, slope, enough)
+    if not every:
+        sums[:, known], sums[:, ~known] = flat, np.nan
     good = holds & ~np.isnan(excess).any(axis=1)
     return Inversion(h, _relative(excess, targets, tension), tension.copy(), where.copy(), evaluations), good, sums
 
 
-def _polished(problem: AsperitySum, law, h, sums, target, slope, enough) -> tuple[np.ndarray, np.ndarray, np.ndarray, int]:
+def _polished(problem: AsperitySum, law, h, sums, target, slope, enough) -> tuple[np.ndarray, np.ndarray, int]:
     """Refine the separations h (k,), over sigma, by Newton's method with a known slope of the load.
 
-    sums (regimes, k, 5): sums over asperities at these separations. law, target, slope, enough (k,): index of the contact,
-    requested load, derivative of the load by the separation, and load error at which no further step is needed. Returns
-    separations; load errors there, NaN if too large; the sums (regimes, k, 5) there; and the number of evaluations.
+    sums (regimes, k, 5): sums over asperities at these separations; those at the refined ones replace them, in place. law,
+    target, slope, enough (k,): index of the contact, requested load, derivative of the load by the separation, and load error
+    at which no further step is needed. Returns separations; load errors there, NaN if too large; and the number of evaluations.
     """
     times, excess = 1, sums[..., LOAD].sum(axis=0) - target
     while times <= _STEPS and (some := np.flatnonzero(np.abs(excess) > enough)).size:
@@ -192,7 +195,7 @@ def _polished(problem: AsperitySum, law, h, sums, target, slope, enough) -> tupl
         h[some[better]], excess[some[better]] = further[better], left[better]
         sums[:, some[better]] = there[:, better]
         times += 1
-    return h, np.where(np.abs(excess) <= _GOOD * enough, excess, np.nan), sums, times
+    return h, np.where(np.abs(excess) <= _GOOD * enough, excess, np.nan), times
 
 
 def _from_tables(problem: ClosedFormProblem, targets: np.ndarray) -> tuple[Inversion, np.ndarray]:

@@ -18,6 +18,8 @@ def pressing_loads(case: Case) -> tuple[np.ndarray, int]:
     if loads is None:
         key = DEFAULT_MODEL if case.choice.model == RECOMMENDED else case.choice.model_key
         own = case.choice.arguments() | {"model": key}  # unnamed, the default model refuses inputs that its friction ignores
+        if key == DEFAULT_MODEL and all(value is None for name, value in own.items() if name != "model"):
+            own["tangential"] = "none"  # loads do not depend on friction, whose sums would take most of the time
         loads = solve(case.subject.as_numbers(), separation=case.separation, **own)["load"].values
     pressing = np.flatnonzero(loads > 0.0)
     middle = (len(loads) - 1) // 2
