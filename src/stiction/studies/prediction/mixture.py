@@ -21,6 +21,7 @@ _OF_SPOTS = 0.395
 # the area on benchmark surfaces already contain the scatter of so few spots. Between seeds of one design this scatter of
 # ln(area) is .10, .07 and .03 at p/(E* h') = .002, .01 and .1, where _OF_SPOTS gives .16, .09 and .04.
 _SOLVED, _LEAST_SOLVED = 300.0, 15.0
+_OPEN = 0.05  # largest fraction of the nominal area that stays open between surfaces pressed flat (judgement, grade C)
 _MOST_SCATTER = 1.0  # largest standard deviation of ln(area), reached if hardly one asperity touches
 
 
@@ -116,7 +117,7 @@ class Mixture:
             hardens = self.strength.hardens(strength, shear)
             growth = grown(levels["growth"], borne / area, strength, hardness, shear, hardens)
             growth = np.where(sampled.metallic, growth ** self._growing_share(levels, inputs, area), 1.0)
-        area = np.minimum(area * growth, nominal)
+        area = np.minimum(area * growth, nominal * (1.0 - _OPEN * levels["area_error"][:, None]))
         force = np.where(self._is_flattened, np.nan, strength * area + coefficient * borne)
         efficiency = np.ones_like(area)
         if self.onset is not None:

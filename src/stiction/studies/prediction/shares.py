@@ -10,14 +10,14 @@ from stiction.studies.prediction.mixture import Mixture
 _STRENGTH = "interfacial_shear_strength"
 _EXCHANGES = range(8)  # seeds of random orders of exchange; samples shifted by a fixed number would stay correlated
 _LEAST = 0.005  # smallest fraction of the variance that is returned
-_ROUND_OFF = 1e-10  # variance of ln mu that counts as none: mu varies by less than 1e-5 of itself
+_NEGLIGIBLE = 4e-4  # variance of ln mu that is not worth dividing: mu varies by 2 % of itself
 
 # Function of quantile levels and indices of the sampled inputs that returns the quantity (n,) whose variance is divided.
 Quantity = Callable[[Levels, np.ndarray], np.ndarray]
 
 
 def shares_of_variance(mixture: Mixture, levels: Levels, index: int) -> dict[str, float]:
-    """Return the fraction of the variance of ln mu that each part causes, by name, the largest first; {} if nothing varies.
+    """Return the fraction of the variance of ln mu that each part causes, by name, largest first; {} if mu varies by 2 %.
 
     The fraction is the part's total Sobol index (Jansen 1999), found by exchanging the part between samples, over the sum of
     all indices. The fraction of the inputs is divided among them by a linear fit to their normal scores. Fractions below 0.5 %
@@ -36,7 +36,7 @@ def shares_of_variance(mixture: Mixture, levels: Levels, index: int) -> dict[str
     if _STRENGTH in variances:  # one name for a stated strength and for its scatter near the strength of the body
         variances[_STRENGTH] += variances.pop("interface")
     total = sum(variances.values())
-    if not total > _ROUND_OFF:
+    if not total > _NEGLIGIBLE:
         return {}
     ordered = sorted(variances.items(), key=lambda pair: -pair[1])
     return {name: float(value / total) for name, value in ordered if value / total >= _LEAST}
