@@ -179,6 +179,14 @@ def test_ranges_of_materials_vary_where_that_is_asked_for(tmp_path):
     assert read_case(path, ranges=True).unknowns and not read_case(path).unknowns
 
 
+@pytest.mark.parametrize("body", ["second", "first"])
+@pytest.mark.parametrize("given", [[], 5, True, {}, "no such metal", {"preset": "no such metal"}], ids=repr)
+def test_what_is_no_body_is_refused_by_its_name_where_ranges_are_asked_for(body, given):
+    with pytest.raises(InputError) as error:
+        case({body: given}, uncertainty={"ranges": True})
+    assert str(error.value).startswith(f"contact.{body}")
+
+
 def test_separations_over_sigma_follow_the_sigma_that_is_drawn():
     found = case({"roughness.asperity_height_deviation": "50 +/- 5 nm"}, solve={"separation": [1.0, 2.0]})
     drawn = _drawn(found, np.array([[0.2], [0.5], [0.8]]))

@@ -312,9 +312,13 @@ def with_ranges(content: Mapping, taken: Sequence[Address]) -> Iterator[Uncertai
 
 
 def _material_of(body: Any) -> Material | None:
-    """Return the material of a body, given as a name, table or Material; None if the body is None."""
-    material = as_material(body)
-    return Material(**material) if isinstance(material, Mapping) else material
+    """Return the material of a body, given as a name, table or Material; None for anything else, which the contact refuses."""
+    try:
+        material = as_material(body)
+        material = Material(**material) if isinstance(material, Mapping) else material
+    except InputError:  # raised again for the contact, with the name of the body
+        return None
+    return material if isinstance(material, Material) else None
 
 
 def named(numbers: Sequence[Uncertain]) -> list[Uncertain]:
