@@ -60,6 +60,14 @@ def test_strength_that_is_lost_with_slip_makes_friction_less_for_larger_loads_an
     assert float(long["friction_efficiency"]) == pytest.approx(1.0, abs=0.001)
 
 
+def test_loads_are_those_asked_for_to_the_last_bit():
+    """A load that round-off changed would be a row of its own, without a force."""
+    loads = np.geomspace(1e-4, 5e-3, 9)
+    found = slide(contact(roughness=period(32)), load=loads, displacement=["0.1 nm", "10 nm"])
+    np.testing.assert_array_equal(found["load"], loads)
+    assert found["tangential_force"].shape == (9, 2) and np.isfinite(found["tangential_force"]).all()
+
+
 def test_a_map_that_does_not_resolve_the_loss_says_so():
     """l_c = D_c G/(2 tau_p) of like bodies; a tenth of a point's width here, where 3 points are wanted."""
     found = slide(contact(), residual_strength=0.0, weakening_slip="0.05 nm", displacement=["0.1 nm"])

@@ -16,7 +16,7 @@ from stiction.solving.moving_unlike import UnlikeBodies, are_unlike, effect_of_c
 from stiction.solving.on_map import MapProblem
 from stiction.solving.points import Points, coordinates_of, requested_points, solve_points
 from stiction.solving.problem_base import Problem
-from stiction.solving.results import labelled, summary_of
+from stiction.solving.results import as_variables, labelled, summary_of
 from stiction.solving.unused import as_attributes, unused_inputs
 
 if TYPE_CHECKING:
@@ -80,8 +80,9 @@ def slide_on_map(problem: MapProblem, points: Points, move: Move) -> "xarray.Dat
         curves |= _through_spring(problem, paths, whole, move.spring_stiffness)
     curves = {name: values.reshape(shape) for name, values in curves.items()}
     coords = problem.coords | coordinates_of(points.value, moved)
-    data = labelled(problem.subject, static | ends, points.factors, points.dims, coords)
-    data = data.merge(labelled(problem.subject, curves, points.factors, dims, coords))
+    results = {name: table for name, table in (static | ends).items() if name not in coords}  # loads as asked, not rounded
+    data = labelled(problem.subject, results, points.factors, points.dims, coords)
+    data = data.assign(as_variables(problem.subject, curves, points.factors, dims))
     states = _point_states(paths)
     data["point_state"] = (*dims, "row", "column"), states.reshape(*shape, *states.shape[2:]), _STATES
     for name in {"displacement", points.name} & set(data.coords):
