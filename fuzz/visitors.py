@@ -74,6 +74,8 @@ async def _answer_and_wait(stream: aiohttp.ClientWebSocketResponse, client: str)
     """Answer the first question of the server to the browser, and wait for the elements that change by the answer."""
     answered = False
     async for message in stream:
+        if message.data == "2":  # the server asks whether the visitor is still there
+            await stream.send_str("3")
         if not message.data.startswith("42"):
             continue
         name, content = json.loads(message.data[2:])

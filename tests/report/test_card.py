@@ -53,6 +53,17 @@ def test_the_card_has_the_numbers_of_the_prediction(predicted):
     assert card.bar() in st.summary(predicted)._repr_html_()
 
 
+def test_a_case_may_repeat_a_separation(tmp_path):
+    """Found by `make fuzz`: equal separations give equal loads, of which one is the working load."""
+    path = tmp_path / "case.toml"
+    text = CASE.format(more='work_of_adhesion = "50 mJ/m^2"')
+    path.write_text(text.replace('load = ["0.1 N", "1 N", "10 N"]', "separation = [1, 1, 1]"))
+    predicted = st.predict(path)
+    assert at_working_load(predicted)["load"].ndim == 0
+    assert card_of(predicted).mu == pytest.approx(float(predicted["friction_coefficient"][0]))
+    assert len(answer_lines(predicted)) > 2
+
+
 def test_the_card_is_short(predicted):
     words = re.sub(r"<[^>]*>", " ", card_of(predicted).html(why=False)).split()
     assert len(words) <= 110

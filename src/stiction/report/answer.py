@@ -53,7 +53,9 @@ def at_working_load(data: "xarray.Dataset") -> "xarray.Dataset":
 
     data: result of `predict`, for one load or over the dimension `load`. Its attribute `working_load` [N] names the load.
     """
-    return data if data["load"].ndim == 0 else data.sel(load=data.attrs["working_load"])
+    if data["load"].ndim == 0:
+        return data
+    return data.isel(load=int(np.argmin(np.abs(data["load"].values - data.attrs["working_load"]))))  # loads may be equal
 
 
 def ends_of_mu(data: "xarray.Dataset") -> list[float]:
