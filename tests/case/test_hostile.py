@@ -49,6 +49,11 @@ def test_names_that_are_no_text_in_studies_and_records():
     assert refused(st.Contact, **{**CONTACT, "coating": {1: 2}}).startswith("coating: 1; allowed: names")
 
 
+def test_a_body_that_is_no_material_has_no_ranges():
+    wrong = {**CASE, "contact": {**CASE["contact"], "second": []}, "uncertainty": {"ranges": True}}
+    assert "second: []; allowed: a material" in refused(st.predict, wrong)
+
+
 @pytest.mark.parametrize("given", [None, 1.0, True, b"x", [], np.array([1.0, 2.0]), lambda: 0])
 def test_what_is_no_path(given):
     for function in (st.design, st.sensitivity, lambda case: st.fit(case, "none.csv")):
