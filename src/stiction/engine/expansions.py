@@ -23,10 +23,11 @@ _MANY, _EACH = 1000, 10
 
 
 def series_for(h: np.ndarray, law: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray] | None:
-    """Choose the separations about which Taylor series are made for m sums; return None if single sums take less time.
+    """Choose the separations about which Taylor series are made for m sums.
 
-    h (m,): mean separation of each sum, over sigma. law (m,): index of the law (parameter set) that is summed. Returns the
-    separations (s,) and law indices (s,) of s series, and for each sum the index (m,) of its series.
+    None is returned if single sums take less time, or if a separation is beyond 10 sigma. h (m,): mean separation of each sum,
+    over sigma. law (m,): index of the law (parameter set) that is summed. Returns the separations (s,) and law indices (s,) of
+    s series, and for each sum the index (m,) of its series.
     """
     if h.size < _MANY or not np.abs(h).max() <= _FARTHEST:
         return None

@@ -321,7 +321,7 @@ def _from_labelled(array, quantity: Quantity):
 
 
 def _from_numbers(value, quantity: Quantity):
-    """Return a number without unit as a float, and an array or list as an array of floats; raise InputError for other types."""
+    """Return a number as a float, an array or list (whose entries may have units) as floats; refuse other types."""
     if isinstance(value, list | tuple):
         return np.array([_single(entry, quantity) for entry in value], dtype=float)
     if isinstance(value, Real | Decimal) and not isinstance(value, bool):

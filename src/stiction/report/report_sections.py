@@ -327,7 +327,7 @@ def scan_parts(findings: ReportData) -> list[tuple[str, Any, Table, list[str]]]:
 
 
 def versions() -> list[tuple[str, str]]:
-    """Return the name and version of each program that computed the report."""
+    """Return name and version of each program that computed the report, then the operating system and processor."""
     rows = [("stiction", version("stiction")), ("Python", platform.python_version())]
     rows += [(name, version(name)) for name in _PACKAGES]
     return [*rows, ("system", f"{platform.system()} {platform.machine()}")]

@@ -57,7 +57,7 @@ def part_in_words(name: str, total: str) -> str:
 
 
 def share_figure(curve: "xarray.Dataset", what: str) -> Figure:
-    """Draw each part's share of one total as a stack against compressive load, with hatches for colour-blind readers.
+    """Draw the absolute value of each part, over the sum of all, as a stack against compressive load, with hatches.
 
     what: key of `stacks(curve)`, for example "contact area, by state".
     """

@@ -111,7 +111,7 @@ def _of_labelled(array: Any) -> HeightMap:
 
 
 def _pitch(array: Any, dim: str) -> float:
-    """Return the point spacing [m] along a dimension of an xarray array; raise InputError unless it is uniform."""
+    """Return the point spacing [m] along a dimension of an xarray array; raise InputError unless it is uniform, in lengths."""
     if dim not in array.coords:
         raise InputError(
             dim, None, "a coordinate with the positions of the points, in m or in the unit of its attribute `units`"

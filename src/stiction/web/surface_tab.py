@@ -133,7 +133,10 @@ class SurfaceTab:
         await self._released()
 
     def _band(self) -> Band:
-        """Return the band of wavelengths between the two sliders; a slider at its end sets no cutoff."""
+        """Return the band of wavelengths between the sliders, and show it in their labels.
+
+        A slider at its end sets no cutoff.
+        """
         lengths: dict[str, float | None] = {}
         for (name, (slider, label)), end in zip(self._ends.items(), self._limits, strict=True):
             place = float(slider.value)

@@ -72,11 +72,11 @@ def _rim(normal: Callable, coordinate: Callable, parameters: int) -> tuple[Any, 
 
 
 def plastic_film(groups: Groups, law, pull: np.ndarray) -> list[Regime]:
-    """Return the regimes of a surface with a plastic film, in the units of the substrate.
+    """Return the regimes (smooth parts: film alone, rim of the film, substrate) of a surface with a plastic film.
 
-    groups: dimensionless groups of n coated contacts. law: asperity law and tangential law of the substrate (a joining.Law).
-    pull (n,): adhesive force on each touching asperity. The film resists shear only if the tangential law describes the
-    interface.
+    They are in the units of the substrate. groups: dimensionless groups of n coated contacts. law: asperity law and tangential
+    law of the substrate (a joining.Law). pull (n,): adhesive force on each touching asperity. The film resists shear only if
+    the tangential law describes the interface.
     """
     laws = len(groups)
     tau = np.broadcast_to(np.asarray(groups.tau, dtype=float), laws)

@@ -121,7 +121,7 @@ RECORD = Meniscus(
         *equilibrium_meniscus.VALIDITY,
         replace(
             equilibrium_meniscus.PULL_ON_MAPS,
-            why="on solved maps menisci with over a tenth of the load pulled up to 3.8 times as much",
+            why="where menisci carried over a tenth of the load, solved maps gave up to 3.8 times this pull",
         ),
         ELASTIC,
         Validity("penetration_over_meniscus", 0.0, 0.1, "contact area and friction are larger than computed"),

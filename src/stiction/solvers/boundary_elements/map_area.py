@@ -64,7 +64,7 @@ class MapArea:
 
     @cached_property
     def waves(self) -> Waves:
-        """Return the characteristic wavelengths of the map."""
+        """Return the shortest and longest wavelength of the map, its rms gradient, point spacing and shorter side."""
         return waves(self.heights, self.size, self.periodic)
 
     @cached_property
@@ -271,7 +271,10 @@ class _Curve:
 
 
 def map_area(surface: HeightMap) -> MapArea:
-    """Return the MapArea of a map without missing points; an equal map gets the same object, with its stored solutions."""
+    """Return the MapArea of a map without missing points.
+
+    If an equal map is among the last eight used, its object is returned, with the stored solutions.
+    """
     digest = hashlib.blake2b(np.ascontiguousarray(surface.heights).tobytes(), digest_size=20)
     digest.update(repr((surface.heights.shape, surface.size, surface.periodic)).encode())
     return _kept(digest.hexdigest(), _Held(surface))

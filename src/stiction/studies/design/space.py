@@ -187,7 +187,7 @@ class DesignSpace:
         return Evaluated(objectives, excess, known)
 
     def _taken(self, numbers: Mapping, points: Mapping) -> Iterator[tuple[Region, Any, Any]]:
-        """Yield (region, case, results) of batches of designs as `_evaluated` does, but nothing if all designs are refused."""
+        """Yield (region, case, results) of batches of designs, as `_evaluated` does; none if all designs are refused."""
         try:
             yield from self._evaluated(numbers, points)
         except (InputError, ArithmeticError):

@@ -120,7 +120,7 @@ def _surface(entry: Any, folder: Path, _content: str) -> HeightMap:
 
 
 def maps_of(listed: Sequence[Any], shared: Any, folder: Path) -> tuple[MapOfPlace, ...]:
-    """Return the maps that the list `roughness` of the table [sweep] describes.
+    """Return a MapOfPlace for each map (file, patch or random map) that the list `roughness` of the table [sweep] describes.
 
     listed: entries of the list, each a scan file or a spectrum. shared: settings that apply to every entry, or None. folder:
     folder at which relative paths start. Raises InputError.

@@ -52,7 +52,7 @@ class Draws:
     points: number of loads or separations of one contact. tables: arrays (n, *shape) by name, NaN where a result is missing or
     impossible. dims: dimensions of `shape`, by name. attributes: meaning and unit, by name. validity_warnings: number of points
     (samples at a load or separation) by the text of a violated validity range, or of the reason for a missing result.
-    impossible: number of points with an impossible result.
+    impossible: number of points whose results are excluded: physically impossible, or with a mean pressure above the hardness.
     """
 
     points: int = 0
@@ -71,7 +71,7 @@ class Draws:
 
     @property
     def impossible_share(self) -> float:
-        """Return the fraction of all points (samples at a load or separation) with an impossible result."""
+        """Return the fraction of all points (samples at a load or separation) whose results are excluded as impossible."""
         return self.impossible / self._every
 
     @property

@@ -139,7 +139,8 @@ def _fill(rows, root, curves, first, out):
 def peeling_columns(segment: NormalSegment, groups: Groups) -> tuple[tuple[np.ndarray, ...], np.ndarray | None]:
     """Return the parameters of `peeling_force`, each an array (n,), and the coordinate (n, 1) at which the force vanishes.
 
-    The force vanishes in unloading only; for a segment in loading the coordinate is None. segment: JKR asperity of a film law
+    The force is that of peeling. It vanishes in unloading only: the coordinate is None in loading, and the start of the segment
+    if it vanishes nowhere. segment: JKR asperity of a film law
     that solves film and body as one solid. groups: dimensionless groups of n contacts with a film, with all defaults filled
     in. If `peeling` is 0, the force is practically infinite.
     """
