@@ -51,12 +51,14 @@ def none(u, w, load, area):
 
 @cache
 def _joined(normal: Callable, coordinate: Callable, resistance: Callable, interfacial: bool, parameters: int, own: int) -> Any:
-    """Return the formulas `along` (response at a coordinate u) and `coordinate` (u at a displacement) of a `Regime`.
+    """Join the formulas of an asperity law and a tangential law: return `along` and `coordinate` of a `Regime`.
+
+    `along` computes the response at a coordinate u, `coordinate` computes u at a displacement.
 
     normal, coordinate: formulas of a `NormalSegment`. resistance: formula of a `TangentialResistance`. interfacial: whether
-    the tangential law describes the interface; its formula then gets load and area after weighting. parameters, own: number of
-    parameters of the asperity law and of the tangential law. The function is cached, so that the same laws give the same
-    formulas and kernels are compiled once.
+    the tangential law describes the interface; it then gets load and area after, not before, they are multiplied by the factors
+    of `Weights`. parameters, own: number of parameters of the asperity law and of the tangential law. The function is cached,
+    so that the same laws give the same formulas and kernels are compiled once.
     """
     joined = parameters + own
 

@@ -388,7 +388,7 @@ def resolve_options(known: Iterable[Record], options: Mapping[str, str | None]) 
     for name, value in options.items():
         if value is not None and value not in allowed.get(name, ()):
             keys = list(dict.fromkeys(record.key for record in known))
-            nothing = f"not supported by {' or '.join(filter(None, [', '.join(keys[:-1]), *keys[-1:]]))}; remove it" + (
+            nothing = f"not supported: no law in use has this option ({', '.join(keys)}); remove it" + (
                 f"; their options are {', '.join(allowed)}" if allowed else ""
             )
             raise InputError(name, value, ", ".join(allowed.get(name, ())) or nothing)

@@ -113,9 +113,10 @@ def resolve_laws(choice: Choice, coated: bool, groups: Groups | None = None) -> 
 def _additions(
     choice: Choice, groups: Groups | None, model: RoughSurface, tangential: TangentialLaw | None, film: FilmLaw | None
 ) -> dict[str, Addition]:
-    """Return the additional laws by keyword: those that are named, and defaults that the stated quantities require.
+    """Return additional laws by keyword: those that are named, and the defaults for stated quantities.
 
-    Raises InputError for an unknown key, and for a law that cannot be combined with the others.
+    Defaults that cannot be combined with the other laws are omitted; for such named laws, and for unknown keys, InputError is
+    raised.
     """
     additions: dict[str, Addition] = {}
     for keyword, kind in kinds_of_additions().items():

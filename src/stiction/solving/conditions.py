@@ -149,9 +149,9 @@ WITHIN, OUTSIDE, IMPOSSIBLE = range(3)
 
 
 def points_outside(problem: Problem, curve: Mapping[str, np.ndarray]) -> np.ndarray:
-    """Return the state of each point (m,) of the curve of a single contact: WITHIN, OUTSIDE or IMPOSSIBLE.
+    """Return for each point (m,) whether it is WITHIN all validity ranges, OUTSIDE one, or physically IMPOSSIBLE.
 
-    curve: normalised results (1, m) by name.
+    curve: normalised results (1, m) of a single contact, by name.
     """
     status = np.full(curve["load"].shape, WITHIN)
     for rule, _, outside in ranges_left(problem.subject, rules_of(problem), _known(problem, curve)):

@@ -64,7 +64,7 @@ class MovingMap:
         return slide_map(self.operator, strength, shifts.tolist(), pixel=pixel, weakening=weakening, keep_maps=False)
 
     def remark_on(self, paths: "list[SlidingPath]") -> str:
-        """Return a remark for the user on what the solution neglects; "" if there is none."""
+        """Return a remark for the user on what the solution neglects, or on its coupling error; "" if there is none."""
         return self.remark
 
     def results(self, paths: "list[SlidingPath]") -> "dict[str, np.ndarray]":

@@ -67,7 +67,7 @@ def slide(
     Parameters
     ----------
     contact : Contact or Indices
-        As in `solve`, without a film.
+        As in `solve`; with a film only if "boundary_elements" solves a height map.
     separation, load : float, str with a unit, or array, optional
         Exactly one of them, as in `solve`: mean separation [m] or normal load [N].
     displacement : float [m], str with a unit, or array, optional
@@ -105,7 +105,8 @@ def slide(
     Raises
     ------
     InputError
-        A value is out of bounds, the contact has a film, or the model has no asperities that can slip.
+        A value is out of bounds, the contact has a film and the model is not "boundary_elements", or the model has no
+        asperities that can slip.
 
     Notes
     -----
@@ -135,7 +136,7 @@ def slide(
         if value is not None:
             raise InputError(name, value, "no value; only model = boundary_elements uses it")
     if subject.has_film:
-        raise InputError("contact", "with a film", "a bare contact: slide() does not support films")
+        raise InputError("contact", "with a film", "a bare contact, or model = boundary_elements with a height map")
     words: dict[str, Any] = {**laws, "presliding": _PRESLIDING}
     if model is None and words.get("asperity") is None and not np.any(getattr(subject, subject.given_as("theta"), None)):
         model, words["asperity"] = YIELDING_SPOTS["model"], YIELDING_SPOTS["asperity"]

@@ -16,7 +16,8 @@ def of_moments(method: str, moments: Moments, note: str) -> Asperities:
     """Return the asperities of the isotropic Gaussian surface with these spectral moments: its summits.
 
     method: key of the asperity method, for the result. moments: m0 [m^2], m2 [1] and m4 [1/m^2]. note: origin of the moments,
-    in words. Raises InputError if no Gaussian surface has these moments.
+    in words. Isotropic Gaussian surfaces have alpha = m0 m4/m2^2 of 1.5 or more; smaller values are accepted without a warning.
+    Raises InputError if m2 or m4 is not above 0, or alpha is 0.897 or less.
     """
     if not (moments.m2 > 0.0 and moments.m4 > 0.0):
         given = f"m2 = {moments.m2:g}, m4 = {moments.m4:g} 1/m^2"
@@ -35,8 +36,8 @@ def combine(first: Asperities, second: Asperities) -> Asperities:
     The contact of two rough surfaces is equivalent to the contact of their sum with a smooth plane. The spectral moments m0,
     m2 and m4 of independent surfaces add. Each set of sigma, R and N is converted to the moments of a Gaussian surface
     (McCool 1986), and the sums are converted back. The variance of the surface heights adds exactly. The variance sigma^2 of
-    the summit heights adds only approximately; the error falls as Nayak's alpha grows. Raises InputError if the sums belong
-    to no Gaussian surface.
+    the summit heights adds only approximately; the error falls as Nayak's alpha grows. No isotropic Gaussian surface has sums
+    with alpha below 1.5: the note of the result then contains a warning. Raises InputError for alpha of 0.897 or less.
     """
     one, other = (Moments.from_asperities(each.deviation, each.radius, each.density) for each in (first, second))
     both = added(one, other)

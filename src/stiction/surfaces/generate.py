@@ -103,10 +103,11 @@ class _Periodic:
                 raise InputError("shortest", spectrum.shortest, allowed)
 
     def _colour(self, waves: np.ndarray) -> None:
-        """Multiply the Fourier transform of white noise by the square root of the power spectrum, in place.
+        """Multiply the Fourier transform of white noise by the square root of the power spectrum, in place; set the mean to 0.
 
-        waves: output of `rfft2`. The factor is sqrt(C / (dx dy)) for a map and sqrt(C / dx) for a profile, with the power
-        spectral density C and the point spacings dx, dy.
+        waves: output of `rfft2`. The factor is sqrt(s C / (dx dy)) for a map and sqrt(C / dx) for a profile, with the stretch
+        s, the power spectral density C at the wave number (s q_along, q_across), and the point spacings dx, dy. Unless
+        amplitudes are random, those of the noise are first set to their rms value. Raises InputError for an unusable spectrum.
         """
         (rows, columns), size, spectrum = self.shape, self.size, self.spectrum
         cosine, sine = math.cos(self.angle), math.sin(self.angle)
@@ -166,7 +167,9 @@ def gaussian_surface(
     Raises
     ------
     InputError
-        The map is too small, or the spectrum is negative or not finite, or has waves shorter than two pitches.
+        A number is out of bounds, the map is too small, or it needs too much memory. The spectrum is negative or not finite,
+        has no waves on the grid, has the wrong dimensions, or is a `SelfAffine` with waves shorter than two pitches. A
+        profile has a stretch or an angle.
 
     Examples
     --------

@@ -97,8 +97,8 @@ class HeightMap:
     def to_xarray(self) -> "xarray.DataArray":
         """Return the map as an xarray.DataArray with dimensions (y, x), or (x,) for a profile.
 
-        Heights and coordinates are in m. The history is an attribute. Functions that accept a HeightMap also accept this
-        array.
+        Heights and coordinates are in m. The history is an attribute; `periodic` is not stored. Functions that accept a
+        HeightMap also accept this array, as a map that is not periodic.
         """
         import xarray
 

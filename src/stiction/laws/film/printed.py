@@ -86,7 +86,7 @@ def bare_regimes(groups: Groups) -> list[Regime]:
 
 
 def _film_weights(segment: NormalSegment) -> tuple[Weights, Weights]:
-    """Return the weights of a film segment before and after the film is pressed through (x = tau), by the equations as printed.
+    """Return two `Weights`, for x < tau and x > tau, for load, area and friction of a film segment, as the paper prints them.
 
     x: displacement over sigma. tau: film thickness over sigma. Beyond tau the printed equations keep the elastic load and drop
     the plastic load (departures D5, D9).

@@ -88,7 +88,9 @@ def design_notes(data: "xarray.Dataset") -> Iterator[Text]:
 
 
 def _which(data: "xarray.Dataset", row: int) -> str:
-    """Return what was chosen from lists for a design, in brackets, to tell it from other designs; "" if there is only one.
+    """Return what was chosen from lists for a design, in brackets; "" if there is only one design.
+
+    If nothing was chosen from lists, it is "design N" in brackets, with N counted from 1.
 
     row: index of the design.
     """

@@ -310,7 +310,7 @@ def _unknown(column: str, points: int, why: str) -> MeasuredErrors:
 
 
 def _far(distance: np.ndarray, nearest: np.ndarray) -> str:
-    """Return a text that states why no solved surface is near enough, with the difference of the nearest one.
+    """Return why no error is known: unlike films, a nearest surface that is too different (and how), or an unreachable load.
 
     distance (k,): of the nearest solved surface at k points. nearest: for each point a function that returns the difference.
     """

@@ -138,8 +138,10 @@ def area_laws(sampled: SampledCase) -> list[AreaLaw]:
     """Return the area models that apply to a contact, with weights that sum to 1 at each point.
 
     A point is a contact at a load. Sets of models are tried in turn. A later set is used at the points where no model of an
-    earlier set applies; where one applies in part (see `_law`), the later set gets the remaining weight. Raises InputError if
-    no model applies.
+    earlier set applies; where one applies in part (see `_law`), the later set gets the remaining weight.
+
+    Raises InputError or ArithmeticError if no model applies at some point, or if a model applies to some of several contacts
+    only; the caller then divides them into smaller batches.
     """
     answers, refusal, left = [], None, np.ones(len(sampled.loads))
     for choices in _in_turn(sampled):
@@ -150,7 +152,7 @@ def area_laws(sampled: SampledCase) -> list[AreaLaw]:
                 applies = np.maximum(applies, laws[-1].weight / weight)
             except (InputError, ArithmeticError) as error:
                 if sampled.contacts > 1 and any(_answers(end, choice) for end in sampled.ends()):
-                    raise  # the model applies to some of these contacts; the caller then divides them into smaller batches
+                    raise  # the model applies to some of these contacts
                 refusal = error
         total = np.sum([law.weight for law in laws], axis=0)
         answers += [replace(law, weight=left * applies * law.weight / np.where(total > 0.0, total, 1.0)) for law in laws]
@@ -259,8 +261,11 @@ def _too_sharp(sampled: SampledCase) -> np.ndarray:
 def _known(errors: MeasuredErrors, few: float | None) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return error quantiles (k, 5) of a model at k points, the distance to the benchmarks (k,), and the sampling error (k,).
 
-    The quantiles of ln(area) are widened by a factor 1 + few/n, because only n surfaces determine them; few is None if the map
-    itself is solved. The distance to the nearest benchmark surface is 0 to 1, and 1 where no similar surface was solved.
+    The quantiles are those of ln(area/benchmark area). Only n benchmark surfaces near a point determine them, so their
+    distances from the median are multiplied by 1 + few/n. The error of the benchmark areas themselves, _SOLVED, is then added
+    in squares. few is None if the area is computed from the map; the quantiles then already contain the error of the solution.
+    The distance to the nearest benchmark surface is 0 to 1, and 1 where no similar surface was solved. The sampling error is
+    the standard error of ln(area) because a map is one window of a larger surface; it is 0 if unknown.
     """
     known = np.isfinite(errors.levels).all(axis=1)
     trust = np.where(known, np.clip(errors.trust, 0.0, 1.0), 0.0)

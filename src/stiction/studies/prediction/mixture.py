@@ -50,7 +50,12 @@ class Samples:
 
 @dataclass(frozen=True)
 class Mixture:
-    """Combine all parts of a prediction at loads (m,) [N]: area models, adhesion, interface strength and onset of sliding."""
+    """Store the parts of a prediction, and combine them in samples of friction force and contact area at loads (m,) [N].
+
+    sampled: the contact with samples of its uncertain inputs. laws: real contact area by each area model, with its weight and
+    errors. pull: factors of the area by adhesion and menisci. strength: distribution of the shear strength of the interface.
+    onset: inputs of the loss of friction at the onset of sliding; None if no weakening slip is stated.
+    """
 
     sampled: SampledCase
     loads: np.ndarray

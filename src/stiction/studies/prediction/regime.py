@@ -29,7 +29,7 @@ _MANY = 0.05  # fraction of impossible samples above which a warning is issued
 
 
 def regime_of(mixture: Mixture, samples: Samples, index: int) -> tuple[str, str]:
-    """Return one or two sentences on the contact regime, and a phrase on what would lower mu.
+    """Return one to three sentences on the contact regime, and a phrase on what would lower mu.
 
     The sentences state, for example, that all contact spots are plastic. samples: results of the prediction. index: position of
     the load among the loads of the prediction.

@@ -24,10 +24,11 @@ ALONE, WHOLE = 11, 20  # number of parameters for adhesion and strength; togethe
 
 @formula
 def stiffness(u, bodies):
-    """Return the modulus of film and bodies together over the bodies', its derivative by ln u, and the film's weight in it.
+    """Return K_eff/K_s, the modulus with film over that without; its derivative by ln u; and the film's weight.
 
-    The modulus is (S5.11) at the contact radius a = sqrt(R sigma) u^2. bodies: smallest and largest result, sqrt(R sigma) over
-    the film thickness on one body, then the fields of `TwoBodies`, with the mean Poisson's ratio of film and each body.
+    The modulus is (S5.11) at the contact radius a = sqrt(R sigma) u^2. The weight is averaged over the coated bodies. bodies:
+    two bounds on the result (unused here), sqrt(R sigma) over the film thickness on one body, then the first four fields of
+    `TwoBodies`, and for each body the mean of its Poisson's ratio and the film's.
     """
     _, _, per_aspect, first, second, s, films, nu_first, nu_second = bodies
     share, slope = modulus_share(u * u * per_aspect, nu_first)

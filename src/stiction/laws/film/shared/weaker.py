@@ -110,9 +110,10 @@ def _shared(
 
 
 def _branches(below: Regime, above: Regime, segment: NormalSegment, tau: np.ndarray) -> np.ndarray | None:
-    """Return the coordinates (n, b) of the substrate segment at which either resistance starts like a square root, or None.
+    """Return substrate coordinates (n, b) of the branch points of film and substrate; None if neither has any.
 
-    below, above: regimes of substrate and film. segment: segment of the substrate. tau (n,): film thickness over sigma.
+    Near a branch point a resistance varies like a square root. A coordinate is -inf where a contact has no such point. below,
+    above: regimes of substrate and film. segment: segment of the substrate. tau (n,): film thickness over sigma.
     """
     branches = [] if below.branch is None else [np.reshape(below.branch, (len(tau), -1))]
     for point in () if above.branch is None else np.reshape(above.branch, (len(tau), -1)).T:
