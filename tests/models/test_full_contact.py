@@ -11,7 +11,7 @@ from stiction.case.read import parse_case
 from stiction.contact.indices import Groups
 from stiction.laws.criterion.persson_tosatti_2001 import elastic_over_adhesion, energy_ratio, wavevector_sum
 from stiction.laws.validity import warnings_of
-from stiction.studies.comparison.compare import criteria_of
+from stiction.studies.comparison.criteria import criteria_of
 from tables import column, groups, read
 
 PDMS, GLASS = {"youngs_modulus": "2 MPa", "poissons_ratio": 0.49, "hardness": "1 MPa"}, "soda_lime_glass"

@@ -11,11 +11,11 @@ from stiction.report.answer import (
     ends_of_mu,
     next_in_words,
     number,
-    sources_in_words,
     working_load_in_words,
     worn_through,
 )
 from stiction.report.html_words import letters
+from stiction.report.uncertainty_sources import sources_in_words
 
 if TYPE_CHECKING:
     import xarray

@@ -18,21 +18,14 @@ from stiction.quantities.table import QUANTITIES
 from stiction.records.claims import KINDS_OF_WARNING
 from stiction.records.sources import bibliography
 from stiction.records.validity_warning import ValidityWarning
-from stiction.report.answer import (
-    PREDICTION_HEADS,
-    answer_lines,
-    grade_line,
-    main_sources,
-    model_line,
-    next_in_words,
-    part_name,
-)
+from stiction.report.answer import PREDICTION_HEADS, answer_lines, grade_line, model_line, next_in_words
 from stiction.report.card import card_of
 from stiction.report.html_words import letters, on_page
 from stiction.report.report_answer import headline, inputs_as_stated, plain_name, value_in_words, warnings_here
 from stiction.report.swept_tables import swept_table
 from stiction.report.table import Column, Table, numbers, with_signs
 from stiction.report.tables import HEADS, curve_table, group_in_words, run_notes
+from stiction.report.uncertainty_sources import main_sources, part_name
 from stiction.report.views.comparison import GROUP_HEADS, group_row, groups_of
 from stiction.report.views.run import draws_in_words, in_draws, with_meaning
 from stiction.solving.choice import RECOMMENDED

@@ -16,7 +16,6 @@ from stiction.quantities.progress import Steps
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import reason_of
 from stiction.records.record import plug_in_error
-from stiction.records.registry import Criterion, of_kind
 from stiction.records.validity_warning import ValidityWarning
 from stiction.solving.accuracy import film_errors, measured_error
 from stiction.solving.candidates import Candidate, candidates
@@ -29,6 +28,7 @@ from stiction.solving.problem import Problem, make_problem, problem_of
 from stiction.solving.results import labelled
 from stiction.solving.state import state_of
 from stiction.solving.unused import ignored_strength
+from stiction.studies.comparison.criteria import criteria_of
 from stiction.studies.pressing_loads import pressing_loads
 
 if TYPE_CHECKING:
@@ -364,22 +364,6 @@ def _attributes(contact, answers: list[_Answer], target: float | None) -> dict[s
         "sources": " ".join(used), "not_applicable": "\n".join(left_out), "criteria": "\n".join(criteria_of(contact)),
     }  # fmt: skip
     return attributes if target is None else attributes | {"working_load": target}
-
-
-def criteria_of(contact: Subject) -> list[str]:
-    """Return one line of text for each criterion that applies to a contact, e.g. whether its asperities deform plastically.
-
-    A criterion is left out if the contact does not state a dimensionless group that it needs.
-    """
-    whole = contact.with_surface_moments()
-    groups = Groups.of(whole.indices())[0].substrate()
-    lines = []
-    for criterion in of_kind(Criterion).values():
-        if all(groups.knows(name) for name in criterion.needs):
-            ratio = float((criterion.ratio(groups, whole.map) if criterion.on_map else criterion.ratio(groups))[0])
-            statement = criterion.below if ratio < 1.0 else criterion.above
-            lines.append(f"{criterion.key}: {statement} (ratio {ratio:.3g}, the border is 1)")
-    return lines
 
 
 def working_load(case: "Case", given: str | None) -> float | None:
