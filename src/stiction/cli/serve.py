@@ -24,7 +24,6 @@ def serve(
     copy of the address shares it. Uploads are kept in a temporary folder and deleted at the end. Ctrl-C ends the page.
     """
     require("serve", "nicegui", "matplotlib")
-    print("stiction: starting the page, which can take half a minute", file=sys.stderr, flush=True)
     with busy("Starting"):
         from stiction.web.server import check_port, query_of
         from stiction.web.server import serve as run

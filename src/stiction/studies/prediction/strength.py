@@ -62,6 +62,11 @@ class Strength:
         """Return whether a pressure coefficient, stated or supplied by a state of the interface, adds to friction."""
         return self.grows_with_pressure or bool(np.any(self.coefficient > 0.0))
 
+    @property
+    def is_one_number(self) -> bool:
+        """Return whether tau_0 is stated and no sample varies it."""
+        return self.stated is not None and len(self.stated) == 1 and len(self.aged) == 1
+
     def is_relative_to(self, name: str) -> bool:
         """Return whether tau_0 of any possible state of the interface is a fraction of a property of the softer body.
 

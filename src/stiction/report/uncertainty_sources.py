@@ -1,0 +1,40 @@
+"""Name the sources of the uncertainty of a prediction, and choose those that are worth naming."""
+
+_LEAST, _MOST_SOURCES = 0.05, 3  # smallest share of the variance, and largest number, of named sources
+_NO_REST = 0.005  # largest share of the other sources that is not shown
+_NAMES = {
+    "interface": "interface strength",
+    "area model": "contact area model",
+    "adhesion": "adhesion and liquid",
+    "junctions": "plastic junctions",
+    "chance": "chance, few asperities",
+    "sliding": "size of the contact spots",
+}
+_BODIES = {"first": "first body", "second": "second body", "coating.material": "film", "coating": "film"}
+
+
+def part_name(name: str) -> str:
+    """Return the readable name of a source of uncertainty or an input: "hardness of first body" for "first.hardness"."""
+    body, _, quantity = name.rpartition(".")
+    words = _NAMES.get(name, f"{quantity} of {_BODIES.get(body, body)}" if body else name)
+    return words.replace("_", " ").replace("youngs", "Young's").replace("poissons", "Poisson's")
+
+
+def main_sources(shares: dict[str, float], most: int = _MOST_SOURCES) -> list[tuple[str, float]]:
+    """Return the main sources of uncertainty as pairs (name, share of the variance of ln mu), the largest first.
+
+    shares: share of the variance by name of the source. The list has at most `most` sources. All but the largest must have a
+    share of at least 5 %. The last entry is "other", the rest to 100 %, unless it is below half a per cent.
+    """
+    ordered = sorted(shares.items(), key=lambda item: -item[1])
+    named = [item for rank, item in enumerate(ordered[:most]) if not rank or item[1] >= _LEAST]
+    rest = 1.0 - sum(round(share, 2) for _, share in named)  # of the rounded shares, which a reader adds up
+    return [*named, ("other", rest)] if named and rest > _NO_REST else named
+
+
+def sources_in_words(shares: dict[str, float], most: int = _MOST_SOURCES) -> str:
+    """Return the main sources of uncertainty with their shares of the variance as text: "60% interface strength, 9% load".
+
+    shares: share of the variance of ln mu, by name of the source.
+    """
+    return ", ".join(f"{share:.0%} {part_name(name)}" for name, share in main_sources(shares, most))
