@@ -70,7 +70,7 @@ class AreaLaw:
     standard error (m,) of ln(area) because a scan is one finite window of the surface. touching: number of asperities in
     contact (m,), infinite if unknown. yields_at: mean pressure (n or 1, m) of plastic contact spots [Pa]. far_error: standard
     deviation of ln(area) if no benchmark surface is near. elastic: on a film, real over nominal area (m,) of the nominal
-    contact without plastic flow; 0 if unknown.
+    contact without plastic flow; 0 if unknown. sources: bibliography keys of the model and its laws.
     """
 
     name: str
@@ -84,6 +84,7 @@ class AreaLaw:
     yields_at: np.ndarray
     far_error: float
     elastic: np.ndarray
+    sources: tuple[str, ...]
 
     def at_load(self, index: int) -> "AreaLaw":
         """Return the results of the model at one load of a single contact; index: position of this load among the m loads."""
@@ -225,7 +226,10 @@ def _law(sampled: SampledCase, choice: Choice, weight: float) -> AreaLaw:
         name = replace(choice, tangential=None).name
         elastic = _elastic(points.problem, tables)[places]
         weights = np.full(len(sampled.loads), weight)
-        return AreaLaw(name, weights, np.log(drawn), share, levels, far, sample, touching, yields_at, far_error, elastic)
+        sources = tuple(source.key for record in points.problem.records() for source in record.sources)
+        return AreaLaw(
+            name, weights, np.log(drawn), share, levels, far, sample, touching, yields_at, far_error, elastic, sources
+        )
 
 
 def _solved(sampled: SampledCase, choice: Choice) -> tuple[Points, Mapping[str, np.ndarray]]:

@@ -4,7 +4,8 @@ import re
 from collections.abc import Iterator
 
 from stiction.contact.contact import Contact
-from stiction.records.registry import records
+from stiction.records.record import Record
+from stiction.records.registry import AsperityLaw, Criterion, RoughSurface, find, kinds_of_additions
 from stiction.records.sources import bibliography
 from stiction.studies.prediction.mixture import Mixture
 
@@ -17,9 +18,8 @@ def sources_of(mixture: Mixture) -> str:
     They are the sources of the area models with a weight, of the possible states of the interface, of junction growth, and of
     the laws of adhesion, menisci, contamination and ageing whose inputs the contact states.
     """
-    laws = [key for law in mixture.laws if law.weight.any() for key in law.name.split(" + ")]
-    laws += [name.split()[-1] for name in beside_area(mixture.sampled.contact)]
-    keys = [*_of_records([*laws, *_more_laws(mixture)])]
+    keys = [key for law in mixture.laws if law.weight.any() for key in law.sources]
+    keys += [source.key for record in _more_laws(mixture.sampled.contact) for source in record.sources]
     texts = " ".join(text for state, _ in mixture.strength.states for text in state.source.values())
     known = bibliography()
     keys += [key for key in _KEY.findall(texts) if key in known]
@@ -30,21 +30,23 @@ def sources_of(mixture: Mixture) -> str:
 
 def beside_area(contact: Contact) -> list[str]:
     """Return the names of the meniscus and contamination laws that apply because the contact states their inputs."""
+    return [f"{kind} law {key}" for kind, key in _added(contact) if kind != "ageing"]
+
+
+def _added(contact: Contact) -> list[tuple[str, str]]:
+    """Return kind and key of each law that predictions add because the contact states its input."""
     stated = {
-        "meniscus law equilibrium_meniscus": contact.liquid,
-        "contamination law independent_junctions": contact.strength_variation,
+        ("meniscus", "equilibrium_meniscus"): contact.liquid,
+        ("contamination", "independent_junctions"): contact.strength_variation,
+        ("ageing", "berthoud_1999"): contact.hold_time,
     }
-    return [name for name, value in stated.items() if value is not None]
+    return [law for law, value in stated.items() if value is not None]
 
 
-def _more_laws(mixture: Mixture) -> Iterator[str]:
-    contact = mixture.sampled.contact
+def _more_laws(contact: Contact) -> Iterator[Record]:
+    """Yield the laws of adhesion and the added laws; only their modules are imported, not those of all laws."""
     if contact.adheres:
-        yield from ("soft_coating_2015", "maugis_1992", "persson_tosatti_2001")
-    if contact.hold_time is not None:
-        yield "berthoud_1999"
-
-
-def _of_records(keys: list[str]) -> list[str]:
-    every = records()
-    return [source.key for key in keys for record in every if record.key == key for source in record.sources]
+        yield find("soft_coating_2015", RoughSurface)
+        yield find("maugis_1992", AsperityLaw)
+        yield find("persson_tosatti_2001", Criterion)
+    yield from (find(key, kinds_of_additions()[kind]) for kind, key in _added(contact))
