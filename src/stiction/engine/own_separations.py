@@ -52,7 +52,8 @@ def sums_of_each(scattered: Scattered, h: np.ndarray, threads: int = 1) -> np.nd
     near = ((h <= WAY[0]) & (h >= WAY[-1])).all(axis=1)
     if laws == 1 or each == 1 or scattered.heights.density is not gaussian_density:
         near[:] = False
-    _fill(scattered, np.flatnonzero(near), h, sums, threads)
+    if near.any():
+        _fill(scattered, np.flatnonzero(near), h, sums, threads)
     if (rest := np.flatnonzero(~near)).size:
         single = scattered(h[rest].reshape(-1), np.repeat(rest, each), threads)
         sums[:, rest] = single.reshape(len(sums), rest.size, each, len(QUANTITIES))
@@ -77,4 +78,4 @@ def _fill(scattered: Scattered, laws: np.ndarray, h: np.ndarray, sums: np.ndarra
                 _sum_each(h[rows], nodes, some)
                 out[rows] = some
 
-        in_threads(fill_share, _shares(laws.size, threads) if laws.size else [], threads)
+        in_threads(fill_share, _shares(laws.size, threads), threads)
