@@ -121,7 +121,7 @@ def draw(
                 "model", variant.choice.model_key, "a model that can solve many samples, because numbers are uncertain"
             )
     count = len(shares)
-    if len(variants) == 1 and case.load is not None and count * case.load.size <= _AT_ONCE and not case.swept:
+    if alone := len(variants) == 1 and case.load is not None and count * case.load.size <= _AT_ONCE and not case.swept:
         with suppress(InputError, ArithmeticError):
             return _all_together(case, shares, variants[0], names)
     draws = _layout(case, variants, names)
@@ -132,12 +132,12 @@ def draw(
     cases, points = [variant.case(case) for variant in variants], _points(case)
     for index, some in progress(_steps(variants, rows, draws.points)):
         numbers, choice = case.numbers_at(shares[some]), variants[index].choice
-        try:
-            _, together = evaluate_together(cases[index], numbers, points, choice, names)
-            _keep(draws, some, together)
-            continue
-        except (InputError, ArithmeticError):
-            possible = _are_possible(cases[index], numbers, choice, len(some))
+        if not alone:  # otherwise this is the one batch that was refused above
+            with suppress(InputError, ArithmeticError):
+                _, together = evaluate_together(cases[index], numbers, points, choice, names)
+                _keep(draws, some, together)
+                continue
+        possible = _are_possible(cases[index], numbers, choice, len(some))
         _keep(draws, some[~possible], None)
         some = some[possible]
         if not some.size:
