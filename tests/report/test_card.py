@@ -10,9 +10,9 @@ import stiction as st
 from stiction.quantities.units import show
 from stiction.report.answer import answer_lines, at_working_load, confidence, confidence_in, working_load_in_words
 from stiction.report.card import Card, card_of, shortened
-from stiction.report.uncertainty_sources import main_sources, sources_in_words
 from stiction.studies.prediction.measured import interval_after_measuring
 from stiction.studies.prediction.regime import without_commands
+from stiction.studies.prediction.uncertainty_sources import main_sources, sources_in_words
 
 CASE = """
 [contact]

@@ -31,6 +31,8 @@ class Source:
 # An entry of the bibliography runs from "@type{key," at the start of a line to a closing brace alone on a line.
 ENTRY = re.compile(r"^@(?P<kind>\w+)\{(?P<key>[^,\s]+),$(?P<fields>.*?)^\}$", re.MULTILINE | re.DOTALL)
 
+_NAMED = re.compile(r"\[(\w+)\]")
+
 
 @cache
 def _entries() -> dict[str, str]:
@@ -41,6 +43,11 @@ def _entries() -> dict[str, str]:
 def bibliography() -> dict[str, str]:
     """Return key -> BibTeX text of every entry in the package's bibliography, in the order of the file."""
     return dict(_entries())
+
+
+def keys_in(text: str) -> list[str]:
+    """Return the keys of the bibliography that a text names in brackets, such as "[briscoe_evans_1982]", each once."""
+    return [key for key in dict.fromkeys(_NAMED.findall(text)) if key in _entries()]
 
 
 def bibtex(keys: Iterable[str], more: Mapping[str, str] = MappingProxyType({})) -> str:

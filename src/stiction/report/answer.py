@@ -12,10 +12,10 @@ import numpy as np
 from stiction.quantities.units import show
 from stiction.records.registry import GRADES
 from stiction.report.html_words import letters
-from stiction.report.uncertainty_sources import sources_in_words
 from stiction.solving.choice import LAWS
 from stiction.studies.prediction.measured import USUAL_ERROR
 from stiction.studies.prediction.regime import without_commands
+from stiction.studies.prediction.uncertainty_sources import sources_in_words
 
 if TYPE_CHECKING:
     import xarray

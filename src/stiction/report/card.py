@@ -15,7 +15,7 @@ from stiction.report.answer import (
     worn_through,
 )
 from stiction.report.html_words import letters
-from stiction.report.uncertainty_sources import sources_in_words
+from stiction.studies.prediction.uncertainty_sources import sources_in_words
 
 if TYPE_CHECKING:
     import xarray

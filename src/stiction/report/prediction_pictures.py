@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 from stiction.report.answer import at_working_load, ends_of_mu, headline
 from stiction.report.pictures import BLUE, GREEN, MU_LABEL, RED, canvas, finish, friction_panel, label
 from stiction.report.scales import LOG, is_log, scale_friction
-from stiction.report.uncertainty_sources import main_sources, part_name
+from stiction.studies.prediction.uncertainty_sources import main_sources, part_name
 
 if TYPE_CHECKING:
     import xarray

@@ -2,7 +2,6 @@
 
 import json
 import platform
-import re
 import shlex
 from importlib.metadata import version
 from typing import TYPE_CHECKING, Any
@@ -16,7 +15,7 @@ from stiction.laws.validity import warnings_of
 from stiction.quantities.ranges import range_in_words
 from stiction.quantities.table import QUANTITIES
 from stiction.records.claims import KINDS_OF_WARNING
-from stiction.records.sources import bibliography
+from stiction.records.sources import keys_in
 from stiction.records.validity_warning import ValidityWarning
 from stiction.report.answer import PREDICTION_HEADS, answer_lines, grade_line, model_line, next_in_words
 from stiction.report.card import card_of
@@ -25,10 +24,10 @@ from stiction.report.report_answer import headline, inputs_as_stated, plain_name
 from stiction.report.swept_tables import swept_table
 from stiction.report.table import Column, Table, numbers, with_signs
 from stiction.report.tables import HEADS, curve_table, group_in_words, run_notes
-from stiction.report.uncertainty_sources import main_sources, part_name
 from stiction.report.views.comparison import GROUP_HEADS, group_row, groups_of
 from stiction.report.views.run import draws_in_words, in_draws, with_meaning
 from stiction.solving.choice import RECOMMENDED
+from stiction.studies.prediction.uncertainty_sources import main_sources, part_name
 from stiction.studies.report_data import ReportData, source_of_finish, stated_in
 
 if TYPE_CHECKING:
@@ -352,9 +351,8 @@ def sources_of(findings: ReportData) -> tuple[list[str], list[str], list[str]]:
     measured = findings.case.measured
     own = dict.fromkeys(findings.data.attrs.get("sources", "").split())
     own |= dict.fromkeys([] if measured is None else measured.sources())
-    known = bibliography()
     texts = " ".join(str(row[-1]) for table in groups_of_inputs(findings) for row in table.rows)
-    of_materials = [key for key in dict.fromkeys(re.findall(r"\[(\w+)\]", texts)) if key in known and key not in own]
+    of_materials = [key for key in keys_in(texts) if key not in own]
     comparison = findings.comparison
     others = (
         [] if comparison is None else [key for key in comparison.attrs["sources"].split() if key not in (*own, *of_materials)]

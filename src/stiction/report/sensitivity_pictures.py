@@ -11,8 +11,8 @@ from stiction.quantities.table import QUANTITIES
 from stiction.report.html_words import letters
 from stiction.report.pictures import BLUE, COLOURS, ORANGE, along_points, canvas, finish, heading, look_of, say
 from stiction.report.swept_tables import of_point, points_dimension
-from stiction.report.uncertainty_sources import part_name
 from stiction.report.views.sensitivity import at_working_load, head_of, ranked, results_of, working_place
+from stiction.studies.prediction.uncertainty_sources import part_name
 
 if TYPE_CHECKING:
     import xarray

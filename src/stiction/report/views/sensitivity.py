@@ -13,11 +13,11 @@ from stiction.report.answer import answer_record, headline, model_line
 from stiction.report.files import record, write_csv
 from stiction.report.swept_tables import of_point, points_dimension
 from stiction.report.table import Column, Table, numbers
-from stiction.report.uncertainty_sources import part_name
 from stiction.report.view import View, picture
 from stiction.report.views.prediction import plain
 from stiction.report.views.run import draws_in_words, in_draws
 from stiction.solving.pointwise import WHY_NOT
+from stiction.studies.prediction.uncertainty_sources import part_name
 
 if TYPE_CHECKING:
     import xarray

@@ -12,6 +12,7 @@ from stiction.solvers.boundary_elements.limits import LEAST_WAVES
 from stiction.solving.state import of_the_map
 from stiction.studies.prediction.levels import Levels
 from stiction.studies.prediction.mixture import Mixture, Samples
+from stiction.studies.prediction.uncertainty_sources import part_name
 
 _STICKS = 2.0  # factor of the area by adhesion above which adhesion, and not the load, determines the area
 _FLAT = 0.95  # real over nominal area from which a contact counts as pressed flat
@@ -273,11 +274,7 @@ def _state_kind(mixture: Mixture) -> str:
 
 
 def _step(part: str) -> str:
-    body, _, quantity = part.rpartition(".")
-    body += " body" * (body in ("first", "second"))
-    name = (f"{quantity} of {body}" if body else part).replace("_", " ")
-    name = name.replace("youngs", "Young's").replace("poissons", "Poisson's")
-    return _STEPS.get(part, f"measure {name}")
+    return _STEPS.get(part, f"measure {part_name(part)}")
 
 
 def without_commands(step: str, fit: str = " and fit the case to it", scan: str = "") -> str:

@@ -1,15 +1,12 @@
 """List the bibliography keys of a prediction: its area models, its interface, and the laws that act on the contact."""
 
-import re
 from collections.abc import Iterator
 
 from stiction.contact.contact import Contact
 from stiction.records.record import Record
 from stiction.records.registry import AsperityLaw, Criterion, RoughSurface, find, kinds_of_additions
-from stiction.records.sources import bibliography
+from stiction.records.sources import keys_in
 from stiction.studies.prediction.mixture import Mixture
-
-_KEY = re.compile(r"\[(\w+)\]")
 
 
 def sources_of(mixture: Mixture) -> str:
@@ -21,8 +18,7 @@ def sources_of(mixture: Mixture) -> str:
     keys = [key for law in mixture.laws if law.weight.any() for key in law.sources]
     keys += [source.key for record in _more_laws(mixture.sampled.contact) for source in record.sources]
     texts = " ".join(text for state, _ in mixture.strength.states for text in state.source.values())
-    known = bibliography()
-    keys += [key for key in _KEY.findall(texts) if key in known]
+    keys += keys_in(texts)
     if mixture.sampled.metallic.any():
         keys.append("tabor_1959")
     return " ".join(dict.fromkeys(keys))
