@@ -233,7 +233,9 @@ def test_a_comparison_follows_a_knob_that_moves_while_it_runs(fresh):
     page.get_by_role("option", name="soft-metal film", exact=True).click()
     _tab(page, "Compare")
     page.get_by_text(re.compile(r".+, \d+ s$")).first.wait_for()
+    before = _card(page)
     page.get_by_label("film thickness, of both films together if there are two t", exact=True).fill("1 um")
+    _until(page, "before => !document.querySelector('[role=status]').innerText.startsWith(before)", arg=before)
     page.get_by_text("These fit the contact").wait_for(timeout=60 * SECOND)
     _until(page, "() => !document.querySelector('.old') && !document.body.classList.contains('waiting')")
     coating = SILVER["contact"]["coating"] | {"thickness": "1 um"}
