@@ -14,8 +14,8 @@ INTERRUPTED = 130  # exit code
 def ended_by_interrupts() -> Iterator[None]:
     """Return a context manager in which Ctrl-C prints one line and ends the program at once.
 
-    An exception would not do, because a library that is being imported may catch it. If the caller has set a handler for
-    Ctrl-C, that handler stays.
+    KeyboardInterrupt is not enough, because a library that is being imported may catch it. The manager does nothing if the
+    caller has set a handler for Ctrl-C, or outside the main thread.
     """
     before = signal.getsignal(signal.SIGINT)
     if before is not signal.default_int_handler or current_thread() is not main_thread():

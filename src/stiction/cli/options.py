@@ -16,19 +16,19 @@ if TYPE_CHECKING:
 
 
 class TakesOptionsOfRecords(TyperCommand):
-    """Accept, in a command, the options of models and laws as well, such as --variant published."""
+    """Define a command that also accepts the options of models and laws, such as --variant published."""
 
     def parse_args(self, ctx, args):
         own = {name for parameter in self.params for name in (*parameter.opts, *parameter.secondary_opts)} | {"-h", "--help"}
         if any(word.startswith("--") and word.partition("=")[0] not in own for word in args):
-            ctx.meta[OPTIONS], args = _take(args, own)
+            ctx.meta[OPTIONS], args = _split_options(args, own)
         return super().parse_args(ctx, args)
 
 
 OPTIONS = "stiction.options"
 
 
-def _take(words: list[str], own: set[str]) -> tuple[dict[str, str], list[str]]:
+def _split_options(words: list[str], own: set[str]) -> tuple[dict[str, str], list[str]]:
     """Split the words of a command line into the options of models and laws, {name: value}, and the other words.
 
     own: options of the command itself, which stay among the other words. Raises InputError for a value that an option does not
@@ -99,7 +99,7 @@ def every_key(incomplete: str) -> list[str]:
 
 
 def chosen_laws(context: typer.Context, case: "Case") -> "Choice":
-    """Return the model, laws and options of a case, in which those of the command line replace those of the case file."""
+    """Return the model, laws and options of a case; those on the command line replace those in the case file."""
     from stiction.solving.choice import LAWS
 
     laws = {name: context.params.get(name) for name in LAWS}
@@ -107,7 +107,7 @@ def chosen_laws(context: typer.Context, case: "Case") -> "Choice":
 
 
 def folder(text: str | Path) -> Path:
-    """Return the path of a folder; refuse an empty name, which pathlib takes for the current folder."""
+    """Return the path of a folder; raise BadParameter for an empty name, which pathlib would take for the current folder."""
     if not str(text).strip():
         raise typer.BadParameter(f"'{text}' is not the name of a folder, new or existing (a dot is the current one)")
     return Path(text)

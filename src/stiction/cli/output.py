@@ -14,9 +14,9 @@ _IN_ASCII = {"µ": "u", "μ": "u", "−": "-", "⁻": "-", "·": "*", "×": "x",
 
 
 def _in_ascii(error: UnicodeError) -> tuple[str, int]:
-    """Return ASCII text for the characters that the encoding of the output lacks: "um^2" for µm², "?" if there is none.
+    """Return ASCII text that replaces characters which the output cannot encode, and the position after these characters.
 
-    This is an error handler for `codecs.register_error`, which needs the text and the position after these characters.
+    This is an error handler for `codecs.register_error`. µm² becomes um^2; a character without a replacement becomes "?".
     """
     if not isinstance(error, UnicodeEncodeError):
         raise error
@@ -34,7 +34,7 @@ codecs.register_error("stiction", _in_ascii)
 
 
 def readable() -> None:
-    """Make standard output and standard error replace characters that their encoding lacks by ASCII text."""
+    """Set standard output and standard error to write ASCII text for characters that they cannot encode."""
     for stream in (sys.stdout, sys.stderr):
         with suppress(AttributeError, ValueError):  # an output that a caller replaced stays as it is
             stream.reconfigure(errors="stiction")  # type: ignore[union-attr]
@@ -50,7 +50,7 @@ def print_json(content: Any) -> None:
 
 @contextmanager
 def reporting_write_errors() -> Iterator[None]:
-    """Return a context manager that reports an OSError, e.g. a full disk or a closed pipe, in one line and exits."""
+    """Return a context manager that reports an OSError, e.g. a full disk or a closed pipe, in one line and exits with code 1."""
     try:
         yield
         sys.stdout.flush()

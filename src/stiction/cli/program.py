@@ -32,7 +32,7 @@ _LINE_ENDS = re.compile(r"(?<!\n)\n *(?=\S)")  # inside a paragraph; the termina
 
 
 class _Commands(TyperGroup):
-    """Group the commands, and print wrong input and wrong usage as one line, without a traceback.
+    """Define the group of all commands, which reports wrong input and wrong usage in one line, without a traceback.
 
     Exit codes: 2 for wrong input and wrong usage, 130 for an interruption.
     """
@@ -102,7 +102,7 @@ def _say_in_a_line(message: Any, category: Any, *where: Any, **more: Any) -> Non
 
 
 def _as_input(error: Any) -> InputError:
-    """Return a usage error of typer as an InputError with field, value and allowed values."""
+    """Convert a usage error of typer to an InputError with field, value and allowed values."""
     message: str = error.message
     command: Any = getattr(error.ctx, "command", None)
     if hasattr(error, "param_type"):
@@ -127,7 +127,7 @@ def _as_input(error: Any) -> InputError:
 
 
 def _name(param: Any) -> str:
-    """Return an option as the user writes it, e.g. "--load", or the name of an argument."""
+    """Return the name of an option as the user types it, e.g. "--load", or the name of an argument."""
     return next((name for name in param.opts if name.startswith("--")), param.metavar or param.name)
 
 
@@ -183,7 +183,7 @@ def busy(text: str) -> Iterator[None]:
 
 @contextmanager
 def progress_text() -> Iterator[Callable[[str], None]]:
-    """Return a context manager; it provides a function that shows a text as progress.
+    """Return a context manager that provides a function: it takes a text and shows it as progress.
 
     On a terminal each text replaces the last. Elsewhere a text is printed at most every ten seconds.
     """
@@ -208,7 +208,7 @@ _EVERY = 10.0  # seconds between printed lines if the output is no terminal
 
 @contextmanager
 def solving() -> Iterator[None]:
-    """Return a context manager that shows a clock, the compiled kernels and the residuals of the solver on the terminal."""
+    """Return a context manager that shows a clock, the number of compiled kernels and the solver's residual on the terminal."""
     with _line("Solving") as line, _showing_solver_state(line, "Solving"):
         yield
 
@@ -296,8 +296,7 @@ def read(path: Path, load: str | None = None, ranges: bool | None = None) -> "Ca
 def present(view: "View", out: Path | None, json: bool, details: bool = True) -> None:
     """Print a result, or its JSON, and write its files if an output folder is given.
 
-    details: whether to print everything, not the short answer. Raises KeyboardInterrupt at the end if the study was
-    interrupted.
+    details: print everything instead of the short answer. Raises KeyboardInterrupt at the end if the study was interrupted.
     """
     names = []
     if out is not None:

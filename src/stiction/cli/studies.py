@@ -117,10 +117,10 @@ def validate(
 ) -> None:
     """Compare the prediction and every applicable model with measured friction.
 
-    ENTRY.toml has the tables [contact] of a case file and [measured], which names the source, and [[measured.band]] with
-    CSV files of measured values or ranges. For a folder, all entries in it are compared. The result is the ratio of
-    predicted to measured friction. --out writes a CSV file for each entry with the values of each model, and a picture of
-    the prediction.
+    ENTRY.toml has the table [contact] of a case file, and the table [measured] with the source and a CSV file of measured
+    values. Tables [[measured.band]] with published ranges may replace the CSV file. For a folder, all entries in it are
+    compared. The result is the ratio of predicted to measured friction. --out writes a CSV file for each entry with the values
+    of each model, and a picture of the prediction.
     """
     with busy("Reading the measured series"):
         from stiction.studies.validation import entries_in, read_entry

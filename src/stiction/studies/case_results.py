@@ -1,4 +1,4 @@
-"""Solve, slide or compare a case.
+"""Solve a case, compute its friction during sliding, or compare all models for it.
 
 For a surface measured by scans, the functions add the range of friction over the asperity methods.
 """
@@ -35,7 +35,7 @@ _FEW = 5  # points of one case for which curves of force against displacement ar
 
 
 def solve_case(case: "CaseLike", choice: Choice | None = None, progress: Progress = silent) -> "xarray.Dataset":
-    """Solve a case at its points.
+    """Solve a case at the loads or mean separations that it states.
 
     Parameters
     ----------
@@ -47,13 +47,12 @@ def solve_case(case: "CaseLike", choice: Choice | None = None, progress: Progres
     progress : callable
         Receives a label and returns a function that wraps the list of steps.
 
-    Returns
-    -------
-    xarray.Dataset
-        As from `solve`. With uncertain numbers, results are those of the nominal contact, and NAME_quantile (quantile, ...) and
-        its standard error NAME_quantile_error are added for friction_coefficient, contact_area, load and pull_off_force. With
-        scans, friction_coefficient_by_method (asperity_method, points), friction_coefficient_low and
-        friction_coefficient_high, its range over the asperity methods, are added.
+    Returns ------- xarray.Dataset
+        As from `solve`, or as from `predict` for a prediction. With uncertain numbers, results are those of the nominal
+        contact, and NAME_quantile (quantile, ...) and its standard error NAME_quantile_error are added for
+        friction_coefficient, contact_area, load and pull_off_force. With scans, friction_coefficient_by_method
+        (asperity_method, points), friction_coefficient_low and friction_coefficient_high, its range over the asperity methods,
+        are added.
 
     Raises
     ------
@@ -114,9 +113,7 @@ def slide_case(
 ) -> "xarray.Dataset":
     """Compute the tangential force of a case against displacement, at no more than five of its points.
 
-    Parameters
-    ----------
-    case : Case, path, or dict like a case file
+    Parameters ---------- case : Case, path, or dict like a case file
         One contact; uncertain numbers have their nominal values.
     choice : Choice, optional
         Model and laws that replace those of the case.
@@ -124,7 +121,7 @@ def slide_case(
         Fraction of its shear strength, 0 to 1, that an asperity retains once it slides, or a point of a map after
         `weakening_slip`.
     weakening_slip : float [m] or str with a unit, optional
-        For a height map: slip over which a point loses the rest of its strength.
+        For a height map: slip over which the strength of a point falls to `residual_strength`.
     spring_stiffness : float [N/m] or str with a unit, optional
         For a height map: stiffness of the machine that moves it; by default rigid.
     tangential_force : float [N], str with a unit, or array, optional
@@ -183,11 +180,10 @@ def require_choice(choice: Any) -> None:
 
 
 def choice_of_case(case: Case, choice: Choice) -> Choice:
-    """Return the models and laws that evaluate a case, resolved from what `choice` names.
+    """Return the model, laws and options that evaluate a case, resolved from the names in `choice`.
 
-    The model in `choice` may have any name that `compare` shows; it is replaced by the model and laws that the name stands for.
-    If `choice` names another model than the case, and this model has fixed laws of its own, the laws that the case names are
-    dropped. Raises InputError.
+    A name that `compare` shows may stand for a model with laws; it is replaced by these. If `choice` names another model than
+    the case, and that model has fixed laws, the laws of the case are dropped. Raises InputError.
     """
     require_choice(choice)
     laws = {law: key for law, key in choice.laws().items() if law != "model"}

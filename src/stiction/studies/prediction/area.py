@@ -116,9 +116,9 @@ class AreaLaw:
         return grown_to(np.minimum(area, nominal), wide / area, nominal)
 
     def _factor(self, error: np.ndarray) -> np.ndarray:
-        """Return the factor (n, m) for `grown_to` that divides a small area by exp(error).
+        """Return the factor (n, m) with which `grown_to` removes an error of the area.
 
-        error: error of ln(area), (n, m).
+        error: error of ln(area), (n, m). An area much smaller than the nominal area is divided by exp(error).
         """
         share = np.clip(self.share, 1e-12, _MOST)
         return np.log1p(-np.minimum(share * np.exp(-error), _MOST)) / np.log1p(-share)
@@ -167,7 +167,7 @@ def area_laws(sampled: SampledCase) -> list[AreaLaw]:
 
 
 def _in_turn(sampled: SampledCase) -> tuple[tuple[tuple[Choice, float], ...], ...]:
-    """Return the sets of (model, weight) for a contact; a later set is used where no model of an earlier set applies."""
+    """Return sets of area models with weights, as (model, weight), in the order in which `area_laws` tries them."""
     contact = sampled.contact
     if contact.has_film:
         return _ON_FILM, _OTHER_FILMS

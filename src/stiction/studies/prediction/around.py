@@ -17,9 +17,10 @@ _MIDDLE = len(AROUND) // 2
 
 
 def curve_of(case: Case, data: "xarray.Dataset") -> "xarray.Dataset":
-    """Return the curve over load of a prediction; the prediction itself if it has several loads or measured friction.
+    """Predict mu over a range of loads around the load of a prediction.
 
-    case: the case of the prediction.
+    case: the case of the prediction `data`. A prediction at several loads, or updated by measured friction, is returned
+    unchanged.
     """
     if data["load"].size != 1 or "measured" in data.attrs:
         return data

@@ -68,9 +68,10 @@ def checked_against(mixture: Mixture, index: int) -> str:
 
 
 def in_handbooks(mixture: Mixture) -> tuple[int, int]:
-    """Return how many handbook contacts with this interface agree with their 90 % interval, and how many there are.
+    """Return how many handbook contacts with this interface are predicted correctly, and how many there are.
 
-    Contacts are counted by the state of the interface that the contact of `mixture` states; (0, 0) if it states none.
+    Counted are contacts with the interface state of the contact of `mixture`; (0, 0) if it states none. A contact is predicted
+    correctly if its predicted 90 % interval overlaps the published range of mu.
     """
     stated = mixture.sampled.contact.interface
     printed = {} if stated is None else printed_contacts().get(stated.name, {})
@@ -91,8 +92,9 @@ def _half_width(mixture: Mixture, law: AreaLaw, index: int) -> float:
 
 @cache
 def printed_contacts() -> dict[str, dict[str, int]]:
-    """Return two counts of contacts with friction published in handbooks, for each state of the interface, by its name.
+    """Return, for each interface state, two counts of contacts whose friction is published in handbooks.
 
-    "contacts" counts all of them, "held" those whose predicted 90 % interval overlaps the published range.
+    The keys are names of interface states. "contacts" counts all contacts with this state, "held" those whose predicted 90 %
+    interval overlaps the published range.
     """
     return json.loads(FILE.read_text(encoding="utf-8"))

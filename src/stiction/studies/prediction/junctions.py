@@ -36,9 +36,7 @@ def grown(
 ) -> np.ndarray:
     """Return the factor (n, m), at least 1, by which the area of contact spots grows under shear, for n samples at m loads.
 
-    Parameters
-    ----------
-    level : numpy.ndarray, shape (n,)
+    Parameters ---------- level : numpy.ndarray, shape (n,)
         Quantile level, 0 to 1, that selects one of three assumptions by their prior weights GROWTH: no growth, growth without
         hardening (von Mises), or Tabor's hardened junctions.
     pressure : numpy.ndarray, shape (n, m)
@@ -46,8 +44,8 @@ def grown(
     strength, hardness, shear_strength : numpy.ndarray, shape (n, 1)
         Shear strength of the interface, and hardness and shear strength of the weaker body [Pa].
     hardens : numpy.ndarray, shape (n, 1), or float
-        How far the interface hardens with the body, in the mean: 1 for a named state of the interface, 0 for a stated strength
-        well below that of the body.
+        Mean degree, 0 to 1, to which the interface hardens with the body: 1 for a named state of the interface, 0 for a stated
+        strength well below the strength of the body.
     """
     ratio = np.minimum(strength / shear_strength, _MOST) ** 2
     most = np.maximum((hardness / shear_strength) ** 2 / _TABOR, 1.0)
@@ -61,7 +59,7 @@ def grown(
 
 
 def _share_that_hardens(level: np.ndarray, mean: np.ndarray | float) -> np.ndarray:
-    """Return samples of how far the interface hardens with the body, 0 to 1, (n, m or 1).
+    """Return samples of the degree, 0 to 1, to which the interface hardens with the body, (n, m or 1).
 
     level: quantile levels (n, 1). mean: mean of the samples. The samples are level^((1 - mean)/mean), a judgement: they spread
     over 0 to 1, and are all equal if the mean is 0 or 1.
@@ -79,10 +77,8 @@ def squeezed(
 ) -> np.ndarray:
     """Return the factor (n, m), at least 1, by which the pressure of spots on a thin soft film exceeds that on a thick film.
 
-    Parameters
-    ----------
-    level : numpy.ndarray, shape (n,)
-        Logarithmic fraction of the possible increase that is applied, 0 to 1.
+    Parameters ---------- level : numpy.ndarray, shape (n,)
+        Quantile level, 0 to 1: the exponent of the largest possible factor. 0 gives no increase, 1 the largest one.
     pressure, radius : numpy.ndarray, shape (n, m)
         Mean pressure [Pa] and radius [m] of contact spots, for n samples at m loads.
     thickness, hardness, hardest : numpy.ndarray, shape (n, m or 1)

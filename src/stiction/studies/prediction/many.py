@@ -33,7 +33,7 @@ _AT_ONCE = 128  # points of a batch, which bounds the memory; errors on benchmar
 
 
 def count_of(points: int) -> int:
-    """Return the number of samples per point for a prediction at so many points: 512 up to 128 points, else 256."""
+    """Return the number of samples for each of `points` predictions: 512 up to 128 points, else 256."""
     return COUNT if points <= _AT_ONCE else COUNT // 2
 
 
@@ -156,7 +156,7 @@ def _together(
 
 
 def _one_finish(case: Case, numbers: Mapping) -> dict[tuple[str, ...], Any]:
-    """Return the numbers, with an array of length one of a roughness height replaced by a float if the surface has a finish.
+    """Return the numbers; for a surface with a finish, roughness arrays of length one are replaced by floats.
 
     numbers: number or labelled array (xarray) by address (tuple of keys). `with_finish` samples one surface only, and so
     refuses arrays of heights. The caller then divides the contacts until each batch has a single height.
@@ -210,7 +210,7 @@ def predict_swept(case: Case, level: float = 0.9) -> "xarray.Dataset":
 
 
 def _why_refused(case: Case, place: Region) -> str:
-    """Return the reason why the contact and load at this place of a swept case are refused; "" if they are answered alone."""
+    """Return the reason why one contact of a swept case is refused at one load; "" if it has a result when it is solved alone."""
     import xarray
 
     loads = xarray.DataArray(case.load, dims=("load",))

@@ -20,8 +20,8 @@ _FEW = 50.0  # smallest effective number of samples behind an interval
 class Measured:
     """Store k measured friction coefficients as natural logarithms, with loads [N] and standard errors of the logarithms.
 
-    Each array has the shape (k,). assumed: how the errors that the file does not state were found, in words; "" if it states
-    them all.
+    Each array has the shape (k,). assumed: text that explains how missing errors were estimated; "" if the file states all
+    errors.
     """
 
     load: np.ndarray

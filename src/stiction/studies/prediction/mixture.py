@@ -31,10 +31,10 @@ _MOST_SCATTER = 1.0  # largest standard deviation of ln(area), reached if hardly
 class Samples:
     """Store the results of n samples at m loads, arrays (n, m); NaN for an impossible sample.
 
-    force: friction force [N]. area: real contact area [m2]. pull: factor of the area by adhesion and menisci. growth: factor of
-    the area by growth of junctions under shear. strength: shear strength of the interface [Pa], (n, m or 1). pressure: mean
-    pressure of contact spots over the hardness, before shear. efficiency: friction force over the sum of the strengths of all
-    spots, 1 unless strength falls with slip.
+    force: friction force [N]. area: real contact area [m2]. pull: factor by which adhesion and menisci enlarge the area.
+    growth: factor by which junctions grow under shear. strength: shear strength of the interface [Pa], (n, m or 1). pressure:
+    mean pressure of contact spots over the hardness, before shear. efficiency: friction force over the sum of the strengths of
+    all spots, 1 unless strength falls with slip.
     """
 
     force: np.ndarray
@@ -55,8 +55,8 @@ class Mixture:
     """Store the parts of a prediction, and combine them in samples of friction force and contact area at loads (m,) [N].
 
     sampled: the contact with samples of its uncertain inputs. laws: real contact area by each area model, with its weight and
-    errors. pull: factors of the area by adhesion and menisci. strength: distribution of the shear strength of the interface.
-    onset: inputs of the loss of friction at the onset of sliding; None if no weakening slip is stated.
+    errors. pull: factors by which adhesion and menisci enlarge the area. strength: distribution of the shear strength of the
+    interface. onset: inputs of the loss of friction at the onset of sliding; None if no weakening slip is stated.
     """
 
     sampled: SampledCase
@@ -205,7 +205,7 @@ class Mixture:
         return area / times, borne / area * times
 
     def _chance(self, levels: Levels, pressure: np.ndarray) -> np.ndarray:
-        """Return the deviation of ln(area) from its mean (n, m) that arises from the small number of contact spots.
+        """Return the random deviation of ln(area) (n, m) that is due to a small number of contact spots.
 
         pressure: mean pressure over hardness (n, m). Plastic spots, and spots that a height map determines, add no scatter of
         their own. Scatter of the junction strength and the sampling error of a scan are added.

@@ -25,7 +25,7 @@ _MAP = "boundary_elements"
 
 @dataclass(frozen=True)
 class MapSpots:
-    """Store how contact spots of one solved height map move under shear, at k contact areas.
+    """Store the scatter of the tangential displacements of contact spots on one solved height map, at k contact areas.
 
     share: real over nominal area (k,). spread: standard deviation of the tangential displacement of the spots, divided by their
     shear strength, (k,) [m/Pa]. compliance: tangential compliance of the solved bodies [1/Pa]. side: side of the square map

@@ -195,7 +195,7 @@ def case_given(given: Any, load: Any) -> Case:
 
 
 def with_uncertain(case: Case) -> Case:
-    """Return the case in which every number that a prediction samples is an uncertain number.
+    """Return the case with every number that a prediction samples declared as uncertain.
 
     These are the uncertain numbers of the case, roughness parameters left open by a surface finish, and numbers of materials
     that have a range, unless the case states the key `ranges`.
@@ -216,7 +216,7 @@ def intervals(samples: Samples, loads: np.ndarray, level: float) -> dict[str, tu
     """Return the median and both interval ends of each result, as (values (m,), attributes) by name.
 
     samples: results of n samples at m loads. loads: these loads (m,) [N]. level: coverage probability of the interval.
-    Impossible samples are left out; a value is NaN if all are.
+    Impossible samples are left out; a value is NaN if all samples at its load are impossible.
     """
     tables = {"friction_coefficient": samples.force / loads, "friction_force": samples.force, "contact_area": samples.area}
     if (samples.efficiency != 1.0).any():

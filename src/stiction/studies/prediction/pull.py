@@ -1,10 +1,11 @@
 """Compute the factor by which adhesion and menisci increase the contact area.
 
-An asperity sum gives the factor g: the area with the pull over the area without it. The factor goes continuously to 1 as the
-pull vanishes. Two adhesion models are equally likely: JKR asperities that yield (the 2015 model) and Maugis' elastic ones.
+An asperity sum gives the factor g: the contact area with the attractive force ("pull") over the area without it. The factor
+goes continuously to 1 as the pull vanishes. Two adhesion models are equally likely: JKR asperities that yield (the 2015 model)
+and Maugis' elastic ones.
 
-In an asperity sum asperities do not interact. On real surfaces, contact spots that adhesion widens merge. Height maps
-solved with adhesion (validation/adhesion.py) have the larger factor g^m with
+In an asperity sum, asperities do not interact. On real surfaces, contact spots that adhesion widens merge. Height maps solved
+with adhesion (validation/adhesion.py) have the larger factor g^m with
 
     m = 1 + 1/(1 + (U/(10 w))^2).
 
@@ -44,7 +45,7 @@ class Pull:
     """Store the factors by which adhesion and menisci enlarge the contact area, for n samples at m loads.
 
     adhesion: one array (n, m) for each adhesion model. menisci: factors by the meniscus law, (n, m). most: largest pull of
-    menisci over the load, (n, m). Each n may be 1.
+    menisci over the load, (n, m). An array that is the same for all samples has n = 1.
     """
 
     def __init__(self, adhesion: list[np.ndarray], menisci: np.ndarray, most: np.ndarray):
@@ -75,7 +76,7 @@ class Pull:
 
 
 def pull_of(sampled: SampledCase) -> Pull:
-    """Return how much the work of adhesion and the liquid of a contact enlarge its area.
+    """Return the factors by which the work of adhesion and the liquid of a contact enlarge its area.
 
     Raises InputError if no adhesion model applies.
     """

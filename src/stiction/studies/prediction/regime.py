@@ -72,9 +72,10 @@ def regime_of(mixture: Mixture, samples: Samples, index: int) -> tuple[str, str]
 
 
 def _times(mixture: Mixture, growth: float, pull: float) -> str:
-    """Return words for the factors between tau_0 over the pressure before shear and its part of mu, or "".
+    """Return text for the factors that multiply tau_0 over pressure in the formula of mu; "" without factors.
 
-    growth, pull: factors of the area by growth of junctions, and by adhesion and menisci. Stated menisci are always named.
+    growth, pull: factors by which growth of junctions, and adhesion and menisci, enlarge the area. A factor below 1.1 is left
+    out, unless the contact has menisci.
     """
     contact = mixture.sampled.contact
     pulls = [name for name, value in (("adhesion", contact.adheres), ("menisci", contact.liquid is not None)) if value]
@@ -95,11 +96,11 @@ def _by_strength(samples: Samples, index: int) -> float:
 
 
 def _of_pressure(mixture: Mixture, pressure: float, index: int, times: str, added: str) -> tuple[str, str]:
-    """Return a sentence on the pressure of contact spots that are not plastic, and a phrase on what else lowers mu.
+    """Return a sentence on the pressure of contact spots that are not plastic, and a phrase on what would lower mu.
 
-    The phrase leaves out a weaker interface. On a film, the sentence may state that the body below yields. pressure: mean
-    pressure over the hardness of the softer surface. index: position of the load among the loads of the prediction. times,
-    added: words for the factors of tau_0 over the pressure, and for what is added, or "".
+    The phrase does not mention a weaker interface, which the caller adds. On a film, the sentence may state that the body below
+    yields. pressure: mean pressure over the hardness of the softer surface. index: position of the load among the loads of the
+    prediction. times, added: texts of the factors and of the added term in the formula of mu, or "".
     """
     contact, hardness = mixture.sampled.contact, float(np.median(mixture.sampled.bodies.hardness))
     carried = min(float(np.median(law.yields_at[:, index])) for law in mixture.laws)
@@ -120,7 +121,7 @@ def _of_pressure(mixture: Mixture, pressure: float, index: int, times: str, adde
 
 
 def _softer(mixture: Mixture) -> str:
-    """Return the name of the surface whose hardness the contact has: "softer body", "film" or "counterbody"."""
+    """Return a name for the surface that determines the hardness of the contact: "softer body", "film" or "counterbody"."""
     contact = mixture.sampled.contact
     if contact.coating is None:
         return "softer body"
@@ -175,7 +176,7 @@ def warnings_of(
 
 
 def _as_strong(times: float) -> str:
-    """Return "2.5 times as strong as"; a difference of 1 % is left out, because medians of samples scatter by as much."""
+    """Return a phrase such as "2.5 times as strong as", or "as strong as" if the ratio is 1 within 1.5 %."""
     return "as strong as" if abs(times - 1.0) < _SAME else f"{times:.2g} times as strong as"
 
 
@@ -206,7 +207,7 @@ def _kind_is_missing(mixture: Mixture) -> bool:
 
 
 def _beyond_limit(contact: Contact, pressure: float) -> list[str]:
-    """Return a list with a warning if contact spots bear more than the stated interface; otherwise [].
+    """Return a list with a warning if the pressure of contact spots exceeds the limit of the stated interface; otherwise [].
 
     pressure: mean pressure of the contact spots [Pa].
     """
@@ -225,7 +226,7 @@ def _of_few_asperities(touching: float) -> list[str]:
 
 
 def _of_small_menisci(contact: Contact) -> list[str]:
-    """Return a list with a warning if menisci are smaller than those by which Kelvin's equation was tested; otherwise []."""
+    """Return a list with a warning if menisci are smaller than any for which Kelvin's equation was tested; otherwise []."""
     liquid = contact.liquid
     if liquid is None or float(np.min(np.asarray(liquid.kelvin_radius_over_confirmed))) >= 1.0:
         return []
@@ -234,7 +235,7 @@ def _of_small_menisci(contact: Contact) -> list[str]:
 
 
 def _of_few_waves(mixture: Mixture) -> list[str]:
-    """Return a list with a warning if a height map is only a few of its longest wavelengths wide; otherwise []."""
+    """Return a list with a warning if a height map contains only a few of its longest waves along a side; otherwise []."""
     waves = of_the_map(mixture.sampled.contact).get("longest_waves_on_a_side", math.inf)
     few = f"The scan holds {waves:.2g} long waves, {LEAST_WAVES:g} wanted: measure a larger area."
     return [few] if waves < LEAST_WAVES else []
@@ -278,9 +279,9 @@ def _step(part: str) -> str:
 
 
 def without_commands(step: str, fit: str = " and fit the case to it", scan: str = "") -> str:
-    """Return a next step for readers without a terminal or a case file.
+    """Return the text of `next_step` reworded for readers without a terminal or a case file.
 
-    fit: text in place of the command `stiction fit`. scan: text in place of the command `stiction surface`.
+    step: the text. fit, scan: texts that replace the commands `stiction fit` and `stiction surface`.
 
     >>> without_commands("state the interface (stiction interfaces), or measure mu once: stiction fit CASE.toml --data FILE")
     'state the interface, or measure mu once and fit the case to it'

@@ -127,16 +127,17 @@ class SampledCase:
     def by_numbers(self) -> "SampledCase":
         """Return the case with roughness parameters instead of a height map.
 
-        Samples are then solved by these numbers, because solving the map again for each sample would take too long.
+        Solving the map again for each sample would take too long.
         """
         return replace(self, case=replace(self.case, subject=self.contact.as_numbers()))
 
     @cached_property
     def gaussian_share(self) -> np.ndarray:
-        """Return how far the surface is like a Gaussian one at each point, a contact at a load: (m,), 0 to 1.
+        """Return the degree, 0 to 1, to which the asperities are those of a Gaussian surface, at each of m points (m,).
 
-        It is 1 if N R sigma is large enough for a Gaussian surface, and 0 from half of that on. N, R and sigma are density,
-        radius and height deviation of asperities. The range between is a judgement.
+        A point is a contact at a load. N, R and sigma are density, radius and height deviation of asperities. The degree is 1
+        if N R sigma reaches the smallest value of a Gaussian surface, and 0 at half of this value or less. The transition
+        between is a judgement.
         """
         rough = self.contact.roughness
         numbers = self.column(rough.asperity_density * rough.asperity_radius * rough.asperity_height_deviation)[0]
@@ -194,9 +195,9 @@ class SampledCase:
 
     @cached_property
     def groups(self) -> tuple[Groups, dict[str, int]]:
-        """Return the dimensionless groups of all samples and points, and their dimensions, except hardness over yield stress.
+        """Return the dimensionless groups of all samples and points (contacts at a load), and the dimensions of their arrays.
 
-        That ratio is the default, because some samples of hardness and yield stress may make it less than 1.
+        The ratio of hardness to yield stress has its default value, because in some samples it would be less than 1.
         """
         return Groups.of(self.drawn.replace(hardness_to_yield=HARDNESS_TO_YIELD).indices())
 

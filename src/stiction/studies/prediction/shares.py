@@ -17,11 +17,12 @@ Quantity = Callable[[Levels, np.ndarray], np.ndarray]
 
 
 def shares_of_variance(mixture: Mixture, levels: Levels, index: int) -> dict[str, float]:
-    """Return the fraction of the variance of ln mu that each part causes, by name, largest first; {} if mu varies by 2 %.
+    """Return the fraction of the variance of ln mu that each part of a prediction causes, by name, the largest first.
 
     The fraction is the part's total Sobol index (Jansen 1999), found by exchanging the part between samples, over the sum of
     all indices. The fraction of the inputs is divided among them by a linear fit to their normal scores. Fractions below 0.5 %
-    are left out. index: position of the load among the loads of the prediction.
+    are left out. The dict is empty if mu varies by less than 2 %. index: position of the load among the loads of the
+    prediction.
     """
     mixture = mixture.at_load(index)
 

@@ -26,8 +26,8 @@ class Strength:
 
     states: states of the interface with weights that sum to 1; empty if tau_0 is stated. stated: tau_0 [Pa], or None.
     coefficient: stated pressure coefficient, 0 if none. takes_states: whether the state supplies the pressure coefficient
-    instead. varied: by name, swept and uncertain numbers of a stated interface. metallic: mask of points with metal junctions.
-    aged: factor by which the hold time raises tau_0. Arrays are (n or 1, m or 1).
+    instead. varied: values of the swept and uncertain numbers of a stated interface, by name. metallic: mask of points with
+    metal junctions. aged: factor by which the hold time raises tau_0. Arrays are (n or 1, m or 1).
     """
 
     def __init__(self, sampled: SampledCase):
@@ -96,10 +96,10 @@ class Strength:
         return np.array([state.of_film for state, _ in self.states] or [False])[self.states_drawn(level)][:, None]
 
     def hardens(self, strength: np.ndarray, shear_strength: np.ndarray) -> np.ndarray | float:
-        """Return how far the interface hardens together with a metal body, 0 to 1, (n, m or 1).
+        """Return the degree, 0 to 1, to which the interface hardens together with a metal body, (n, m or 1).
 
-        strength: tau_0 [Pa]. shear_strength: shear strength of the body [Pa]. The result is 1 if tau_0 is given by a state. A
-        stated tau_0 hardens only above half the shear strength of the body, and fully if it equals that strength.
+        strength: tau_0 [Pa]. shear_strength: shear strength of the body [Pa]. The degree is 1 if a state of the interface
+        determines tau_0. For a stated tau_0, it increases from 0 at half the shear strength of the body to 1 at this strength.
         """
         return 1.0 if self.stated is None else np.clip((strength / shear_strength - _NEAR_BODY) / (1.0 - _NEAR_BODY), 0.0, 1.0)
 
@@ -135,9 +135,9 @@ class Strength:
 
 
 def exact_strength(contact: Contact) -> Any:
-    """Return tau_0 [Pa] of a contact if it is stated as a number without a range, directly or as a state of its own; else None.
+    """Return tau_0 [Pa] of a contact if it is stated as a number without a range; else None.
 
-    It is a number or a labelled array (xarray).
+    The number is stated in the contact itself or in its interface state. It may be a labelled array (xarray).
     """
     state = contact.interface
     if contact.interfacial_shear_strength is None and state is not None and "interfacial_shear_strength" not in state.range:

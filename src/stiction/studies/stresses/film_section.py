@@ -1,4 +1,4 @@
-"""Compute stresses in section under the mean touching asperity of a coated contact.
+"""Compute the stresses in a section under the mean touching asperity of a coated contact.
 
 The fields of `solvers.layered.stresses` are evaluated at the radius, mean pressure and friction force that `film_stresses`
 finds for the mean asperity. They are elastic: a von Mises stress above the yield stress shows by how much yield is exceeded,

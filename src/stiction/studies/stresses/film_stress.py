@@ -132,9 +132,9 @@ def part_that_yields(subject: Subject, where: str) -> str:
 
 
 def middle_point(data: "xarray.Dataset") -> "xarray.Dataset":
-    """Return a `film_stresses` result at its middle load or separation, among those at which asperities are pressed.
+    """Return a `film_stresses` result at the middle one of the loads or separations at which asperities are pressed.
 
-    If none are pressed, it is the middle of all loads or separations.
+    If no asperities are pressed, all loads or separations are considered.
     """
     if not data["load"].dims:
         return data

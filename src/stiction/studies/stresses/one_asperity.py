@@ -1,4 +1,4 @@
-"""Compute the stresses in section under one pressed and dragged asperity, and where it yields first.
+"""Compute the stresses in a section under one pressed and dragged asperity, and the position of first yield.
 
 The asperity is a non-adhesive paraboloid with contact radius a, stated as x = a/(R sigma)^(1/2). Without a film it is Hertz's
 contact with Hamilton's stresses, with a film the layered solid of `solvers.layered`. K, sigma and R are as in theory.md,

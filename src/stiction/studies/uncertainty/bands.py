@@ -40,8 +40,8 @@ def levels(coverage: float) -> np.ndarray:
 def quantiles(values: np.ndarray, shares: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return quantiles (levels, ...) of values (parts, n, ...), and their standard errors of the same shape.
 
-    shares: quantile levels (levels,). The parts are samples from independently scrambled sequences (Owen 1997), whose scatter
-    gives the standard error. A quantile is NaN if less than half of the values are known.
+    shares: quantile levels (levels,). The first axis of `values` is over independently scrambled Sobol sequences (Owen 1997);
+    the scatter between them gives the standard error. A quantile is NaN if less than half of the values are finite.
     """
     parts, count = values.shape[:2]
     overall = _quantile(values.reshape(parts * count, *values.shape[2:]), shares)
@@ -82,9 +82,9 @@ def with_bands(data: "xarray.Dataset", case: Case, choice: Choice, progress: Ste
 
 
 def _with_stated_values_beyond(data: "xarray.Dataset") -> "xarray.Dataset":
-    """Return the dataset with a warning if mu at the stated values is outside its own interval by more than 1 %.
+    """Return the dataset, with a warning if mu of the nominal contact is outside the interval of mu by more than 1 %.
 
-    This happens if mu has a maximum or minimum at these values, because all samples then lie on one side of it.
+    This happens if mu has a maximum or minimum at the nominal values: all samples then lie on one side of it.
     """
     if "friction_coefficient_quantile" not in data:
         return data
@@ -133,5 +133,5 @@ def sampling_attributes(case: Case) -> dict[str, str]:
 
 
 def warning_shares(draws: Draws) -> str:
-    """Return JSON text with the fraction of all points (samples at a load) at which each validity warning applies."""
+    """Return JSON text: for each validity warning, the fraction of all points (samples at a load) at which it applies."""
     return json.dumps(draws.shares(), ensure_ascii=False)

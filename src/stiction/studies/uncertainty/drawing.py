@@ -80,9 +80,10 @@ class Draws:
 
 
 def scrambled(columns: int, count: int, seed: int, parts: int = 1) -> np.ndarray:
-    """Return points of scrambled Sobol sequences, one for each part, (parts, count / parts, columns), with coordinates 0 to 1.
+    """Return quantile levels, 0 to 1, from `parts` independently scrambled Sobol sequences, (parts, count / parts, columns).
 
-    count: number of points of all parts together. Each sequence has its own Owen scrambling, which the seed determines.
+    columns: number of quantities to sample. count: number of samples in all sequences together. seed: determines the Owen
+    scrambling of every sequence.
     """
     return np.array([sobol_points(columns, count // parts, sequence) for sequence in np.random.SeedSequence(seed).spawn(parts)])
 
@@ -219,8 +220,8 @@ def _layout(case: Case, variants: Sequence[Variant], names: Sequence[str]) -> Dr
 def _extend(draws: Draws, name: str, sizes: Mapping[str, int]) -> None:
     """Add the dimensions that samples of a result have and the nominal contact lacks.
 
-    The nominal result lacks the dimension of a swept number that only one body has, if the other body decides. sizes: length of
-    each dimension of the samples.
+    The nominal result lacks the dimension of a number of one body if it depends on the other body only; a sample may depend on
+    both. sizes: length of each dimension of the samples.
     """
     table, dims = draws.tables[name], draws.dims[name]
     if more := [dim for dim in sizes if dim not in (SAMPLE, *dims)]:
