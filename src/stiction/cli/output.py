@@ -50,7 +50,7 @@ def print_json(content: Any) -> None:
 
 @contextmanager
 def reporting_write_errors() -> Iterator[None]:
-    """Return a context manager that reports an OSError, e.g. a full disk or a closed pipe, in one line and exits with code 1."""
+    """Return a context manager that reports an OSError, such as a full disk, in one line and exits with code 1."""
     try:
         yield
         sys.stdout.flush()

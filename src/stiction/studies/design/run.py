@@ -83,7 +83,7 @@ class DesignSearch:
 
     @property
     def work_left(self) -> str:
-        """Return a text with the largest number of designs, and with the time left if that exceeds 90 s."""
+        """Return a text with the largest number of designs, and the remaining time if it exceeds 90 s."""
         count = len(self.shares)
         seconds = (time.monotonic() - self.started) / count * max(self.most - count, 0)
         minutes = f", at most {seconds / 60.0:.0f} min left" if seconds > 90.0 else ""
@@ -171,11 +171,11 @@ def run_design(plan: DesignPlan, callback: Callback, keep_on_interrupt: bool = T
     try:
         callback(len(drawn), found.work_left)
         if len(plan.objectives) == 2 and found.space.is_predicted:
-            _spread(found, callback)
+            _evolve_front(found, callback)
             return found
         for number in range(len(plan.objectives)):
-            _searched(found, number, None, callback)
-            _refined(found, number, callback)
+            _search_objective(found, number, None, callback)
+            _refine_best(found, number, callback)
         if len(plan.objectives) == 2:
             _search_front(found, callback)
     except KeyboardInterrupt:
@@ -185,7 +185,7 @@ def run_design(plan: DesignPlan, callback: Callback, keep_on_interrupt: bool = T
     return found
 
 
-def _searched(search: DesignSearch, number: int, ceiling: float | None, callback: Callback) -> None:
+def _search_objective(search: DesignSearch, number: int, ceiling: float | None, callback: Callback) -> None:
     """Search designs for one objective by differential evolution (Storn & Price 1997), and add them to `search`.
 
     number: index of the objective. ceiling: upper bound of the other objective, or None. Designs that meet all constraints rank
@@ -227,7 +227,7 @@ def _ends(search: DesignSearch, number: int) -> "_StopWithoutGain":
 
 @dataclass
 class _StopWithoutGain:
-    """Stop differential evolution, which calls the rule after each generation, when its designs no longer improve.
+    """Stop differential evolution when its designs no longer improve; it calls this rule after each generation.
 
     It stops after more than `most` generations in which no member of the population improved, or when the lowest cost is at
     most `met`. least: smallest improvement that counts, relative to the cost. costs: sorted costs of the last generation.
@@ -293,7 +293,7 @@ def _seeds(search: DesignSearch, number: int, ceiling: float | None, rng: np.ran
     return members
 
 
-def _refined(search: DesignSearch, number: int, callback: Callback) -> None:
+def _refine_best(search: DesignSearch, number: int, callback: Callback) -> None:
     """Refine the free parameters of the best designs by COBYQA (Ragonneau 2022), a local optimiser.
 
     number: index of the objective. COBYQA fits quadratic models, and so finds the optimum to many digits, also at an end of a
@@ -340,10 +340,10 @@ def _search_front(search: DesignSearch, callback: Callback) -> None:
     count = 2 + FRONT
     ends = np.geomspace(low, high, count) if low > 0.0 and high > 10.0 * low else np.linspace(low, high, count)
     for ceiling in ends[1:-1]:
-        _searched(search, 0, float(ceiling), callback)
+        _search_objective(search, 0, float(ceiling), callback)
 
 
-def _spread(search: DesignSearch, callback: Callback) -> None:
+def _evolve_front(search: DesignSearch, callback: Callback) -> None:
     """Search the Pareto front of two objectives of a prediction by an evolution strategy (Rechenberg 1973).
 
     Each round takes normally distributed steps from designs on the front, with smaller steps than the round before. As long as

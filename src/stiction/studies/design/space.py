@@ -246,8 +246,8 @@ class DesignSpace:
     def _contacts(self, shares: np.ndarray, some: np.ndarray) -> tuple[dict[Address, Any], dict[str, Any]]:
         """Return the numbers of designs, with samples of uncertain numbers, and their loads as {"load": array}.
 
-        The numbers are by address (tuple of keys). shares (n, d): position of each choice, 0 to 1. some: indices of designs
-        with the same choices of everything that is not a number.
+        The numbers are by address (tuple of keys). shares (n, d): position of each choice, 0 to 1. some: indices of the designs
+        wanted; they must have the same entry from every list that is not a list of numbers.
         """
         from xarray import DataArray
 

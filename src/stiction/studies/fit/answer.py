@@ -207,7 +207,7 @@ def diagnostics(fit: Fitted) -> list[str]:
     for group in groups:
         names = [fit.parameters[at].name for at in group]
         told = f"{names[0]} from {names[1]}" if len(names) == 2 else f"{', '.join(names[:-1])} and {names[-1]} apart"
-        found.append(f"these data cannot tell {told}: {_ways(fit, group)} fit as well")
+        found.append(f"these data cannot tell {told}: {_two_sets_that_fit(fit, group)} fit as well")
     entangled = {at for group in groups for at in group}
     for at, profile in enumerate(fit.profiles):
         if at not in entangled:
@@ -282,7 +282,7 @@ def _is_traded(fit: Fitted, at: int, other: int) -> bool:
 
 
 def _span(fit: Fitted, at: int, other: int) -> float:
-    """Return how far free parameter `other` moves, as a fraction of its range, within the interval of free parameter `at`."""
+    """Return the range of free parameter `other` along the interval of free parameter `at`, as a fraction of its full range."""
     path = fit.profiles[at].others[fit.profiles[at].rise <= fit.threshold, other]
     return float(np.ptp(path)) if path.size else 0.0
 
@@ -292,8 +292,8 @@ def _size(fit: Fitted, at: int) -> float:
     return float(np.log(free.high / free.low)) if free.log else 1.0
 
 
-def _ways(fit: Fitted, group: Sequence[int]) -> str:
-    """Return two very different sets of values of some free parameters that fit about equally well, as text.
+def _two_sets_that_fit(fit: Fitted, group: Sequence[int]) -> str:
+    """Return, as text, two very different sets of values of some free parameters that fit about equally well.
 
     group: indices of these free parameters. The sets belong to the two ends of the interval of the first one.
     """

@@ -29,10 +29,10 @@ _SET, _ROW = "set", "row"
 
 @dataclass(frozen=True)
 class _Group:
-    """Hold which measured values are evaluated together.
+    """Describe a group of measured values that are evaluated together.
 
-    rows: their indices in the data. known: numbers of the contact that the data state for each of these values, (rows,) by
-    address (tuple of keys). columns: indices of the free parameters on which these values depend.
+    rows: indices of these values in the data. known: numbers of the contact that columns of the data file state, arrays (rows,)
+    by address (tuple of keys). columns: indices of the free parameters on which these values depend.
     """
 
     rows: np.ndarray
@@ -44,8 +44,8 @@ class _Group:
 class ForwardModel:
     """Hold a model with its free parameters and the measured values that the model should reproduce.
 
-    choice: the model with its laws. parameters: the free parameters. data: the measured values. groups: which values are
-    evaluated together.
+    choice: the model with its laws. parameters: the free parameters. data: the measured values. groups: measured values that
+    are evaluated together.
     """
 
     plan: FitPlan
@@ -55,7 +55,7 @@ class ForwardModel:
     groups: tuple[_Group, ...]
 
     def values(self, shares: np.ndarray) -> np.ndarray:
-        """Return what the model computes for the n measured values, (sets, n) in SI units; NaN where it refuses.
+        """Return the values of the model for the n measured values, (sets, n) in SI units; NaN where the model refuses.
 
         shares (sets, k): for each set, the position of each of the k free parameters between its ends, 0 to 1.
         """
@@ -90,7 +90,7 @@ def derived(tables: Mapping[str, np.ndarray], name: str, resistance: Any) -> np.
 
     tables: results (sets, ...) by name. name: name of the quantity. resistance: specific resistance of the interface [ohm m^2],
     one number or (sets,). Contact resistance is this number over the contact area (Holm 1967: resistance of a film, sigma/A).
-    Every other quantity is a result itself.
+    Every other quantity is returned as the model computes it.
     """
     table = tables[result_of(name)]
     if name != "contact_resistance":
@@ -107,7 +107,7 @@ def solved_sets(
     load: np.ndarray,
     keep: Sequence[str],
 ) -> dict[str, np.ndarray]:
-    """Solve rows of contacts for many sets of numbers, and return results (sets, rows) by name.
+    """Solve several contacts (rows) for many sets of numbers, and return results (sets, rows) by name.
 
     numbers: values (sets,) that differ between sets, by address (tuple of keys). known: values (rows,) that differ between
     rows, by address. load: load of each row [N] (rows,), NaN if the results need no load. keep: names of the results. A set

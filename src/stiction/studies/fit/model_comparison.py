@@ -18,8 +18,8 @@ class ComparedModel:
     """Hold an alternative model with its fit, or with the reason `why_not` if it could not be fitted.
 
     aicc: Akaike's criterion, lower is better. left_out: cross-validation error. It is the root mean square of (prediction -
-    measured value), for values that were left out of the fit, over their stated standard errors, or over the largest measured
-    value if no errors are stated.
+    measured value), for values that were left out of the fit. Each difference is divided by the standard error, or by the
+    largest measured value if no errors are stated.
     """
 
     name: str

@@ -1,4 +1,4 @@
-"""Fit a case that names no model: sample its free parameters between their ends and predict with the measured values.
+"""Fit a case that names no model: sample its free parameters, and weight the samples of a prediction by measured values.
 
 A free parameter is a number of the case with a low and a high end in [fit.free].
 """

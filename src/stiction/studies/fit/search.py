@@ -288,7 +288,7 @@ def _along(residuals: Residuals, best: Best, at: int, grid: np.ndarray) -> tuple
 
 
 def _crossing(grid: np.ndarray, rise: np.ndarray, threshold: float) -> tuple[float, bool]:
-    """Return the grid position at which the rise of chi square first reaches the threshold, and whether it never does.
+    """Return the grid position at which the rise of chi square first reaches the threshold, and True if it never does.
 
     grid, rise: positions (m,), 0 to 1, of a free parameter outwards from the best fit, and the rise there. The square root of
     the rise, which is almost linear, is interpolated. If the threshold is never reached, the last position of the grid is

@@ -1,8 +1,8 @@
 """Find where in the (theta, lambda) plane of the adhesion indices each claim of the 2015 paper holds.
 
-docs/explanation/claims.md has the results. Each claim is stated as a number for each film that it is about and a
-bound on it. Coated and uncoated surfaces are compared at the same load, over the paper's films and separations h = 4 to -4
-(h is the mean separation over sigma):
+docs/explanation/claims.md has the results. Each claim is tested by a number, computed for each film that the claim concerns,
+and a bound on this number. Coated and uncoated surfaces are compared at the same load, over the paper's films and separations h
+= 4 to -4 (h is the mean separation over sigma):
 
 - The reference load is the load that the uncoated surface carries at h = -4. *Light load* is 1/1000 of it (h about 2, where
   under 3 % of the asperities touch), *moderate load* 1/100 (h about 1).
@@ -47,7 +47,7 @@ class Curves:
     friction_force: np.ndarray
 
     def at(self, load: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Return contact area and friction force at a load, where it is first carried on approach; NaN if it never is.
+        """Return contact area and friction force at the first separation on approach that carries a load; NaN if none does.
 
         load: broadcasts to the leading dimensions of the curves. Curves are followed from their largest tension. Linear
         interpolation between separations 0.05 sigma apart is accurate to about 1e-3.
@@ -257,7 +257,7 @@ def claim_map(theta: np.ndarray = THETA, lam: np.ndarray = LAM, progress: Callab
 
 
 def where(claims: ClaimMap, chosen: np.ndarray) -> str:
-    """Return a text on which part of the (theta, lambda) plane the chosen points fill.
+    """Return a text that describes where the chosen points lie in the (theta, lambda) plane.
 
     chosen: mask (theta, lam). The text names one or two bounds on theta, lambda or the hardness group eta that best separate
     the chosen points from the others, and the fraction of points that these bounds classify correctly. It is "everywhere",

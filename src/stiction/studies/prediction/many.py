@@ -210,7 +210,7 @@ def predict_swept(case: Case, level: float = 0.9) -> "xarray.Dataset":
 
 
 def _why_refused(case: Case, place: Region) -> str:
-    """Return the reason why one contact of a swept case is refused at one load; "" if it has a result when it is solved alone."""
+    """Return the reason why one contact of a swept case is refused at one load; "" if solving it alone gives a result."""
     import xarray
 
     loads = xarray.DataArray(case.load, dims=("load",))
