@@ -19,7 +19,7 @@ from stiction.solving.solve import solve
 from stiction.solving.yielded import yielded_shares
 from stiction.studies.design import run as design_module
 from stiction.studies.design.plan import Limit
-from stiction.studies.design.run import _beyond, _front, _searched, design, plan_of_design, run_design
+from stiction.studies.design.run import _beyond, _front, _search_objective, design, plan_of_design, run_design
 from stiction.studies.design.space import _outside
 from stiction.studies.prediction.predict import predict
 
@@ -243,7 +243,7 @@ def test_what_is_searched_under_a_ceiling_is_best_at_it():
     found = run_design(plan_of_design(table | {"design": table["design"] | {"effort": 1}}), lambda count, text: None)
     before = len(found.shares)
     found.plan.__dict__["effort"] = 60
-    _searched(found, 0, 2e-10, lambda count, text: None)
+    _search_objective(found, 0, 2e-10, lambda count, text: None)
     objectives = found.answers.objectives
     new = objectives[before:]
     assert new[new[:, 1] <= 2e-10 * (1 + 1e-6), 0].min() == pytest.approx(-STRENGTH * 2e-10 / LOAD, rel=1e-3)
@@ -251,8 +251,8 @@ def test_what_is_searched_under_a_ceiling_is_best_at_it():
 
 def test_a_front_is_searched_for_one_wish_under_ceilings_of_the_other(monkeypatch):
     """A front of friction, tenths, and area, some 1e-10 m^2: ceilings of one are far from all values of the other."""
-    asked, searched = [], design_module._searched
-    monkeypatch.setattr(design_module, "_searched", lambda *given: asked.append(given[1:3]) or searched(*given))
+    asked, searched = [], design_module._search_objective
+    monkeypatch.setattr(design_module, "_search_objective", lambda *given: asked.append(given[1:3]) or searched(*given))
     found = run_design(plan_of_design(case([LEAST, MOST | {"maximise": "contact_area"}], RADIUS, effort=1)), lambda *told: None)
     objectives, worst = found.answers.objectives, found.answers.worst
     assert [number for number, ceiling in asked if ceiling is None] == [0, 1]
@@ -513,8 +513,8 @@ def test_the_command_is_interrupted_and_keeps(tmp_path, monkeypatch):
     def interrupted(*given):
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(module, "_searched", interrupted)
-    monkeypatch.setattr(module, "_spread", interrupted)
+    monkeypatch.setattr(module, "_search_objective", interrupted)
+    monkeypatch.setattr(module, "_evolve_front", interrupted)
     (tmp_path / "case.toml").write_text(CASE_FILE, encoding="utf-8")
     result = CliRunner().invoke(cli.app, ["design", str(tmp_path / "case.toml"), "--out", str(tmp_path / "out")])
     assert result.exit_code == 130 and "stopped before the end: the best so far" in result.output

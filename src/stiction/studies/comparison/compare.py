@@ -175,9 +175,8 @@ class _Answer:
 
     curve: results (points,) by name. range_status: at each point, WITHIN or OUTSIDE the validity ranges, or IMPOSSIBLE.
     at_load: results at the working load, if the model reaches it. outside: validity warnings at the working load; without one,
-    along the curve. attributes: values for the names in _TEXTS and _NUMBERS. ignored: what the model ignores of the interface
-    and the liquid of the contact, in words. sources: keys of publications. why_not: reason for missing results or missing
-    friction; "" if none is missing.
+    along the curve. attributes: values for the names in _TEXTS and _NUMBERS. ignored: text from `_ignored`. sources: keys of
+    publications. why_not: reason for missing results or missing friction; "" if none is missing.
     """
 
     candidate: Candidate
@@ -240,7 +239,7 @@ def _solve_candidate(contact: Subject, candidate: Candidate, h: np.ndarray, load
 
 
 def _ignored(problem: Problem) -> str:
-    """Return what a model ignores of the stated interface and liquid, in words; "" if nothing."""
+    """Return, in words, which stated inputs of the interface and the liquid a model ignores; "" if none."""
     names = ignored_strength(problem) if problem.friction else []
     texts = []
     if any(not name.endswith("pressure_coefficient") for name in names):
@@ -251,7 +250,7 @@ def _ignored(problem: Problem) -> str:
 
 
 def _of_laws(problem: Problem) -> dict[str, str]:
-    """Return by name a model's grade (worst of its laws) and, with friction, its family and how plastic junctions resist."""
+    """Return the grade of a model (the worst of its laws); with friction also its family and how plastic spots resist shear."""
     grade = max(record.grade for record in problem.records())
     tangential = problem.chosen.tangential
     if tangential is None:

@@ -1,4 +1,4 @@
-"""State for a contact what criteria say, e.g. whether its asperities deform plastically."""
+"""Evaluate the criteria that apply to a contact, e.g. whether its asperities deform plastically."""
 
 from stiction.contact.indices import Groups
 from stiction.contact.subject import Subject

@@ -34,7 +34,7 @@ class Analysis:
     SUSPICIOUS robust deviations from the median. by_differences, by_spectrum: spectral moments from differences and from the
     spectrum, with the same cutoff. asperities, heights, failures: by asperity method, the asperities found, their height
     distribution, or the reason of failure. standing: method recommended for the surface, "" if none found asperities. kind:
-    kind of surface, one of finishes.SURFACE_KINDS, from the skewness, lay and top of the heights; None if undecided.
+    kind of surface, one of finishes.SURFACE_KINDS, estimated from the heights; None if undecided.
     """
 
     surface: HeightMap

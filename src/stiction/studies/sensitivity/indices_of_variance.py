@@ -1,7 +1,7 @@
 """Compute Sobol indices and Morris effects of any function of inputs between 0 and 1.
 
-Sobol indices come from SciPy. The effects are written here. SALib's are the same to rounding (2e-16), but a single refused
-contact makes all of them NaN, and SALib brings Matplotlib and multiprocess, which nothing else here needs without pictures.
+SciPy computes the Sobol indices. The effects are computed here, not by SALib, which gives the same values up to round-off
+(2e-16): in SALib a single refused contact makes all effects NaN, and it requires Matplotlib and multiprocess.
 """
 
 import numpy as np
@@ -32,9 +32,9 @@ def points_of_indices(columns: int, count: int, seed: int) -> np.ndarray:
 def sobol_indices(values: np.ndarray) -> dict[str, np.ndarray]:
     """Return Sobol indices of k inputs from values (parts, k + 2, n) of a function at the points of `points_of_indices`.
 
-    The parts are independently scrambled sequences of n points. The result has the arrays (k,) first_order and total_order,
-    each with the ends of its 95 % interval, _low and _high, NaN if less than half of the values are known. It also has points,
-    the number of sample points used.
+    The parts are independently scrambled sequences of n points. The result has arrays (k,) by name: first_order, total_order,
+    and the ends of their 95 % intervals with `_low` and `_high`. They are NaN if less than half of the values are finite.
+    `points` is the number of sample points used.
 
     Source: Saltelli et al. 2010, table 2: (b) for the first-order and (f), Jansen 1999, for the total index. The interval is
     Student's t interval over the parts. Points with NaN are excluded, and then so many others that a power of two remains.
@@ -90,9 +90,9 @@ def effects(points: np.ndarray, values: np.ndarray) -> dict[str, np.ndarray]:
     """Return statistics of the elementary effects of k inputs, arrays (k,) by name.
 
     points: trajectories (count, k + 1, k). values: values (count, k + 1) of a function at these points. An elementary effect is
-    the change of the value by a step, divided by the step. The statistics are effect, the mean absolute effect, effect_error,
-    its standard error, mean and effect_deviation, the standard deviation; NaN if fewer than half of an input's effects are
-    known. Source: Morris 1991, eq. 1; the mean of absolute effects Campolongo, Cariboni & Saltelli 2007, eq. 3.
+    the change of the value by a step, divided by the step. The statistics are `effect` (mean absolute effect), `effect_error`
+    (its standard error), `mean`, and `effect_deviation` (standard deviation). They are NaN if fewer than half of the effects of
+    an input are finite. Source: Morris 1991, eq. 1; the mean of absolute effects Campolongo, Cariboni & Saltelli 2007, eq. 3.
     """
     from pandas import DataFrame
 

@@ -62,7 +62,7 @@ class _Steps:
 
 
 def numbers_of(case: Case) -> dict[str, list[Uncertain]]:
-    """Return every number of the contact above 0 as an uncertain number with steps of its logarithm, by name.
+    """Return, by name, every number above 0 of the contact as an uncertain number whose samples are steps of its logarithm.
 
     Numbers that are sampled together in the case share one name and are changed together. Swept numbers, and roughness
     parameters measured from scans, are left out.

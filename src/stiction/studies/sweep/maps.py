@@ -111,7 +111,7 @@ class MapOfPlace:
 
 @lru_cache(maxsize=1)
 def _surface(entry: Any, folder: Path, _content: str) -> HeightMap:
-    """Return the whole map of a scan file; the last one is cached for its next patch.
+    """Return the whole map of a scan file; the map of the last file is cached, because its patches are cut one after another.
 
     entry: settings of the file. folder: folder at which its path starts. _content: digest of the file, an argument only so that
     a changed file is read again.

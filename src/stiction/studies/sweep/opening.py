@@ -106,8 +106,8 @@ def create(path: Path, plan: Plan, title: str, text: str) -> None:
     """Create an empty store for a sweep plan at a path.
 
     title, text: title and text of the case file. The store is written to a neighbouring folder and moved to the path at the
-    end. A store that another process created meanwhile stays. Raises InputError if the first contacts cannot be solved, or if
-    the path cannot be written.
+    end. If another process has created the store meanwhile, that store is kept. Raises InputError if the first contacts cannot
+    be solved, or if the path cannot be written.
     """
     choice, first = _first(plan)
     beside = path.resolve().parent / f".{path.resolve().name}.{uuid4().hex}.begun"
@@ -125,7 +125,7 @@ def create(path: Path, plan: Plan, title: str, text: str) -> None:
 
 
 def _first(plan: Plan) -> tuple[Choice, Any]:
-    """Return the choice of the model, and (case, results) of the first contact of a sweep that can be solved.
+    """Return the model of a sweep, and (case, results) of the first of its contacts that can be solved.
 
     Raises the last error if the model refuses the first five contacts of each of the first three blocks.
     """

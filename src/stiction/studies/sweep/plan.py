@@ -228,8 +228,8 @@ def _lengths(plan: Plan) -> dict[str, int]:
 def _cut(plan: Plan, lengths: Mapping[str, int]) -> Plan:
     """Return the plan cut into blocks of the requested or default size.
 
-    lengths: number of contacts along each dimension. Blocks are cut along the first dimensions and contain the last ones
-    whole. Raises InputError if there would be too many blocks.
+    lengths: number of contacts along each dimension. Only the first dimensions are cut; every block has the full length of the
+    last ones. Raises InputError if there would be too many blocks.
     """
     size = math.prod(lengths.values()) * plan.points
     times = min(max(1, size // (64 * AT_ONCE)), 8) if plan.sweep.statistics else 1

@@ -28,13 +28,13 @@ _MIDDLE = 1 << (63 - _CUT)  # bin numbers below belong to negative values
 _AT_ONCE = 250_000  # counts that are added in one step; so many fit into the cache of a processor
 
 
-def sizes_of(values: np.ndarray) -> np.ndarray:
+def bin_numbers(values: np.ndarray) -> np.ndarray:
     """Return the histogram bin number (uint32, above 0) of each finite float64 value; larger values have larger numbers."""
     bits = np.ascontiguousarray(values, dtype=np.float64).view(np.int64)
     return (((bits ^ ((bits >> 63) & _FLIPPED)) >> _CUT) + _MIDDLE).astype(np.uint32)
 
 
-def values_at(sizes: np.ndarray) -> np.ndarray:
+def bin_centres(sizes: np.ndarray) -> np.ndarray:
     """Return the centre value of each histogram bin, given by its number; 0 for the bins next to 0."""
     first = (sizes.astype(np.int64) - _MIDDLE) << _CUT
     ends = (first, first + ((1 << _CUT) - 1))
@@ -43,14 +43,14 @@ def values_at(sizes: np.ndarray) -> np.ndarray:
     return np.where(np.abs(middle) < np.finfo(float).tiny, 0.0, middle)
 
 
-def counted(values: np.ndarray) -> np.ndarray:
+def histogram(values: np.ndarray) -> np.ndarray:
     """Return the histogram of n values at each of several points, as bin numbers and their counts, (2, points, m).
 
     values: array (n, points). Non-finite values are excluded. The bin numbers of a point ascend. m is the largest number of
     occupied bins of a point; shorter rows are filled up with bin 0, which no value has.
     """
     there = np.isfinite(values)
-    sizes = np.where(there, sizes_of(np.where(there, values, 0.0)), np.uint32(0)).T.copy()
+    sizes = np.where(there, bin_numbers(np.where(there, values, 0.0)), np.uint32(0)).T.copy()
     sizes.sort(axis=1)
     if not sizes.size:
         return np.zeros((2, *sizes.shape), dtype=np.uint32)
@@ -71,8 +71,9 @@ def counted(values: np.ndarray) -> np.ndarray:
 def quantiles_of(parts: Iterable[np.ndarray], points: int, shares: Iterable[float]) -> np.ndarray:
     """Return quantiles (shares, points) of all values that are counted in several histograms.
 
-    parts: histograms (2, points, m) as `counted` returns them. shares: quantile levels, 0 to 1. A quantile is the centre of the
-    lowest bin at which the cumulative count reaches the level. It is NaN without values.
+    parts: histograms (2, points, m) as `histogram` returns them. points: number of points, each with values of its own. shares:
+    quantile levels, 0 to 1. A quantile is the centre of the lowest bin at which the cumulative count reaches the level. It is
+    NaN for a point without values.
     """
     keys, counts = _together(parts)
     shares = list(shares)
@@ -82,7 +83,7 @@ def quantiles_of(parts: Iterable[np.ndarray], points: int, shares: Iterable[floa
         if stop > start:
             up_to = np.cumsum(counts[start:stop])
             rank = np.maximum(np.ceil(np.array(shares) * up_to[-1]), 1.0)
-            found[:, point] = values_at((keys[start:stop] & np.uint64(0xFFFFFFFF))[np.searchsorted(up_to, rank)])
+            found[:, point] = bin_centres((keys[start:stop] & np.uint64(0xFFFFFFFF))[np.searchsorted(up_to, rank)])
     return found
 
 

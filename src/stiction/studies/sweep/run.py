@@ -129,7 +129,7 @@ def _done(store: "Store", left: list[int], workers: int, scheduler: str | None) 
 
 @contextmanager
 def _refused_where_not_writable(store: "Store") -> Iterator[None]:
-    """Turn an OSError about a file of the store that cannot be written into an InputError of one line."""
+    """Return a context manager that turns an OSError, raised if the store cannot be written, into an InputError of one line."""
     try:
         yield
     except OSError as error:

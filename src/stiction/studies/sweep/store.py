@@ -21,7 +21,7 @@ from stiction.quantities.uninterrupted import uninterrupted
 from stiction.solving.choice import Choice
 from stiction.studies.sweep.blocks import merged, solve_block, statistics_of
 from stiction.studies.sweep.plan import SAMPLE, Plan
-from stiction.studies.sweep.quantile_counts import PERCENTILES, counted, quantiles_of
+from stiction.studies.sweep.quantile_counts import PERCENTILES, histogram, quantiles_of
 
 if TYPE_CHECKING:
     import xarray
@@ -147,7 +147,7 @@ class Store:
         if percentiles(self.plan):
             for name, table in results.items():
                 rows = table.reshape(math.prod(table.shape[:contacts]), -1)
-                values[f"{COUNTS}/{name}"] = counted(rows)[None]
+                values[f"{COUNTS}/{name}"] = histogram(rows)[None]
         return values
 
     def finish(self) -> None:
@@ -200,7 +200,7 @@ def _each_row(array: Any) -> Iterator[np.ndarray]:
 def _each_counts(array: Any) -> Iterator[np.ndarray]:
     """Yield the stored histogram of each block, or parts of it one after the other if it has more bins than a chunk.
 
-    The arrays are (2, points, bins), as `counted` returns them, cut along the bins. Chunks beyond the last occupied bin are
+    The arrays are (2, points, bins), as `histogram` returns them, cut along the bins. Chunks beyond the last occupied bin are
     skipped.
     """
     wide = array.chunks[-1]
