@@ -44,11 +44,12 @@ _PAIRS = 8
 
 @engine_kernel
 def _sample(way, w_top, nodes):
-    """Compute the load and its derivative by the separation of n laws (parameter sets) on an even grid of separations.
+    """Compute the load of n laws (parameter sets), and its derivative, on an even grid of separations.
 
-    way: tuple (h, loads, slopes). h (H,): the grid, falling, over sigma. loads, slopes (n, H): filled with the load and its
-    derivative by h. w_top: displacement at which the recurrence factors are scaled to 1, to avoid overflow. nodes:
-    displacements (n, room), weights (n, room) and number (n,) of integration nodes, with space for `room` nodes per law.
+    way: tuple (h, loads, slopes). h (H,): separations over sigma, evenly spaced, in falling order. loads, slopes (n, H): output
+    arrays for the load and its derivative with respect to h. w_top: displacement over sigma at which the recurrence factors are
+    scaled to 1, to avoid overflow. nodes: displacements (n, room), weights (n, room) and number (n,) of integration nodes, with
+    space for `room` nodes per law.
     """
     h, loads, slopes = way
     place, weights, used = nodes
@@ -75,10 +76,10 @@ def _sample(way, w_top, nodes):
 
 @engine_kernel
 def _sums(h, place, weights, count):
-    """Return the load of one law at the separation h, its first and second derivative by h, and its size.
+    """Return the load of one law at the separation h, its first two derivatives with respect to h, and its size.
 
     The size is the sum of the absolute terms of the load, a measure of its round-off. h: over sigma. place, weights:
-    displacements of the integration nodes and their weights (one array each). count: number of nodes.
+    displacements and weights of the integration nodes (one array each). count: number of nodes.
     """
     total = first = second = size = 0.0
     for node in range(8 * (count // 8)):
@@ -93,10 +94,11 @@ def _sums(h, place, weights, count):
 
 @engine_kernel
 def _turning_point(far, near, slope_far, slope_near, place, weights, count):
-    """Return the separation between `far` and `near` at which the slope of the load by the separation is zero.
+    """Return the separation between `far` and `near` at which the derivative of the load is zero.
 
-    The slopes at `far` (the larger separation) and `near` must have opposite signs. place, weights, count: displacements,
-    weights and number of the integration nodes of the law.
+    slope_far, slope_near: derivatives of the load with respect to the separation, at `far` (the larger separation) and at
+    `near`. They must have opposite signs. place, weights, count: displacements, weights and number of the integration nodes of
+    the law.
     """
     x = far - (far - near) * (slope_far / (slope_far - slope_near) if slope_far != 0.0 else 0.5)
     for _ in range(_MOST_STEPS):
@@ -118,10 +120,11 @@ def _turning_point(far, near, slope_far, slope_near, place, weights, count):
 def _find_lowest(way, lowest, nodes):
     """Find the largest tension (negative load) of each law on a grid of separations, and fill the arrays of `lowest` with it.
 
-    way: (h, loads, slopes), a falling grid (H,) of separations over sigma, and loads and their derivatives by h (n, H) there.
-    nodes: displacements, weights and numbers of the integration nodes of the laws. lowest: (tension, where, nearer), each (n,).
-    tension: largest tension, 0 if the load is never negative. where: separation of the largest tension, else NaN. nearer: index
-    of the first grid point of h that is smaller than `where`.
+    way: (h, loads, slopes). h (H,): grid of separations over sigma, in falling order. loads, slopes (n, H): loads at these
+    separations, and their derivatives with respect to h. nodes: displacements, weights and numbers of the integration nodes of
+    the laws. lowest: (tension, where, nearer), each (n,). tension: largest tension, 0 if the load is never negative. where:
+    separation of the largest tension, else NaN. nearer: index of the first separation in h that is smaller than `where`, 1
+    without tension.
     """
     h, loads, slopes = way
     tension, where, nearer = lowest
@@ -149,9 +152,9 @@ def _find_lowest(way, lowest, nodes):
 def _between(target, far, near, load_far, load_near, slope_far, slope_near):
     """Return the separation between `far` and `near` at which the interpolated load equals `target`.
 
-    far, near: neighbouring separations over sigma, far the larger. load_far, load_near, slope_far, slope_near: loads there,
-    and their derivatives by the separation. A cubic is fitted to these four numbers; to the logarithm of the load if the loads
-    are compressive.
+    far, near: neighbouring separations over sigma, far the larger. load_far, load_near, slope_far, slope_near: loads at both,
+    and their derivatives with respect to the separation. A cubic is fitted to these four numbers, or to the logarithm of the
+    load if the loads are compressive.
     """
     span = far - near
     if load_far > 0.0:
@@ -182,8 +185,8 @@ def _root(target, far, near, x, place, weights, count):
     """Find the separation at which the load equals `target`; return it with the slope and the size of the load there.
 
     Halley's method starts at the separation x and stays between the separations `far` and `near`, all over sigma. slope:
-    derivative of the load by the separation. size: sum of the absolute terms of the load. place, weights, count: displacements,
-    weights and number of the integration nodes of the law.
+    derivative of the load with respect to the separation. size: sum of the absolute terms of the load. place, weights, count:
+    displacements, weights and number of the integration nodes of the law.
     """
     slope = size = 0.0
     for _ in range(_MOST_STEPS):
@@ -207,10 +210,10 @@ def _root(target, far, near, x, place, weights, count):
 def _carried(h, loads, slopes, start, first, most, could, odd):
     """Fill `most`, `could` and `odd` (H,) with bounds of the load on approach, from grid point `start` on.
 
-    h, loads, slopes (H,): falling separations over sigma, loads and their derivatives by h there. first: (separation, load,
-    slope) before grid point `start`. most: largest load at the grid points so far. could: upper bound of the load so far,
-    between grid points too. odd: True if the load rises on approach at both ends of an interval, but the cubic between them is
-    not certainly monotonic (circle of Fritsch & Carlson 1980).
+    h, loads, slopes (H,): separations over sigma in falling order, the loads at them, and the derivatives of these loads with
+    respect to h. first: (separation, load, slope) of the point before grid point `start`. most: largest load at the grid points
+    so far. could: upper bound of the load so far, also between grid points. odd: True if the load rises on approach at both
+    ends of an interval, but the cubic between them is not certainly monotonic (circle of Fritsch & Carlson 1980).
     """
     most[:start], could[:start] = -np.inf, -np.inf
     for k in range(start, h.size):
@@ -243,11 +246,11 @@ def _first_not_below(ascending, value):
 def _find_roots(way, lowest, targets, nodes, roots):
     """Find the separation at which each law i carries the load targets[i, k], and store it in roots[i, k].
 
-    roots[i, k] receives separation over sigma, derivative of the load by the separation, and sum of the absolute terms of the
-    load. They are NaN if the load is not reached on the grid, or if two such separations may be too close together for the grid
-    to tell them apart. If more than one separation carries the load, the first on approach is stored. The approach starts at
-    the separation of the largest tension, or at the far end of the grid if the law has no tension. way, lowest, nodes: as in
-    `_find_lowest`.
+    roots[i, k] receives the separation over sigma, the derivative of the load with respect to the separation, and the sum of
+    the absolute terms of the load. All three are NaN if the load is not reached on the grid, or if two such separations may be
+    too close together for the grid to tell them apart. If more than one separation carries the load, the first on approach is
+    stored. The approach starts at the separation of the largest tension, or at the far end of the grid if the law has no
+    tension. way, lowest, nodes: as in `_find_lowest`.
     """
     h, loads, slopes = way
     tension, where, nearer = lowest
@@ -292,9 +295,9 @@ class Starts:
     """Store starting values of the separation for n laws (parameter sets) at m loads each; NaN if no value was found.
 
     tension (n,): largest tension, 0 without tension. where (n,): separation of the largest tension. h (n, m): separations at
-    the loads. All separations are over sigma. slope, size (n, m): derivative of the load by h, and sum of the absolute terms of
-    the load, at h. plain (n,): True if the grid of separations covers the whole approach: from no load to at least the largest
-    tension in compression.
+    the loads. All separations are over sigma. slope, size (n, m): at h, derivative of the load with respect to h, and sum of
+    the absolute terms of the load. plain (n,): True if the grid of separations covers the whole approach: from no load to at
+    least the largest tension in compression.
     """
 
     tension: np.ndarray
@@ -328,9 +331,9 @@ class Approach:
         return self._lowest
 
     def starts(self, targets: np.ndarray) -> Starts:
-        """Return the largest tensions of the n laws and the separations at which they carry the loads `targets` (n, m).
+        """Return the largest tension of each of n laws, and the separations at which it carries the loads `targets` (n, m).
 
-        Separations are over sigma and accurate to about 1e-9; NaN if none was found.
+        Separations are over sigma and accurate to about 1e-9. A separation is NaN if none was found.
         """
         targets = np.ascontiguousarray(targets)
         tension, where = np.empty((2, self._laws))
@@ -347,10 +350,10 @@ class Approach:
         return block
 
     def _blocks(self) -> Iterator[tuple]:
-        """Compute the load on the grid of separations for one block of laws after the other, and yield each block.
+        """Compute the load on the grid of separations for blocks of laws (parameter sets), and yield one block after the other.
 
         Yields the slice of the laws; their integration nodes; the grid with loads and slopes (see `_sample`); and their largest
-        tensions (see `_find_lowest`). The next block overwrites the arrays.
+        tensions (see `_find_lowest`). The arrays of a block are overwritten when the next block is computed.
         """
         w_low = max(min(regime.lowest for regime in self._regimes), NODE_RANGE[0])
         ENGINE.take(_PAIRS * len(self._regimes) * self._laws)

@@ -35,9 +35,10 @@ def halving(holds: Callable) -> Any:
 def up_to(holds: Callable) -> Any:
     """Return a formula (low, last, step, farthest, arguments) -> u that finds how far above `low` a condition stays true.
 
-    holds(u, arguments): a formula, the condition; it may change once, from true to false. u is the place of this change, found
-    by bisection; low if the condition is false at low; last if it is still true at last. If last is infinite, the search tries
-    low + step with a step that grows fourfold up to `farthest`, until the condition is false.
+    holds(u, arguments): a formula, the condition; it may change once, from true to false. u is the number at which it changes,
+    found by bisection; low if the condition is false at low; last if it is still true at last. If last is infinite, the search
+    tries low + step with a step that grows fourfold up to `farthest`, until the condition is false. If it never is, u is
+    infinite.
     """
     halve = halving(holds)
 

@@ -10,8 +10,8 @@ _TOGETHER = 400_000  # most points in a block; half as many still exceed the num
 def blocks(rows: int, points: int = 1) -> Iterator[slice]:
     """Yield slices of about equal size that together cover all rows of a table.
 
-    points: number of points in each row. A slice holds at most 400,000 points; a longer row has a slice of its own. With rows =
-    0 one empty slice is yielded.
+    points: number of points in each row. A slice holds at most 400,000 points, unless a single row is longer; this row then has
+    a slice of its own. With rows = 0 one empty slice is yielded.
     """
     largest = max(1, _TOGETHER // max(points, 1))
     step = -(-rows // max(1, -(-rows // largest)))  # blocks of one size all use the same loops, which are chosen by size

@@ -205,7 +205,7 @@ def _code(code: types.CodeType, doc: str | None = None) -> str:
 
 
 def _named(function: types.FunctionType) -> dict[str, Any]:
-    """Return the values, by name, to which a function refers in its closure, its module and imported modules."""
+    """Return name -> value of everything that a function refers to in its closure, its module and imported modules."""
     codes, names = [function.__code__], set()
     for code in codes:
         names |= {*code.co_names}

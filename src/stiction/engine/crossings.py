@@ -15,10 +15,11 @@ _CLOSE = 1e-15  # the search ends when two successive places differ by less than
 def narrowing(excess: Callable) -> Any:
     @formula
     def narrow(left, right, at_left, at_right, row):
-        """Return the place between `left` and `right` at which the formula excess(place, row) changes sign.
+        """Return the number u between `left` and `right` at which the formula excess(u, row) changes sign.
 
-        at_left, at_right: values of the formula at both ends, of opposite sign. row: its parameters. Secant steps (Illinois
-        variant) alternate with bisection steps. Only bisection converges if the sign changes by a jump.
+        at_left, at_right: values of the formula at both ends, of opposite sign. row: parameters of the formula. Secant steps
+        (Illinois variant) alternate with bisection steps. Bisection is needed because secant steps do not converge if the
+        formula jumps across zero.
         """
         rises, last = at_right > 0.0, left
         for step in range(_STEPS):
@@ -42,17 +43,17 @@ def narrowing(excess: Callable) -> Any:
 def crossing(excess: Callable, parameters: int, samples: int = SAMPLES) -> Any:
     """Return a compiled loop that finds the sign changes of the formula excess(u, row) between given values of u.
 
-    row: tuple of `parameters` numbers. samples: number of samples between two neighbouring edges, which are the ends and kinks
-    of the formula; two sign changes between neighbouring samples are missed.
+    row: tuple of `parameters` numbers. samples: number of intervals into which each range between two neighbouring edges is
+    divided. Edges are the ends and kinks of the formula. Two sign changes within one interval are missed.
     """
     narrow = narrowing(excess)
 
     @lazy_kernel(worth=300)
     def fill_crossings(table, edges, out):
-        """Fill out[i] with the first k places where `excess`, with parameters table[i], changes sign, in ascending order.
+        """Fill out[i] with the first k values of u at which excess(u, table[i]) changes sign, in ascending order.
 
-        table: (n, p). edges (n, m): ends and kinks of the function, finite and ascending; sign changes are searched between
-        them. out: (n, k); unused entries hold the first edge.
+        table (n, p): parameters. edges (n, m): ends and kinks of the formula, finite and ascending; sign changes are searched
+        between them. out: (n, k); unused entries hold the first edge.
         """
         for i in range(edges.shape[0]):
             row, count = unpack(table[i], parameters), 0

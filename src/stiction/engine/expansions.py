@@ -23,11 +23,11 @@ _MANY, _EACH = 1000, 10
 
 
 def series_for(h: np.ndarray, law: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray] | None:
-    """Choose the separations about which Taylor series are made for m sums.
+    """Choose the separations about which sums are expanded in Taylor series, for m sums at different separations.
 
-    None is returned if single sums take less time, or if a separation is beyond 10 sigma. h (m,): mean separation of each sum,
-    over sigma. law (m,): index of the law (parameter set) that is summed. Returns the separations (s,) and law indices (s,) of
-    s series, and for each sum the index (m,) of its series.
+    h (m,): mean separation of each sum, over sigma. law (m,): index of the law (parameter set) that is summed. Returns the
+    separations (s,) and law indices (s,) of s series, and for each sum the index (m,) of its series. Returns None if computing
+    each sum by itself takes less time, or if a separation is beyond 10 sigma.
     """
     if h.size < _MANY or not np.abs(h).max() <= _FARTHEST:
         return None
@@ -72,7 +72,7 @@ def expand(h, shape, evaluated, out):
 
 @engine_kernel
 def read_series(d, number, coefficients, out):
-    """Fill out (m, 5) with the values of Taylor series at the distances d (m,) from the separations of the series.
+    """Fill out (m, 5) with the values of Taylor series for m sums, at distances d (m,) from the separations of the series.
 
     d: separation minus separation of the series, over sigma. number (m,): index of the series. coefficients (s, TERMS, 5):
     coefficients that `expand` computed. The five values are number of touching asperities, load, area, slip-limited and

@@ -69,7 +69,7 @@ class Parts(NamedTuple):
 
     @classmethod
     def room(cls, size: int) -> "Parts":
-        """Return a Parts object with empty arrays for `size` intervals."""
+        """Return a Parts object with uninitialised arrays for `size` intervals."""
         law, owner, rule = np.empty((3, size), dtype=np.int64)
         ends, end_w = np.empty((2, size, 2))
         return cls(law, owner, ends, end_w, rule, np.empty(size, dtype=np.bool_))
@@ -301,8 +301,8 @@ def list_end_displacements(parts, w, law, place):
 def put_ends(coordinates, place, ends):
     """Store the computed `coordinates` (k,) as ends of integration intervals, clipped to the segments of the intervals.
 
-    place (k,): where each coordinate belongs: 2 i for the start of interval i, 2 i + 1 for its end. ends (intervals, 2): holds
-    the ends of the segments before, and those of the intervals afterwards.
+    place (k,): where each coordinate belongs: 2 i for the start of interval i, 2 i + 1 for its end. ends (intervals, 2): on
+    input the ends of the segments, on output the ends of the intervals.
     """
     for j in range(place.size):
         i, end = place[j] // 2, place[j] % 2

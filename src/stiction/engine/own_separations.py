@@ -1,7 +1,8 @@
 """Sum regimes where each law has several separations of its own, under Gaussian heights.
 
 The integration nodes of a law (parameter set of a regime, a smooth part of an asperity law) are placed once for all its
-separations, which takes a fifth of the time of new nodes at each separation. The sums of both ways differ by round-off.
+separations, which takes a fifth of the time of new nodes at each separation. The sums differ from those with new nodes by
+round-off only.
 """
 
 import numpy as np
@@ -41,11 +42,12 @@ def _sum_each(h, nodes, out):
 
 
 def sums_of_each(scattered: Scattered, h: np.ndarray, threads: int = 1) -> np.ndarray:
-    """Return the sums (regimes, n, m, 5) of n laws at the separations h (n, m), over sigma, each law at its own.
+    """Return the sums (regimes, n, m, 5) of n laws (parameter sets), each at its own m separations h (n, m), over sigma.
 
     The five values are averages over all asperities: number touching, load, area, slip-limited and yield-limited resistance.
-    scattered: sums the regimes at single pairs, which is done for a single law, for a single separation of each law, for
-    other heights than Gaussian ones, and for laws with a separation beyond those that `at_loads` searches.
+    scattered: holds the regimes and the heights. It computes the sums pair by pair, with new nodes for each, where nodes cannot
+    be shared: for a single law, for one separation per law, for heights that are not Gaussian, and for laws with a separation
+    outside -8 to 10 sigma.
     """
     laws, each = h.shape
     sums = np.empty((len(scattered.regimes), laws, each, len(QUANTITIES)))

@@ -68,8 +68,8 @@ def _copy(state, count, out):
 def _weigh(weight, state, count, quantity, out):
     """Fill `out` with weight * value * dw/du at each node, for one quantity (w: displacement; u: coordinate of the law).
 
-    weight: integration weights. state: values of the law at the nodes, one after the other, with LONGEST places for each value;
-    dw/du is the second value. count: number of nodes. quantity: index of the value that is summed.
+    weight: integration weights. state: six values of the law at the nodes, stored one after the other, with LONGEST places for
+    each value; dw/du is the second value. count: number of nodes. quantity: index of the value that is summed.
     """
     for node in range(8 * (count // 8)):
         out[node] = weight[node] * state[LONGEST + node] * state[quantity * LONGEST + node]

@@ -13,10 +13,11 @@ MENISCUS = "meniscus"
 class Regime:
     """Describe one smooth part of an asperity's behaviour, for n parameter sets ("laws") at once.
 
-    along(u, *parameters) returns for one asperity at the coordinate u: displacement, derivative of the displacement by u, load,
-    contact area, and the slip-limited and the yield-limited part of its tangential resistance. coordinate(displacement,
-    *parameters) -> u is the inverse of the displacement. Both are scalar formulas (`compiled.formula`). Displacements are in
-    units of sigma, the standard deviation of the heights; loads, areas and resistances are in the units of the model.
+    along(u, *parameters) returns for one asperity at the coordinate u: displacement, derivative of the displacement with
+    respect to u, load, contact area, and the slip-limited and the yield-limited part of its tangential resistance.
+    coordinate(displacement, *parameters) -> u is the inverse of the displacement. Both are scalar formulas
+    (`compiled.formula`). Displacements are in units of sigma, the standard deviation of the heights; loads, areas and
+    resistances are in the units of the model.
 
     parameters: arrays (n,) or numbers, in the order in which `along` takes them.
     edges: array (n, m + 1) of coordinates. The regime reaches from the first to the last edge; the edges in between are kinks,

@@ -1,4 +1,4 @@
-"""Extend sums at a few separations to many, by a matrix that depends only on the heights and the separations.
+"""Extend sums at a few separations to many separations, by a matrix that depends only on the heights and the separations.
 
 For a law that is a single spike at the displacement w, the sum at the separation h is the height density at h + w. These
 functions of h are so similar that their values at a few separations (the skeleton) determine all others. The matrix is fitted
@@ -69,8 +69,8 @@ def skeleton(h_bytes: bytes, w_low: float, w_high: float, heights: Heights) -> t
 def _spike_sums(h: np.ndarray, spikes: np.ndarray, heights: Heights) -> tuple[np.ndarray, np.ndarray]:
     """Return the height density at h + w for each spike w, divided by its maximum at each h, and this maximum.
 
-    h (H,), spikes: separations and displacements over sigma. The returned shapes are (H, spikes) and (H,). A spike is a single
-    displacement at which all asperities would be summed.
+    h (H,), spikes: separations and displacements over sigma. The returned shapes are (H, spikes) and (H,). A spike is a law
+    whose value is concentrated at a single displacement.
     """
     z = np.add.outer(h, spikes)
     density = np.empty(z.size)
@@ -140,7 +140,7 @@ def _store(product, sums, size, doubtful_below, doubtful):
 
 @kernel
 def carry_over(few, tiles, doubtful_below, nodes, signed, sums, doubtful):
-    """Extend sums at a few separations to many by a matrix, mark inaccurate ones, and return whether there are any.
+    """Extend sums at a few separations to many by a matrix, mark inaccurate sums, and return whether any is inaccurate.
 
     few (rows of all laws, rounded up to a multiple of four, L): sums at the L separations of the skeleton. tiles: the matrix
     (L, H), cut into tiles by `skeleton`. sums (n, rows, H): filled with the product. doubtful (n, H): set to True where

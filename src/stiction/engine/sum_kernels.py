@@ -156,8 +156,8 @@ def listing(along: Callable, coordinate: Callable, parameters: int) -> Any:
     def average(h, law, listed, laws, out):
         """Fill out[i] with five averages over the heights `listed`, for the law with index law[i] at separation h[i].
 
-        They are the fraction touching, load, area, slip-limited and yield-limited resistance. Heights and separations are over
-        sigma; `listed` ascends. out: (m, 5). laws: the fields of `nodes.Laws`.
+        They are the fraction touching, load, area, slip-limited and yield-limited resistance. h (m,), listed: separations and
+        heights over sigma; `listed` ascends. law (m,): index of the parameter set. laws: fields of `nodes.Laws`. out: (m, 5).
         """
         table, edges, _, _ = laws
         for i in range(h.size):
@@ -218,7 +218,7 @@ def _putting(along: Callable, rows: int) -> Any:
 
 @cache
 def reaching(window: Callable) -> Any:
-    """Return a formula that cuts a segment to the displacements that contribute at any separation, and divides it into parts.
+    """Return a formula that cuts a segment to the displacements that contribute to a sum, and divides this range into parts.
 
     window: window formula of the height distribution, as in `Heights`. The returned formula maps (w_left, w_right, reach,
     shape) to: displacement at the start, step to the end of each part, number of parts (0 if nothing contributes), displacement
@@ -288,7 +288,7 @@ def placing(along: Callable, coordinate: Callable, window: Callable, parameters:
 
 @cache
 def summing(density: Callable, totals: bool) -> Any:
-    """Return a compiled loop that sums stored integration nodes, times the density of heights, at many separations.
+    """Return a compiled loop that sums the values stored at integration nodes, times the height density, at many separations.
 
     density: formula density(z, shape), as in `Heights`. totals: True for load, area and total resistance; False for number
     touching, load, area, slip-limited and yield-limited resistance.

@@ -5,9 +5,9 @@ For mean separation h (in units of sigma) and heights with density phi, a regime
 for f = 1 (number of asperities), load, area, slip-limited and yield-limited resistance; w is the displacement of the asperity
 over sigma. Every segment between two kinks is smooth and is integrated by a Gauss-Legendre rule. The engine contains no law.
 
-There are two ways. `scattered` takes one separation for each law (one parameter set). `on_grid` takes many separations that all
-laws share: it sums every law at a few separations, with nodes placed once, and extends these sums to all separations by one
-matrix (`skeleton`). The loops are in `sum_kernels` and `nodes`.
+Two functions compute such sums. `scattered` takes one separation for each law (parameter set). `on_grid` takes many separations
+that all laws share: it sums every law at a few separations, with nodes placed once, and extends these sums to all separations
+by one matrix (`skeleton`). The loops are in `sum_kernels` and `nodes`.
 """
 
 from collections import deque
@@ -228,7 +228,7 @@ def on_grid(regimes: Sequence[Regime], h: np.ndarray, heights: Heights, threads:
 def totals_on_grid(
     regimes: Sequence[Regime], h: np.ndarray, heights: Heights, out: np.ndarray | None = None, threads: int = 1
 ) -> np.ndarray:
-    """Return load, area and resistance (n, 3, H) of n laws at H mean separations that all laws share, summed over all regimes.
+    """Return load, area and resistance (n, 3, H) of n laws, summed over all regimes, at H mean separations that all laws share.
 
     regimes: smooth parts of an asperity law, each for n laws (parameter sets). h (H,): separations in units of sigma. out:
     array (n, 3, H) for the result, if given.
@@ -264,7 +264,7 @@ def _on_grid(regimes, h, heights, sums, threads) -> None:
 
 
 def _by_skeleton(regimes, h, heights, sums, threads) -> bool:
-    """Fill `sums` (n, 5 or 3, H) by extending sums at a few separations to all by a matrix; return whether this was possible.
+    """Fill `sums` (n, 5 or 3, H) by a matrix that extends sums at a few separations to all; return whether this was possible.
 
     regimes, h, heights, threads, and the rows of `sums`: as in `_on_grid`. False is returned, and `sums` stays as it is, if no
     matrix is accurate enough for these separations.

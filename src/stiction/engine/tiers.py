@@ -23,7 +23,7 @@ _PAIRS_OF_A_LAW = 8  # least number of sums of one law: the separation at a load
 class Allowance:
     """Count down the amount of work that plain Python may do in this process before compiled code takes over.
 
-    worth: amount of work that is allowed, in units that the caller chooses.
+    worth: amount of work that is allowed, in a unit that the caller chooses.
     """
 
     def __init__(self, worth: int):
