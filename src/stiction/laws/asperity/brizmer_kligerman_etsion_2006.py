@@ -43,9 +43,10 @@ from stiction.laws.segment import NormalSegment, edges_at, root_of
 from stiction.records.registry import AsperityLaw, Limit, Validity
 from stiction.records.sources import Source
 
-# Least Poisson's ratio of the fit of both ratios below. Under it they have no meaning; the load's is negative under 0.117.
+# Smallest Poisson's ratio of both fits below. Under it they have no meaning; the load ratio is negative below 0.117.
 LEAST_NU = 0.2
-# Where the sum is split, over the displacement at first yield: near it the law departs from Hertz's as exp(-1/x) from 0.
+# The sum over heights is split at this multiple of the displacement at first yield, because the law departs from Hertz's like
+# exp(-1/x) there.
 _SPLITS = (4.0,)
 
 
@@ -58,43 +59,43 @@ def yield_coefficient(nu):
 
 
 def load_of_stick(nu):
-    """Return the load at first yield in full stick over the load at first yield in frictionless slip.
+    """Return the ratio of the loads at first yield in full stick and in frictionless slip.
 
-    The ratio is 8.88 nu - 10.13 (nu^2 + 0.089), constant below nu = 0.2. nu: Poisson's ratio, a number or an array of any
-    shape.
+    The ratio is 8.88 nu - 10.13 (nu^2 + 0.089); below nu = 0.2 it keeps its value at 0.2. nu: Poisson's ratio, a number or an
+    array of any shape.
     """
     nu = np.maximum(nu, LEAST_NU)
     return 8.88 * nu - 10.13 * (nu * nu + 0.089)
 
 
 def interference_of_stick(nu):
-    """Return the displacement at first yield in full stick over the displacement at first yield in frictionless slip.
+    """Return the ratio of the displacements at first yield in full stick and in frictionless slip.
 
-    The ratio is 6.82 nu - 7.83 (nu^2 + 0.0586), constant below nu = 0.2. nu: Poisson's ratio, a number or an array of any
-    shape.
+    The ratio is 6.82 nu - 7.83 (nu^2 + 0.0586); below nu = 0.2 it keeps its value at 0.2. nu: Poisson's ratio, a number or an
+    array of any shape.
     """
     nu = np.maximum(nu, LEAST_NU)
     return 6.82 * nu - 7.83 * (nu * nu + 0.0586)
 
 
 def critical_values(eta, nu, k):
-    """Return displacement and load of one asperity at first yield in full stick, over sigma and over K R^(1/2) sigma^(3/2).
+    """Return displacement and load at first yield in full stick, in units of sigma and of K R^(1/2) sigma^(3/2).
 
     eta: hardness group pi H sqrt(R/sigma)/K with K = (4/3) E*. nu: Poisson's ratio. k: hardness over yield stress, H/Y. The
-    arguments may be arrays. The values are those in slip times ratios for stick. In slip, the displacement is (pi C_nu
-    (1 - nu^2) Y/(2 E))^2 R, from Hertz's largest pressure C_nu Y; with E/(1 - nu^2) = E* and Y = H/k this is ((2/3) C_nu
-    eta/k)^2 over sigma.
+    arguments may be arrays. Both results are the values in frictionless slip, times the ratios for stick. In slip, the
+    displacement is (pi C_nu (1 - nu^2) Y/(2 E))^2 R, from Hertz's largest pressure C_nu Y; with E/(1 - nu^2) = E* and Y = H/k
+    this is ((2/3) C_nu eta/k)^2 in units of sigma.
     """
-    slip_limited = (2.0 / 3.0 * yield_coefficient(nu) * eta / k) ** 2
-    return interference_of_stick(nu) * slip_limited, load_of_stick(nu) * slip_limited**1.5
+    in_slip = (2.0 / 3.0 * yield_coefficient(nu) * eta / k) ** 2
+    return interference_of_stick(nu) * in_slip, load_of_stick(nu) * in_slip**1.5
 
 
 @formula
 def elastic(u, stiffness):
     """Return displacement w, dw/du, load and contact area of the elastic asperity in full stick, at the coordinate u = sqrt(w).
 
-    w is over sigma, the load stiffness w^(3/2) over K R^(1/2) sigma^(3/2), the area w over pi R sigma. stiffness: load over
-    Hertz's load at the same displacement.
+    The load is stiffness w^(3/2), the area w. stiffness: ratio of the load to Hertz's load at the same displacement. Units: w
+    in sigma, load in K R^(1/2) sigma^(3/2), area in pi R sigma.
     """
     w = u * u
     return w, 2.0 * u, stiffness * w * u, w
@@ -107,9 +108,9 @@ _LEAST = 1e-300  # lower bound of ln(w/w_c), whose inverse is finite
 def yielding(u, w_c, stiffness, load_power, area_power):
     """Return displacement w, dw/du, load and contact area of an asperity in full stick beyond first yield, at u = sqrt(w).
 
-    With r = w/w_c the load is stiffness w^1.5 (1 - exp(1/(1 - r^beta))), the area w (1 + exp(1/(1 - r^alpha))). w is over
-    sigma, the load over K R^(1/2) sigma^(3/2), the area over pi R sigma. w_c: displacement at first yield. stiffness: elastic
-    load over Hertz's. load_power, area_power: beta and alpha.
+    With r = w/w_c the load is stiffness w^1.5 (1 - exp(1/(1 - r^beta))), the area w (1 + exp(1/(1 - r^alpha))). w_c:
+    displacement at first yield. stiffness: ratio of the elastic load to Hertz's load. load_power, area_power: beta and alpha.
+    Units: w in sigma, load in K R^(1/2) sigma^(3/2), area in pi R sigma.
     """
     w = u * u
     growth = max(math.log(w / w_c), _LEAST)  # rounding may put the first point a little below w_c

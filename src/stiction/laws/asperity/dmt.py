@@ -31,8 +31,8 @@ from stiction.records.sources import Source
 def normal(u, theta):
     """Return displacement w, dw/du, load and contact area of a DMT asperity at the coordinate u = sqrt(w).
 
-    w is over sigma. The load is w^(3/2) - 2 pi/theta over K R^(1/2) sigma^(3/2), the area is w over pi R sigma. theta: elastic
-    adhesion index.
+    The load is w^(3/2) - 2 pi/theta, the area is w. theta: elastic adhesion index. Units: w in sigma, load in K R^(1/2)
+    sigma^(3/2) with K = (4/3) E*, area in pi R sigma.
     """
     w = u * u
     return w, 2.0 * u, w * u - 2.0 * math.pi / theta, w

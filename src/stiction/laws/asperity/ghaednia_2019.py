@@ -61,9 +61,11 @@ from stiction.records.sources import Source
 
 _area_ratio, _load_ratio, _elastic_to = unhardened.area_ratio, unhardened.load_ratio, unhardened.ELASTIC_TO
 
-# Where the sum is split, omega over omega_c: beyond, the elastic part of the load without hardening has died out.
+# The sum over heights is split at these ratios omega/omega_c, beyond which the elastic part of the load without hardening
+# vanishes.
 _SPLITS = (1e3, 1e5)
-# E of the asperity over (1 - nu^2) E*: E* = E/(2 (1 - nu^2)) between bodies alike, E/(1 - nu^2) against a rigid one.
+# Young's modulus E of the asperity over (1 - nu^2) E*. E* is E/(2 (1 - nu^2)) for two equal bodies, E/(1 - nu^2) against a
+# rigid one.
 _BODIES = {"alike": 2.0, "rigid": 1.0}
 # Number of steps in the search for a = R.
 _STEPS = 64
@@ -78,13 +80,14 @@ def elastic_share(hardening):
 
 
 def stiffening(hardening, modulus_over_yield):
-    """Return `front` and `rate` of Upsilon = -front exp(rate (omega - omega_c)/R), the exponent in the contact radius (eq 26).
+    """Return the numbers `front` and `rate` in the contact radius of a hardening asperity (eq 26).
 
-    hardening: e = E_t/E, tangent modulus over Young's modulus. modulus_over_yield: E/S_y, Young's modulus over yield stress,
-    with s = (E/S_y)^(1/2). Both may be arrays. Upsilon = -2 s e^(1 - (omega - omega_c)/R) / ((4 - 3 exp(-2 s e)) (1 - e)), as
-    the authors' code computes it, and 0 for e = 0. The printed equation, which the code calls wrong, has the opposite sign and
-    omega in place of omega - omega_c. With that sign the area would grow without bound for e -> 1 instead of tending to
-    Hertz's.
+    They give the exponent Upsilon = -front exp(rate (omega - omega_c)/R), with the displacement omega and its value omega_c at
+    first yield. hardening: e = E_t/E, tangent modulus over Young's modulus. modulus_over_yield: E/S_y, Young's modulus over
+    yield stress, with s = (E/S_y)^(1/2). Both may be arrays. Upsilon = -2 s e^(1 - (omega - omega_c)/R) / ((4 - 3 exp(-2 s e))
+    (1 - e)), as the authors' code computes it, and 0 for e = 0. The printed equation, which the code calls wrong, has the
+    opposite sign and omega in place of omega - omega_c. With that sign the area would grow without bound for e -> 1 instead of
+    tending to Hertz's.
     """
     s = np.sqrt(modulus_over_yield)
     front = 2.0 * s * hardening / ((4.0 - 3.0 * np.exp(-2.0 * s * hardening)) * (1.0 - hardening))
@@ -94,10 +97,10 @@ def stiffening(hardening, modulus_over_yield):
 
 @formula
 def radius(w, w_c, B, sharpness, front, rate):
-    """Return the contact radius over (R sigma)^(1/2) at the displacement w: a = a_e + (a_p - a_e) exp(Upsilon) (eq 25).
+    """Return the contact radius in units of (R sigma)^(1/2) at the displacement w: a = a_e + (a_p - a_e) exp(Upsilon) (eq 25).
 
-    a_e is Hertz's radius (eq 1), a_p Jackson and Green's (eqs 23, 24) with the exponent B. w, w_c: displacement and
-    displacement at first yield, over sigma. sharpness: sqrt(sigma/R). front, rate: the two numbers in Upsilon, from
+    a_e is Hertz's radius (eq 1), a_p Jackson and Green's (eqs 23, 24) with the exponent B. w, w_c: displacement, and
+    displacement at first yield, in units of sigma. sharpness: sqrt(sigma/R). front, rate: the two numbers in Upsilon, from
     `stiffening`. Upsilon is limited, so that it stays finite for displacements beyond R.
     """
     elastic = math.sqrt(w)
@@ -122,11 +125,11 @@ _radius, _hardness = radius, hardness
 def yielding(u, *row):
     """Return displacement w, dw/du, load and contact area of a hardening asperity beyond 1.9 omega_c, at u = sqrt(w).
 
-    omega_c is the displacement at first yield. The load is F_p + (F_e - F_p) share (eq 30): F_p is Jackson and Green's load
-    (eqs 27, 29), F_e is Hertz's (eq 31, without its printed factor pi, which Hertz's force does not have). row:
-    w_c = omega_c/sigma; C, largest pressure over yield stress at w_c; B, exponent of the area; sharpness, sqrt(sigma/R); front
-    and rate, from `stiffening`; share, from `elastic_share`; the displacement `wide` beyond which the limiting pressure stays
-    at S_y.
+    omega_c is the displacement at first yield. The load is F_p + (F_e - F_p) share (eq 30). F_p is Jackson and Green's load
+    (eqs 27, 29), F_e is Hertz's (eq 31, without its printed factor pi, which Hertz's force does not have). row: w_c =
+    omega_c/sigma; C, largest pressure over yield stress at w_c; B, exponent of the area; sharpness, sqrt(sigma/R); front and
+    rate, from `stiffening`; share, from `elastic_share`; wide, the displacement beyond which the limiting pressure stays at the
+    yield stress. Units: w in sigma, load in K R^(1/2) sigma^(3/2), area in pi R sigma.
     """
     w_c, C, B, sharpness, front, rate, share, wide = row
     w = u * u
@@ -138,9 +141,9 @@ def yielding(u, *row):
 
 @formula
 def _is_narrow(w, parameters):
-    """Return whether the contact radius at the displacement w over sigma is smaller than the radius R of the sphere.
+    """Return whether the contact radius at the displacement w is smaller than the radius R of the sphere.
 
-    parameters: w_c, B, sharpness, front and rate, as `radius` takes them.
+    w: in units of sigma. parameters: w_c, B, sharpness, front and rate, as `radius` takes them.
     """
     w_c, B, sharpness, front, rate = parameters
     return _radius(w, w_c, B, sharpness, front, rate) * sharpness < 1.0
@@ -150,11 +153,12 @@ _halve = halving(_is_narrow)
 
 
 @lazy_kernel(worth=300)
-def _wide_as_high(w_c, B, sharpness, front, rate, out):
-    """Fill `out` (n,) with the first displacement over sigma, at least 1.9 w_c, at which the contact radius reaches R.
+def _fill_wide(w_c, B, sharpness, front, rate, out):
+    """Fill `out` (n,) with the first displacement, at least 1.9 w_c, at which the contact radius reaches the sphere's radius R.
 
-    The other arguments are arrays (n,) of the parameters of `radius`. With little hardening the contact radius may fall below
-    R again before the displacement equals R. The search therefore takes small steps.
+    Displacements are in units of sigma. The other arguments are arrays (n,) of the parameters of `radius`. With little
+    hardening the contact radius may fall below R again before the displacement equals R. The search therefore takes small
+    steps.
     """
     for i in range(out.size):
         parameters = w_c[i], B[i], sharpness[i], front[i], rate[i]
@@ -167,11 +171,11 @@ def _wide_as_high(w_c, B, sharpness, front, rate, out):
 
 
 def _edges(w_c, sharpness, front, rate, wide):
-    """Return the displacements over sigma (n, m) at which the law beyond 1.9 w_c begins, is split for integration, and ends.
+    """Return the edges (n, m) of the segment beyond 1.9 w_c: its start, the splits for integration, and infinity.
 
-    It is split where the contact radius reaches R (`wide`), where Upsilon = -1, near which the area may change quickly, and at
-    fixed multiples of w_c. w_c: displacement at first yield. sharpness: sqrt(sigma/R). front, rate: from `stiffening`. All
-    arguments are arrays (n,).
+    Edges are displacements in units of sigma. The segment is split where the contact radius reaches R (`wide`), where Upsilon =
+    -1, near which the area may change quickly, and at fixed multiples of w_c. w_c: displacement at first yield. sharpness:
+    sqrt(sigma/R). front, rate: from `stiffening`. All arguments are arrays (n,).
     """
     start = _elastic_to * w_c
     hardens = (front > 0.0) & (rate > 0.0)
@@ -188,7 +192,7 @@ def segments(groups: Groups, other_body: str = "alike") -> list[NormalSegment]:
     B = unhardened.area_power(groups.yield_strain)
     front, rate = stiffening(groups.hardening, _BODIES[other_body] * (1.0 - groups.nu * groups.nu) / groups.yield_strain)
     wide = np.empty_like(w_c)
-    _wide_as_high(w_c, B, sharpness, front, rate, wide)
+    _fill_wide(w_c, B, sharpness, front, rate, wide)
     parameters = w_c, C, B, sharpness, front, rate, elastic_share(groups.hardening), wide
     edges = np.sqrt(_edges(w_c, sharpness, front, rate, wide))
     return [hertz.elastic(_elastic_to * w_c), NormalSegment(yielding, root_of, parameters, edges, "elastic-plastic")]

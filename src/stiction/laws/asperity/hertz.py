@@ -48,7 +48,7 @@ from stiction.records.sources import Source
 
 @formula
 def load(w):
-    """Return Hertz's load w^(3/2) over K R^(1/2) sigma^(3/2), with K = (4/3) E*, at the displacement w over sigma."""
+    """Return Hertz's load w^(3/2) at the displacement w, in units of K R^(1/2) sigma^(3/2) with K = (4/3) E*; w: in sigma."""
     return w * math.sqrt(w)
 
 
@@ -56,14 +56,14 @@ def load(w):
 def normal(u):
     """Return displacement w, dw/du, load and contact area of a Hertz contact at the coordinate u = sqrt(w).
 
-    w is over sigma, the load w^(3/2) over K R^(1/2) sigma^(3/2) with K = (4/3) E*, the area w over pi R sigma.
+    The load is w^(3/2), the area w. Units: w in sigma, load in K R^(1/2) sigma^(3/2) with K = (4/3) E*, area in pi R sigma.
     """
     w = u * u
     return w, 2.0 * u, w * u, w
 
 
 def elastic(last: np.ndarray) -> NormalSegment:
-    """Return Hertz's law as a NormalSegment, from first touch to the displacements `last` (n,), over sigma.
+    """Return Hertz's law as a NormalSegment from first touch to the displacements `last` (n,), in units of sigma.
 
     Asperity laws with yield use it for their elastic part.
     """
@@ -75,19 +75,20 @@ def segments(groups: Groups) -> list[NormalSegment]:
 
 
 def first_yield(nu: float) -> tuple[float, float]:
-    """Return largest pressure p0/Y and depth z/a at which a frictionless Hertz contact first yields (von Mises).
+    """Return p0/Y and z/a at which a frictionless Hertz contact first yields (von Mises).
 
-    nu: Poisson's ratio, 0 <= nu < 0.5. p0/Y: largest contact pressure over the yield stress. z/a: depth of first yield below
-    the centre of the contact, over the contact radius. Source: stresses on the axis as in Johnson, Contact Mechanics (1985),
-    eq. 3.45, over p0 and with z over a: sigma_r = -(1 + nu)(1 - z arctan(1/z)) + 1/(2 (1 + z^2)), sigma_z = -1/(1 + z^2).
+    p0/Y: largest contact pressure over the yield stress. z/a: depth of first yield below the centre of the contact, over the
+    contact radius. nu: Poisson's ratio, 0 <= nu < 0.5. Source: stresses on the axis as in Johnson, Contact Mechanics (1985),
+    eq. 3.45; with stresses in units of p0 and z in units of a, sigma_r = -(1 + nu)(1 - z arctan(1/z)) + 1/(2 (1 + z^2)),
+    sigma_z = -1/(1 + z^2).
     """
     from scipy.optimize import brentq
 
     def slope(z):
         """Return d(sigma_r - sigma_z)/dz, the derivative of radial minus axial stress along the axis, at the depth z.
 
-        Stresses are over the largest pressure, z is over the contact radius. The derivative falls from (1 + nu) pi/2 at the
-        surface to below zero at z = 1.
+        Stresses are in units of the largest pressure, z in units of the contact radius. The derivative falls from (1 + nu) pi/2
+        at the surface to below zero at z = 1.
         """
         return (1.0 + nu) * (math.atan2(1.0, z) - z / (1.0 + z * z)) - 3.0 * z / (1.0 + z * z) ** 2
 

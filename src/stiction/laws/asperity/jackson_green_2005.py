@@ -58,7 +58,7 @@ from stiction.records.sources import Source
 _MOST_STRAIN = 0.1  # S_y/E*; B is 1.4 there, and 240 at 0.33
 FITTED_TO_METALS = Validity("yield_strain", 0.0, _MOST_STRAIN, "the area of yielding asperities is fitted to metals", "effect")
 ELASTIC_TO = 1.9  # omega over omega_c
-# Where the sum is split, omega over omega_c: beyond, the elastic part of the load has died out.
+# The sum over heights is split at these ratios omega/omega_c, beyond which the elastic part of the load vanishes.
 _SPLITS = (1e3, 1e5)
 
 
@@ -71,7 +71,7 @@ def yield_coefficient(nu):
 
 
 def critical_interference(eta, C, k):
-    """Return the displacement at first yield over sigma, ((2/3) C eta/k)^2.
+    """Return the displacement at first yield in units of sigma, ((2/3) C eta/k)^2.
 
     It follows from omega_c = (pi C S_y/(2 E*))^2 R with the yield stress S_y = H/k and the hardness group eta = pi H
     sqrt(R/sigma)/K, K = (4/3) E*. C: largest pressure over the yield stress, from `yield_coefficient`. k: hardness over yield
@@ -91,7 +91,7 @@ def area_power(yield_strain):
 
 @formula
 def area_ratio(ratio, B):
-    """Return the contact area over pi R omega, which is (omega/(1.9 omega_c))^B, or 1 below 1.9 omega_c.
+    """Return the ratio of the contact area to Hertz's area pi R omega: (omega/(1.9 omega_c))^B, or 1 below 1.9 omega_c.
 
     ratio: displacement over displacement at first yield, omega/omega_c. B: exponent, from `area_power`.
     """
@@ -123,10 +123,9 @@ def load_ratio(ratio, C, H):
 def yielding(u, w_c, C, B, sharpness):
     """Return displacement w, dw/du, load and contact area of an asperity beyond 1.9 w_c, at the coordinate u = sqrt(w).
 
-    w is over sigma, the load over K R^(1/2) sigma^(3/2), the area over pi R sigma. w_c: displacement at first yield. C:
-    largest pressure over the yield stress there. B: exponent of the area. sharpness: sqrt(sigma/R), with which the contact
-    radius over R is sqrt(area) sharpness. The load at first yield, P_c = (4/3) (R/E*)^2 (C pi S_y/2)^3, is Hertz's load at
-    w_c.
+    w_c: displacement at first yield. C: largest pressure over the yield stress at w_c. B: exponent of the area. sharpness:
+    sqrt(sigma/R); sharpness times sqrt(area) is the contact radius over R. The load at first yield, P_c = (4/3) (R/E*)^2 (C pi
+    S_y/2)^3, is Hertz's load at w_c. Units: w in sigma, load in K R^(1/2) sigma^(3/2), area in pi R sigma.
     """
     w = u * u
     ratio = w / w_c

@@ -47,17 +47,17 @@ from stiction.records.sources import Source
 def adhesion(theta):
     """Return S = sqrt(6 pi / theta), the strength of adhesion in JKR's formulas; theta: elastic adhesion index.
 
-    It is the 4.34 / theta^(1/2) of eqs (1) and (2) of the 2015 paper.
+    It is the 4.34 / theta^(1/2) of eqs (1) and (2) of soft_coating_2015.
     """
     return math.sqrt(6.0 * math.pi / theta)
 
 
 @formula
 def displacement(u, S):
-    """Return the displacement of a JKR contact over sigma, w = u^4 - (2/3) S u.
+    """Return the displacement w = u^4 - (2/3) S u of a JKR contact at the coordinate u, in units of sigma.
 
-    u^4 = a^2/(R sigma), with the contact radius a. S: strength of adhesion, from `adhesion`. Source: eq (4) of the 2015 paper,
-    with x = u^4.
+    u^4 = a^2/(R sigma), with the contact radius a. S: strength of adhesion, from `adhesion`. Source: eq (4) of
+    soft_coating_2015, with x = u^4.
     """
     return u * (u * u * u - 2.0 / 3.0 * S)
 
@@ -73,10 +73,10 @@ def stretch(u, S):
 
 @formula
 def load(u, S):
-    """Return the load of a JKR contact over K R^(1/2) sigma^(3/2), P = u^6 - S u^3.
+    """Return the load P = u^6 - S u^3 of a JKR contact at the coordinate u, in units of K R^(1/2) sigma^(3/2).
 
     u^4 = a^2/(R sigma), with the contact radius a. S: strength of adhesion, from `adhesion`. Source: integrand of eq (1) of
-    the 2015 paper, with x = u^4.
+    soft_coating_2015, with x = u^4.
     """
     u3 = u * u * u
     return u3 * (u3 - S)
@@ -84,16 +84,17 @@ def load(u, S):
 
 @formula
 def area(u):
-    """Return the contact area of a JKR contact over pi R sigma, which is u^4 = a^2/(R sigma) with the contact radius a."""
+    """Return the contact area u^4 of a JKR contact in units of pi R sigma; u^4 = a^2/(R sigma), with the contact radius a."""
     return u * u * u * u
 
 
 @formula
 def coordinate(w, S):
-    """Return the coordinate u = (a^2/(R sigma))^(1/4) of a JKR contact at the displacement w over sigma; a: contact radius.
+    """Return the coordinate u of a JKR contact at the displacement w, on the stable branch, where w grows with u.
 
-    S: strength of adhesion, from `adhesion`. u is on the stable branch, where w grows with u. Below the smallest displacement
-    of this branch, u of its end is returned. Newton's method from above solves w = u^4 - (2/3) S u, a convex polynomial.
+    u^4 = a^2/(R sigma), with the contact radius a. w: in units of sigma. S: strength of adhesion, from `adhesion`. If w is
+    below the smallest displacement of the branch, the coordinate of that displacement is returned. Newton's method solves w =
+    u^4 - (2/3) S u from above; the polynomial is convex.
     """
     if w == math.inf:
         return math.inf
@@ -114,8 +115,7 @@ def coordinate(w, S):
 def normal(u, theta):
     """Return displacement w, dw/du, load and contact area of a JKR contact at the coordinate u = (a^2/(R sigma))^(1/4).
 
-    a: contact radius. theta: elastic adhesion index. w is over sigma, the load over K R^(1/2) sigma^(3/2), the area over
-    pi R sigma.
+    a: contact radius. theta: elastic adhesion index. Units: w in sigma, load in K R^(1/2) sigma^(3/2), area in pi R sigma.
     """
     S = adhesion(theta)
     return displacement(u, S), stretch(u, S), load(u, S), area(u)

@@ -49,8 +49,8 @@ FULLY_PLASTIC = 110.0  # omega over omega_c
 def power_law(u, load_factor, load_power, area_factor, area_power):
     """Return displacement w, dw/du, load and contact area of an asperity in one fitted range of displacement, at u = sqrt(w).
 
-    The load is load_factor w^load_power, the area area_factor w^area_power. w is over sigma, the load over K R^(1/2)
-    sigma^(3/2), the area over pi R sigma.
+    The load is load_factor w^load_power, the area area_factor w^area_power. Units: w in sigma, load in K R^(1/2) sigma^(3/2),
+    area in pi R sigma.
     """
     w = u * u
     return w, 2.0 * u, load_factor * w**load_power, area_factor * w**area_power
@@ -60,8 +60,8 @@ def power_law(u, load_factor, load_power, area_factor, area_power):
 def flow(u, eta):
     """Return displacement w, dw/du, load and contact area of a fully plastic asperity, at the coordinate u = sqrt(w).
 
-    The area is 2 w over pi R sigma; the mean pressure is the hardness, so that the load is 2 eta w over K R^(1/2) sigma^(3/2).
-    eta: hardness group. w is over sigma.
+    The area is 2 w. The mean pressure is the hardness, so that the load is 2 eta w. eta: hardness group. Units: w in sigma,
+    load in K R^(1/2) sigma^(3/2), area in pi R sigma.
     """
     w = u * u
     return w, 2.0 * u, 2.0 * eta * w, 2.0 * w

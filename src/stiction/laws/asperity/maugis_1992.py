@@ -78,8 +78,8 @@ _TERMS = 14
 def ring(s):
     """Return F, -F'/s, G, -G'/s and arctan(1/s), functions of the shape s of the attracting ring around a contact.
 
-    s = a/sqrt(c^2 - a^2), with the contact radius a and the outer radius c of the ring. F = s + (1 - s^2) arctan(1/s),
-    G = arctan(1/s) - sqrt(1 + s^2) + s; a dash is the derivative by s. Large s uses a series.
+    s = a/sqrt(c^2 - a^2), with the contact radius a and the outer radius c of the ring. F = s + (1 - s^2) arctan(1/s), G =
+    arctan(1/s) - sqrt(1 + s^2) + s; a prime denotes the derivative by s. For large s a series is used.
     """
     turn = math.atan2(1.0, s)
     root = math.sqrt(1.0 + s * s)
@@ -100,11 +100,10 @@ def ring(s):
 
 @formula
 def _contact(s, lam):
-    """Return B = A/s, (dB/ds)/s and arctan(1/s), where A is the contact radius over (pi gamma R^2/K)^(1/3).
+    """Return B = A/s, (dB/ds)/s and arctan(1/s), where A is the contact radius in units of (pi gamma R^2/K)^(1/3).
 
-    B solves the condition that the gap at the outer edge of the ring equals the range of the attraction.
-    s = a/sqrt(c^2 - a^2), with the contact radius a and the outer radius c of the ring. lam: Maugis's parameter lambda_M of
-    the attraction.
+    B follows from the condition that the gap at the outer edge of the ring equals the range of the attraction. s = a/sqrt(c^2 -
+    a^2), with the contact radius a and the outer radius c of the ring. lam: Maugis's parameter lambda_M of the attraction.
     """
     F, F_falls, G, G_falls, turn = ring(s)
     square, linear = 0.5 * lam * F, 4.0 / 3.0 * lam * lam * G
@@ -115,7 +114,7 @@ def _contact(s, lam):
 
 @formula
 def stretch(s, lam):
-    """Return (dD/ds)/s, where D is the displacement over (pi^2 gamma^2 R/K^2)^(1/3).
+    """Return (dD/ds)/s, where D is the displacement in units of (pi^2 gamma^2 R/K^2)^(1/3) and gamma the work of adhesion.
 
     s = a/sqrt(c^2 - a^2), with contact radius a and outer radius c of the attracting ring. lam: Maugis's parameter lambda_M of
     the attraction. The value at s = 0 is finite; it is negative if the approach to contact is unstable.
@@ -128,9 +127,9 @@ def stretch(s, lam):
 def normal(s, g, lam):
     """Return displacement w, dw/ds, load and contact area of Maugis's contact at the coordinate s.
 
-    w is over sigma, the load over K R^(1/2) sigma^(3/2), the area over pi R sigma. s = a/sqrt(c^2 - a^2), with the contact
-    radius a and the outer radius c of the attracting ring. g: (pi/theta)^(1/3), with the elastic adhesion index theta. lam:
-    Maugis's parameter lambda_M of the attraction.
+    s = a/sqrt(c^2 - a^2), with the contact radius a and the outer radius c of the attracting ring. g: (pi/theta)^(1/3), with
+    the elastic adhesion index theta. lam: Maugis's parameter lambda_M of the attraction. All four results are infinite at s =
+    infinity. Units: w in sigma, load in K R^(1/2) sigma^(3/2), area in pi R sigma.
     """
     if s == math.inf:
         return math.inf, math.inf, math.inf, math.inf
@@ -144,10 +143,11 @@ def normal(s, g, lam):
 
 @formula
 def coordinate(w, g, lam):
-    """Return the coordinate s of Maugis's contact at the displacement w over sigma, on the stable branch.
+    """Return the coordinate s of Maugis's contact at the displacement w in units of sigma, on the stable branch.
 
-    s = a/sqrt(c^2 - a^2), with contact radius a and outer radius c of the attracting ring. g: (pi/theta)^(1/3). lam: Maugis's
-    parameter lambda_M. Newton's method from above solves the equation to machine precision; the function is convex.
+    s = a/sqrt(c^2 - a^2), with contact radius a and outer radius c of the attracting ring. g: (pi/theta)^(1/3), with the
+    elastic adhesion index theta. lam: Maugis's parameter lambda_M of the attraction. Newton's method from above solves the
+    equation to machine precision; the function is convex.
     """
     if w == math.inf:
         return math.inf
@@ -192,10 +192,11 @@ def _fill_displacement(s, g, lam, out):
 
 
 def segments(groups: Groups, branch: str) -> list[NormalSegment]:
-    """Return a list with the one segment of Maugis's contact, in loading (from w = 0) or in unloading (from dw/ds = 0).
+    """Return a list with the one segment of Maugis's contact, in loading (from w = 0) or in unloading.
 
-    w is the displacement, s the coordinate. groups: dimensionless groups of n contacts. branch: "loading" or "unloading". An
-    edge is placed at s = 4, because the functions of the attracting ring vary on another scale beyond it.
+    In unloading it starts where dw/ds = 0 or, if the contact stays stable, at s = 0, a contact that has shrunk to a point. w:
+    displacement. s: coordinate. groups: dimensionless groups of n contacts. branch: "loading" or "unloading". An edge is placed
+    at s = 4, because the functions of the attracting ring vary on another scale beyond it.
     """
     lam = np.minimum(LAMBDA_OVER_TABOR * groups.tabor_parameter, _SOFTEST)
     g = np.cbrt(math.pi / groups.theta)

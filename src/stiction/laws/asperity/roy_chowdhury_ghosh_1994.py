@@ -39,8 +39,8 @@ _STEPS = 7  # Newton steps that are sufficient from a start at most 50 % above t
 def unit_root(a):
     """Return the largest real root v of v^3 + a v - 1 = 0, by Newton's method from above.
 
-    The number of steps is fixed and sufficient for every a: the compiler vectorises a loop whose elements all take the same
-    steps.
+    The number of steps is fixed, because the compiler vectorises only loops in which every element takes the same steps. It is
+    sufficient for every a.
     """
     # For s^2 = -a > 0 the root is s + d with 2 s^2 d + 3 s d^2 + d^3 = 1. Both starts are upper bounds of it, and close.
     s = math.sqrt(max(-a, 0.0))
@@ -71,10 +71,10 @@ def unit_roots(a: np.ndarray) -> np.ndarray:
 
 
 def onset(groups: Groups) -> tuple[np.ndarray, np.ndarray]:
-    """Return coordinate u (n,) and displacement w (n,) over sigma at which a JKR contact reaches the hardness and yields.
+    """Return coordinate u (n,) and displacement w (n,) at which the mean pressure of a JKR contact reaches the hardness.
 
-    The mean pressure equals the hardness where u^3 - eta u - S = 0 (eqs 2 and 4 of the 2015 paper), with u^4 = a^2/(R sigma),
-    the contact radius a, the hardness group eta and S = sqrt(6 pi/theta) (theta: elastic adhesion index).
+    The condition is u^3 - eta u - S = 0 (eqs 2 and 4 of soft_coating_2015), with u^4 = a^2/(R sigma), the
+    contact radius a, the hardness group eta and S = sqrt(6 pi/theta) (theta: elastic adhesion index). w: in units of sigma.
     """
     S = np.sqrt(6.0 * math.pi / groups.theta)
     scale = S ** (1.0 / 3.0)
@@ -86,15 +86,15 @@ def onset(groups: Groups) -> tuple[np.ndarray, np.ndarray]:
 def plastic(w, theta, eta):
     """Return displacement w, dw/du = 1, load and contact area of a fully plastic adhesive asperity; u is w itself.
 
-    The area is 2 w over pi R sigma. The load is 2 eta w - 2 pi/theta over K R^(1/2) sigma^(3/2): the hardness times this area,
-    minus the adhesion 2 pi gamma R (second integrand of eq 1 of the 2015 paper). w is over sigma. theta: elastic adhesion
-    index. eta: hardness group.
+    The area is 2 w. The load is 2 eta w - 2 pi/theta: the hardness times the area, minus the adhesive force 2 pi gamma R
+    (second integrand of eq 1 of soft_coating_2015). theta: elastic adhesion index. eta: hardness group. Units: w in sigma, load
+    in K R^(1/2) sigma^(3/2), area in pi R sigma.
     """
     return w, 1.0, 2.0 * eta * w - 2.0 * math.pi / theta, 2.0 * w
 
 
 def flow(groups: Groups, first: np.ndarray) -> NormalSegment:
-    """Return the fully plastic part of the law as a NormalSegment, from the displacements `first` (n,) over sigma on."""
+    """Return the fully plastic part of the law as a NormalSegment that starts at the displacements `first` (n,), in sigma."""
     edges = edges_at(first, np.inf)
     return NormalSegment(plastic, displaced, (groups.theta, groups.eta), edges, "plastic")
 

@@ -77,11 +77,11 @@ def onset(eta_y, S):
 
 @formula
 def yielded_load(u, S, eta_y, u_y):
-    """Return the load of a yielded asperity at the coordinate u >= u_y, over K R^(1/2) sigma^(3/2).
+    """Return the load of a yielded asperity at the coordinate u >= u_y, in units of K R^(1/2) sigma^(3/2).
 
     The centre of the contact carries the limiting pressure p_y, a ring around it JKR's pressure. u^4 = a^2/(R sigma), with the
     contact radius a. u_y: u at yield. S: strength of adhesion, sqrt(6 pi/theta), with the elastic adhesion index theta. eta_y:
-    pi p_y sqrt(R/sigma)/K, with the limiting pressure p_y.
+    pi p_y sqrt(R/sigma)/K.
     """
     square = u_y * u_y
     return square * square * square - S * square * u + eta_y * (u * u * u * u - square * square)
@@ -89,7 +89,7 @@ def yielded_load(u, S, eta_y, u_y):
 
 @formula
 def loading(u, S, eta_y, u_y):
-    """Return the load at the coordinate u in loading, before or after yield, over K R^(1/2) sigma^(3/2).
+    """Return the load at the coordinate u in loading, before or after yield, in units of K R^(1/2) sigma^(3/2).
 
     u^4 = a^2/(R sigma), with the contact radius a. u_y: u at yield. S, eta_y: as in `yielded_load`.
     """
@@ -100,9 +100,9 @@ def loading(u, S, eta_y, u_y):
 def normal(u, theta, eta_y, u_y):
     """Return displacement w, dw/du, load and contact area of the yielded asperity at the coordinate u, in loading.
 
-    u^4 = a^2/(R sigma), with the contact radius a. Displacement and contact radius are related as in a JKR contact. w is over
-    sigma, the load over K R^(1/2) sigma^(3/2), the area over pi R sigma. theta: elastic adhesion index. eta_y: pi p_y
-    sqrt(R/sigma)/K, with the limiting pressure p_y. u_y: u at yield.
+    u^4 = a^2/(R sigma), with the contact radius a. Displacement and contact radius are related as in a JKR contact. theta:
+    elastic adhesion index. eta_y: pi p_y sqrt(R/sigma)/K, with the limiting pressure p_y. u_y: u at yield. Units: w in sigma,
+    load in K R^(1/2) sigma^(3/2), area in pi R sigma.
     """
     S = _adhesion(theta)
     return _displacement(u, S), _stretch(u, S), yielded_load(u, S, eta_y, u_y), u * u * u * u
@@ -115,11 +115,11 @@ def coordinate(w, theta, eta_y, u_y):
 
 @formula
 def unloading_radius(u_max, P_max, S):
-    """Return the effective radius of a yielded asperity in unloading, over its tip radius: R_p/R, 1 or more.
+    """Return the effective radius R_p of a yielded asperity in unloading, divided by its tip radius R; it is 1 or more.
 
-    It is P1/(P_max + 2 sqrt(Pc P1)) with P1 = u_max^6 and Pc = S^2/4. With this radius JKR's load at the turning point equals
-    the largest load P_max. u_max: coordinate at the turning point, u^4 = a^2/(R sigma). S: strength of adhesion, as in
-    `yielded_load`.
+    R_p/R is P1/(P_max + 2 sqrt(Pc P1)) with P1 = u_max^6 and Pc = S^2/4. With this radius JKR's load at the turning point,
+    where loading ended, equals the largest load P_max. u_max: coordinate at the turning point, u^4 = a^2/(R sigma) with the
+    contact radius a. S: strength of adhesion, as in `yielded_load`.
     """
     u3 = u_max * u_max * u_max
     return u3 * u3 / (P_max + S * u3)
@@ -127,7 +127,7 @@ def unloading_radius(u_max, P_max, S):
 
 @formula
 def residual(u_max, radius):
-    """Return the residual displacement over sigma, by which the unloading curve of a yielded asperity is shifted.
+    """Return the residual displacement in units of sigma, by which the unloading curve of a yielded asperity is shifted.
 
     With this shift the displacement at the turning point is the same in unloading and in loading. u_max: coordinate at the
     turning point, u^4 = a^2/(R sigma) with the contact radius a. radius: R_p/R, from `unloading_radius`.
@@ -139,8 +139,8 @@ def residual(u_max, radius):
 def unloading(u, u_max, P_max, S):
     """Return displacement w, dw/du, load and contact area of a yielded asperity in unloading, at the coordinate u.
 
-    u^4 = a^2/(R sigma), with the contact radius a. u_max, P_max: coordinate and load at the turning point, where loading
-    ended. S: as in `yielded_load`. w is over sigma, the load over K R^(1/2) sigma^(3/2), the area over pi R sigma.
+    u^4 = a^2/(R sigma), with the contact radius a. u_max, P_max: coordinate and load at the turning point, where loading ended.
+    S: as in `yielded_load`. Units: w in sigma, load in K R^(1/2) sigma^(3/2), area in pi R sigma.
     """
     radius = unloading_radius(u_max, P_max, S)
     u3 = u * u * u
@@ -150,10 +150,11 @@ def unloading(u, u_max, P_max, S):
 
 @formula
 def unloading_coordinate(w, u_max, P_max, S):
-    """Return the coordinate u of a yielded asperity in unloading at the displacement w over sigma.
+    """Return the coordinate u of a yielded asperity in unloading at the displacement w, in units of sigma.
 
-    u^4 = a^2/(R sigma), with the contact radius a. If w is below the displacement at which contact is lost, u at the loss of
-    contact is returned. u_max, P_max: coordinate and load at the turning point, where loading ended. S: as in `yielded_load`.
+    u^4 = a^2/(R sigma), with the contact radius a. If w is below the displacement at which contact is lost, the coordinate at
+    the loss of contact is returned. u_max, P_max: coordinate and load at the turning point, where loading ended. S: as in
+    `yielded_load`.
     """
     radius = unloading_radius(u_max, P_max, S)
     scale = math.sqrt(math.sqrt(radius))  # JKR's polynomial in u/scale
@@ -162,7 +163,7 @@ def unloading_coordinate(w, u_max, P_max, S):
 
 @formula
 def pull_off(u_max, P_max, S):
-    """Return the pull-off force in unloading, (3/2) pi gamma R_p, over K R^(1/2) sigma^(3/2).
+    """Return the pull-off force of a yielded asperity in unloading, (3/2) pi gamma R_p, in units of K R^(1/2) sigma^(3/2).
 
     R_p is the effective radius in unloading, gamma the work of adhesion. u_max, P_max: coordinate and load at the turning
     point, where loading ended. S: as in `yielded_load`.
@@ -172,10 +173,10 @@ def pull_off(u_max, P_max, S):
 
 @formula
 def lost_displacement(u_max, P_max, S):
-    """Return the displacement over sigma at which a yielded asperity loses contact in unloading.
+    """Return the displacement at which a yielded asperity loses contact in unloading, in units of sigma.
 
-    There the derivative of the displacement by u is 0, which gives u^3 = (S/6) R_p/R. u_max, P_max: coordinate and load at the
-    turning point, where loading ended. S: as in `yielded_load`.
+    There the derivative of the displacement by the coordinate u is 0, which gives u^3 = (S/6) R_p/R. u_max, P_max: coordinate
+    and load at the turning point, where loading ended. S: as in `yielded_load`.
     """
     radius = unloading_radius(u_max, P_max, S)
     u = (S * radius / 6.0) ** (1.0 / 3.0)
@@ -184,10 +185,10 @@ def lost_displacement(u_max, P_max, S):
 
 @formula
 def recovery(U, S, eta_y, u_y):
-    """Return the increase in separation, over sigma, after which an asperity that was loaded to U loses contact.
+    """Return the increase of the separation after which an asperity that was loaded to U loses contact, in units of sigma.
 
-    U: coordinate at the end of loading, U^4 = a^2/(R sigma), at least its value u_y at yield. The increase grows with U. S,
-    eta_y: as in `yielded_load`.
+    U: coordinate at the end of loading, U^4 = a^2/(R sigma) with the contact radius a; U is at least its value u_y at yield.
+    The increase grows with U. S, eta_y: as in `yielded_load`.
     """
     return _displacement(U, S) - lost_displacement(U, yielded_load(U, S, eta_y, u_y), S)
 
@@ -196,10 +197,11 @@ def recovery(U, S, eta_y, u_y):
 def released_normal(v, theta, eta_y, u_y, distance, origin):
     """Return displacement w, dw/dv, load and contact area of a yielded asperity after the separation has increased.
 
-    v: coordinate; the asperity was loaded to U = origin + v^2, with U^4 = a^2/(R sigma). origin: U below which contact is
-    lost, or a U slightly below the first yielded asperity if none is lost. Above a loss, the contact radius exceeds its value
-    at the loss by about the square root of U - origin. distance: increase of the separation over sigma. theta: elastic
-    adhesion index. eta_y: pi p_y sqrt(R/sigma)/K, with the limiting pressure p_y. u_y: U at yield.
+    v: coordinate; the asperity was loaded to U = origin + v^2, with U^4 = a^2/(R sigma) and the contact radius a at the end of
+    loading. origin: U below which contact is lost, or a U slightly below the first yielded asperity if all keep contact. Just
+    above a loss of contact, the contact radius grows like sqrt(U - origin), which is smooth in v. distance: increase of the
+    separation in units of sigma. theta: elastic adhesion index. eta_y: pi p_y sqrt(R/sigma)/K, with the limiting pressure p_y.
+    u_y: U at yield.
     """
     S = _adhesion(theta)
     U = origin + v * v
@@ -225,11 +227,11 @@ _halve = halving(_is_lost)
 
 @lazy_kernel(worth=300)
 def _fill_origin(theta, eta_y, u_y, first, distance, out):
-    """Fill `out` (n,) with the coordinate U above which yielded asperities are still in contact after the separation increased.
+    """Fill `out` (n,) with the coordinate U above which yielded asperities keep contact after the separation has increased.
 
-    U: coordinate at the end of loading, U^4 = a^2/(R sigma). theta, eta_y, u_y (n,): as in `normal`. first (n,): U of the
-    first yielded asperity. distance (n,): increase of the separation over sigma. If all yielded asperities are in contact, the
-    result is below `first`, at 0.9 of it or more, so that the square root of U minus the result is smooth.
+    U: coordinate at the end of loading, U^4 = a^2/(R sigma). theta, eta_y, u_y (n,): as in `normal`. first (n,): U of the first
+    yielded asperity. distance (n,): increase of the separation in units of sigma. If all yielded asperities keep contact, the
+    result lies between 0.9 `first` and `first`, so that sqrt(U - out) is smooth.
     """
     for i in range(out.size):
         arguments = _adhesion(theta[i]), eta_y[i], u_y[i], distance[i]
@@ -243,9 +245,9 @@ def _fill_origin(theta, eta_y, u_y, first, distance, out):
 
 
 def _displacements(u: np.ndarray, theta: np.ndarray) -> np.ndarray:
-    """Return the displacement (n,) of JKR contacts over sigma at the coordinates u (n,), u^4 - (2/3) sqrt(6 pi/theta) u.
+    """Return the displacements (n,) of JKR contacts at the coordinates u (n,), in units of sigma.
 
-    theta (n,): elastic adhesion index.
+    They are u^4 - (2/3) sqrt(6 pi/theta) u. theta (n,): elastic adhesion index.
     """
     return u * (u * u * u - 2.0 / 3.0 * np.sqrt(6.0 * math.pi / theta))
 
@@ -257,7 +259,10 @@ def _fill_onset(theta, eta_y, out):
 
 
 def _first_yield(groups: Groups) -> np.ndarray:
-    """Return the limiting pressure over hardness (n,) as the largest pressure of a Hertz contact at first yield (von Mises)."""
+    """Return the largest pressure of a Hertz contact at first yield (von Mises), divided by the hardness (n,).
+
+    It is the limiting pressure with `limiting_pressure` = "first_yield".
+    """
     each, which = np.unique(groups.nu, return_inverse=True)
     return np.array([hertz.first_yield(nu)[0] for nu in each])[which] / groups.hardness_to_yield
 
@@ -266,7 +271,7 @@ def _hardness(groups: Groups) -> np.ndarray:
     return np.ones(len(groups))
 
 
-# The limiting pressure over the hardness. The source takes the pressure as given.
+# Functions that return the limiting pressure over the hardness. The source does not say how to choose this pressure.
 _LIMITS = {"first_yield": _first_yield, "hardness": _hardness}
 
 
@@ -280,10 +285,11 @@ def segments(groups: Groups, limiting_pressure: str) -> list[NormalSegment]:
 
 
 def released(groups: Groups, distance: np.ndarray, limiting_pressure: str) -> list[NormalSegment]:
-    """Return the segments of an asperity after loading and an increase of the separation by `distance` (n,), over sigma.
+    """Return the segments of an asperity after loading and an increase of the separation by `distance`.
 
-    The first segment has the asperities that did not yield: they follow JKR's unloading branch if they touched before the
-    increase. The second has the yielded asperities. limiting_pressure: "first_yield" or "hardness", the pressure at yield.
+    distance (n,): in units of sigma. The first segment has the asperities that did not yield; they follow JKR's unloading
+    branch if they touched before the increase. The second has the yielded asperities. limiting_pressure: "first_yield" or
+    "hardness", the pressure at yield.
     """
     elastic, yielded = segments(groups, limiting_pressure)
     first, last = elastic.edges.T

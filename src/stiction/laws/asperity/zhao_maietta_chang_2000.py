@@ -36,7 +36,7 @@ _LOG_SPAN = math.log(SPAN)
 
 
 def first_yield(eta):
-    """Return the displacement at first yield over sigma, (0.4 eta)^2.
+    """Return the displacement at first yield in units of sigma, (0.4 eta)^2.
 
     It follows from omega_1 = (3 pi k H/(4 E*))^2 R with k = 0.4 and the hardness group eta = pi H sqrt(R/sigma)/K, K = (4/3)
     E*; eta may be an array.
@@ -48,9 +48,9 @@ def first_yield(eta):
 def passing(u, w_1, eta):
     """Return displacement w, dw/du, load and contact area between first yield and full plasticity, at u = sqrt(w).
 
-    With xi = (omega - omega_1)/(omega_2 - omega_1) the area is pi R omega (1 + 3 xi^2 - 2 xi^3). The mean pressure is H
-    (1 - (1 - k) ln(omega_2/omega)/ln(omega_2/omega_1)) with k = 0.4 and omega_2 = 54 omega_1. w = omega/sigma; w_1: w at first
-    yield; the load is over K R^(1/2) sigma^(3/2), the area over pi R sigma. eta: hardness group.
+    With xi = (omega - omega_1)/(omega_2 - omega_1) the area is pi R omega (1 + 3 xi^2 - 2 xi^3). The mean pressure is H (1 - (1
+    - k) ln(omega_2/omega)/ln(omega_2/omega_1)) with k = 0.4 and omega_2 = 54 omega_1. w = omega/sigma; w_1: w at first yield.
+    eta: hardness group. Units: load in K R^(1/2) sigma^(3/2), area in pi R sigma.
     """
     w = u * u
     ratio = w / w_1
@@ -64,8 +64,8 @@ def passing(u, w_1, eta):
 def flow(u, w_1, eta):
     """Return displacement w, dw/du, load and contact area of a fully plastic asperity, at the coordinate u = sqrt(w).
 
-    The area is 2 w over pi R sigma; the mean pressure is the hardness, so that the load is 2 eta w over K R^(1/2) sigma^(3/2).
-    eta: hardness group. w is over sigma; w_1 is not used.
+    The area is 2 w. The mean pressure is the hardness, so that the load is 2 eta w. eta: hardness group. w_1 is not used.
+    Units: w in sigma, load in K R^(1/2) sigma^(3/2), area in pi R sigma.
     """
     w = u * u
     return w, 2.0 * u, 2.0 * eta * w, 2.0 * w

@@ -1,4 +1,4 @@
-"""Describe the gradual transition from an elastic to a fully plastic asperity.
+"""Compute the plastic fraction of an asperity that changes gradually from elastic to fully plastic.
 
 In Zhao, Maietta & Chang (2000) the contact area grows from pi R omega at omega_1 to 2 pi R omega at omega_2 = 54 omega_1 (R:
 tip radius, omega: displacement). It follows the cubic step 3 xi^2 - 2 xi^3, where xi grows linearly with omega from 0 at
@@ -7,7 +7,7 @@ Without adhesion omega is proportional to the square of the elastic mean pressur
 sqrt(54) * 0.4 = 2.94 at omega_2.
 
 This project's own change (grade C): xi grows linearly with (p/H)^2, which is also defined if hardness and modulus change with
-depth. The step starts at p = H, where the 2015 paper ends the elastic asperity.
+depth. The step starts at p = H, where the elastic asperity of soft_coating_2015 ends.
 """
 
 from stiction.engine.compiled import formula

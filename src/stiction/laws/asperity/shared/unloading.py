@@ -37,11 +37,11 @@ from stiction.laws.segment import NormalSegment
 
 @formula
 def residual(w_max, load_max, area_max):
-    """Return the displacement over sigma that remains after unloading, w_max - load_max/sqrt(area_max), at least 0.
+    """Return the displacement that remains after unloading, w_max - load_max/sqrt(area_max), at least 0, in units of sigma.
 
     w_max, load_max, area_max: displacement, load and contact area of a yielded asperity at the turning point, where unloading
     begins. In SI the formula is omega_max - 3 P/(4 E* a). It would be negative where a published law lets the load jump up, or
-    the area down, at yield; the law of Kogut and Etsion does so up to 1.58 omega_c.
+    the area down, at yield; the law of Kogut and Etsion does so up to 1.58 times the displacement at yield.
     """
     if not area_max > 0.0:
         return 0.0
@@ -74,10 +74,10 @@ def _recovery(state):
 
 @formula
 def _overshoots(state):
-    """Return whether elastic recovery in unloading would exceed the displacement, so that `residual` is limited to 0.
+    """Return whether the elastic recovery of an asperity in unloading would exceed its displacement; `residual` is then 0.
 
-    state: displacement, its derivative by the coordinate, load and contact area in loading. Differences within rounding do not
-    count.
+    state: displacement, its derivative by the coordinate, load and contact area at the end of loading. Differences within
+    rounding do not count.
     """
     return state[3] > 0.0 and state[2] > (1.0 + 1e-12) * state[0] * math.sqrt(state[3])
 
@@ -87,16 +87,17 @@ def _unloading_formulas(normal: Callable, coordinate: Callable, parameters: int)
     """Return the formulas `normal` and `coordinate` of an asperity after unloading.
 
     normal, coordinate: formulas of its loading law, with `parameters` parameters. The returned formulas take these parameters,
-    then the increase of the separation over sigma and the loading coordinate of the asperity that has just lost contact.
+    then the increase of the separation in units of sigma, and the loading coordinate of the asperity that has just lost
+    contact.
     """
 
     @formula
     def released(v, *row):
-        """Return displacement w, dw/dv, load and contact area after unloading, of the asperity with the coordinate v.
+        """Return displacement w, dw/dv, load and contact area, after unloading, of the asperity with the coordinate v.
 
         The asperity was loaded to the coordinate u = free + v^2 of the loading law. free: u below which contact is lost, as
-        `fill_free` computes it. From a loss on, the load starts like (u - free)^(3/2), which is smooth in v. row: parameters
-        of the loading law, increase of the separation, free.
+        `fill_free` computes it. Just above it the load grows like (u - free)^(3/2), which is smooth in v. row: parameters of
+        the loading law, increase of the separation, free.
         """
         w_max, stretch, load_max, area_max = normal(row[parameters + 1] + v * v, *row[:parameters])
         w = w_max - row[parameters]
@@ -123,9 +124,10 @@ def _contact_loss(normal: Callable, parameters: int) -> Any:
     def fill_free(distance, table, edges, out):
         """Fill `out` (n,) with the loading coordinate of the asperity that has just lost contact after unloading.
 
-        distance (n,): increase of the separation over sigma. table, edges: parameters and edges of the loading segment. If even
-        the first asperity of the segment is still in contact, `out` is extrapolated below the segment along a straight line.
-        The coordinate after unloading, sqrt(u - out[i]) at the loading coordinate u, is then smooth on the segment.
+        distance (n,): increase of the separation in units of sigma. table, edges: parameters and edges of the loading segment.
+        If even the first asperity of the segment is still in contact, `out` is extrapolated below the segment along a straight
+        line, or is the start of the segment if the line leads too far. The coordinate after unloading, sqrt(u - out[i]) at the
+        loading coordinate u, is then smooth on the segment.
         """
         for i in range(distance.size):
             row = unpack(table[i], parameters)
@@ -155,10 +157,10 @@ def _residual_limit(normal: Callable, parameters: int) -> Any:
 
     @lazy_kernel(worth=300)
     def fill_clamped(table, edges, out):
-        """Fill `out` (n,) with the coordinate up to which the residual displacement is limited to zero (see `_overshoots`).
+        """Fill `out` (n,) with the loading coordinate up to which the residual displacement is limited to 0.
 
-        It is the first coordinate of the segment if the residual is never limited. table, edges: parameters and edges of the
-        loading segment.
+        The limit is explained in `_overshoots`. The coordinate is the first coordinate of the segment if the residual
+        displacement is never limited. table, edges: parameters and edges of the loading segment.
         """
         for i in range(out.size):
             low, last = edges[i, 0], edges[i, edges.shape[1] - 1]
@@ -169,10 +171,10 @@ def _residual_limit(normal: Callable, parameters: int) -> Any:
 
 
 def unloaded_segments(segments: list[NormalSegment], distance: np.ndarray) -> list[NormalSegment]:
-    """Return the segments of an asperity after loading and an increase of the separation by `distance` (n,), over sigma.
+    """Return the segments of an asperity after loading and an increase of the separation by `distance`.
 
-    segments: the loading law of an asperity without adhesion. Summed over heights at the separation h, the returned segments
-    give load and area of a surface that was first loaded to the separation h - distance.
+    distance (n,): in units of sigma. segments: the loading law of an asperity without adhesion. Summed over heights at the
+    separation h, the returned segments give load and area of a surface that was first loaded to the separation h - distance.
     """
     far = np.ascontiguousarray(distance, dtype=float)
     unloaded = []
