@@ -20,7 +20,7 @@ from stiction.engine.sorting import sort_few
 from stiction.laws.segment import NormalSegment, TangentialResistance
 from stiction.records.registry import AsperityLaw, TangentialLaw, select_options
 
-# A kink whose relative distance to an end of its segment is below this is moved to that end.
+# A kink closer than this, relative to its coordinate, to an end of its segment is moved to that end.
 _AT_END = 4e-15
 # The search for a contact area on an endless segment ends at this coordinate.
 _FARTHEST = 1e100
@@ -28,11 +28,11 @@ _FARTHEST = 1e100
 
 @dataclass(frozen=True)
 class Weights:
-    """Store a shift and the factors that are applied to the response of an asperity when it becomes a `Regime`.
+    """Hold the shift and the factors by which `Law.join` turns an asperity's response into a `Regime`.
 
-    Each field is a number or an array (n,), one value for each of n contacts. shift: added to the displacement, over sigma.
-    unit: factor from the forces of this body to the unit of force of the whole contact. load, area, friction: factors of load,
-    contact area and tangential force, usually 1 (counted) or 0 (left out); `friction` has no effect with a law of the
+    Each field is a number or an array (n,), one value for each of n contacts. shift: added to the displacement, in units of
+    sigma. unit: factor from the forces of this body to the unit of force of the whole contact. load, area, friction: factors of
+    load, contact area and tangential force, usually 1 (counted) or 0 (left out); `friction` has no effect with a law of the
     interface.
     """
 
@@ -45,29 +45,32 @@ class Weights:
 
 @formula
 def none(u, w, load, area):
-    """Return (0, 0), the slip-limited and the yield-limited force of an asperity that does not resist sliding."""
+    """Return (0, 0), the slip-limited and the yield-limited force of an asperity that does not resist sliding.
+
+    The arguments are not used.
+    """
     return 0.0, 0.0
 
 
 @cache
 def _joined(normal: Callable, coordinate: Callable, resistance: Callable, interfacial: bool, parameters: int, own: int) -> Any:
-    """Join the formulas of an asperity law and a tangential law: return `along` and `coordinate` of a `Regime`.
+    """Return the formulas `along` and `coordinate` of a `Regime`, made of an asperity law and a tangential law.
 
     `along` computes the response at a coordinate u, `coordinate` computes u at a displacement.
 
-    normal, coordinate: formulas of a `NormalSegment`. resistance: formula of a `TangentialResistance`. interfacial: whether
-    the tangential law describes the interface; it then gets load and area after, not before, they are multiplied by the factors
-    of `Weights`. parameters, own: number of parameters of the asperity law and of the tangential law. The function is cached,
-    so that the same laws give the same formulas and kernels are compiled once.
+    normal, coordinate: formulas of a `NormalSegment`. resistance: formula of a `TangentialResistance`. interfacial: whether the
+    tangential law describes the interface. It then receives load and area after they are multiplied by the factors of
+    `Weights`, otherwise before. parameters, own: number of parameters of the asperity law and of the tangential law. The
+    function is cached, so that the same laws give the same formulas and kernels are compiled once.
     """
     joined = parameters + own
 
     @formula
     def along(u, *row):
-        """Return displacement, its derivative by u, load, contact area, slip-limited and yield-limited force at u.
+        """Return displacement, its derivative by u, load, contact area, slip-limited and yield-limited force at the coordinate.
 
-        row: parameters of the asperity law and of the tangential law, then the five numbers of `Weights`. The tangential law
-        gets load and area before weighting.
+        u: coordinate. row: parameters of the asperity law and of the tangential law, then the five numbers of `Weights`. The
+        tangential law receives load and area before they are weighted.
         """
         w, stretch, load, area = normal(u, *row[:parameters])
         slip_limited, yield_limited = resistance(u, w, load, area, *row[parameters:joined])
@@ -77,10 +80,10 @@ def _joined(normal: Callable, coordinate: Callable, resistance: Callable, interf
 
     @formula
     def along_interface(u, *row):
-        """Return displacement, its derivative by u, load, contact area, slip-limited and yield-limited force at u.
+        """Return displacement, its derivative by u, load, contact area, slip-limited and yield-limited force at the coordinate.
 
-        row: parameters of the asperity law and of the tangential law, then the five numbers of `Weights`. The tangential law,
-        a law of the interface, gets load and area after weighting.
+        u: coordinate. row: parameters of the asperity law and of the tangential law, then the five numbers of `Weights`. The
+        tangential law, a law of the interface, receives load and area after they are weighted.
         """
         w, stretch, load, area = normal(u, *row[:parameters])
         shift, unit, of_load, of_area, _ = row[joined:]
@@ -99,7 +102,8 @@ def _joined(normal: Callable, coordinate: Callable, resistance: Callable, interf
 class Law:
     """Combine an asperity law with a tangential law and with the options chosen for both.
 
-    tangential: None computes load and contact area only. options: option name -> chosen value; each law takes its own options.
+    tangential: with None, only load and contact area are computed. options: option name -> chosen value; each law takes its own
+    options.
     """
 
     asperity: AsperityLaw
@@ -115,7 +119,7 @@ class Law:
         return self.asperity.segments(groups, **select_options(self.asperity, self.options))
 
     def regimes(self, groups: Groups, weights: Weights = Weights(), **labels) -> list[Regime]:
-        """Return one `Regime` for each segment of the asperity law, with its tangential resistance and multiplied by `weights`.
+        """Return one `Regime` for each segment of the asperity law, with its tangential resistance and with `weights` applied.
 
         groups: dimensionless groups of n contacts. labels: further fields of each Regime, such as body="film" or
         touching=False.
@@ -123,10 +127,9 @@ class Law:
         return [self.join(segment, groups, weights, **labels) for segment in self.segments(groups)]
 
     def join(self, segment: NormalSegment, groups: Groups, weights: Weights = Weights(), **labels) -> Regime:
-        """Return the `Regime` of one segment of the asperity law, with its tangential resistance and multiplied by `weights`.
+        """Return the `Regime` of one segment of the asperity law, with its tangential resistance and with `weights` applied.
 
-        groups: dimensionless groups of n contacts. labels: further fields of the Regime, such as body="film" or
-        touching=False.
+        groups: dimensionless groups of n contacts. labels: further fields of the Regime, such as body="film" or touching=False.
         """
         tangential_resistance = None
         if self.tangential is not None:
@@ -194,8 +197,8 @@ Part = TypeVar("Part", NormalSegment, Regime)
 def within(part: Part, low: np.ndarray | float, high: np.ndarray | float) -> Part:
     """Return a copy of a segment or regime that is restricted to the coordinates from `low` to `high`.
 
-    low, high: numbers or arrays (n,). The copy is empty (all its edges are equal) if high < low, or if both limits lie outside
-    on the same side.
+    low, high: numbers or arrays (n,). The copy is empty (all its edges are equal) if high < low, or if the range from low to
+    high lies outside the segment.
     """
     low = np.maximum(np.reshape(low, (-1, 1)), part.edges[:, :1])
     high = np.minimum(np.reshape(high, (-1, 1)), part.edges[:, -1:])
@@ -253,7 +256,7 @@ def _resistances(resistance: Callable, parameters: int) -> Any:
 def coordinates(segment: NormalSegment, w: np.ndarray | float) -> np.ndarray:
     """Return the coordinates u (n,) of a segment at the displacements w, limited to the ends of the segment.
 
-    w: displacement over sigma, a number or an array (n,).
+    w: displacement in units of sigma, a number or an array (n,).
     """
     edges, out = np.ascontiguousarray(segment.edges), np.empty(len(segment.edges))
     compiled = _coordinates(segment.normal, segment.coordinate, len(segment.parameters))
@@ -264,7 +267,7 @@ def coordinates(segment: NormalSegment, w: np.ndarray | float) -> np.ndarray:
 def coordinates_at_area(segment: NormalSegment, area: np.ndarray | float) -> np.ndarray:
     """Return the coordinates u (n,) of a segment at the contact areas `area`, limited to the ends of the segment.
 
-    area: contact area over pi R sigma, a number or an array (n,). The area must grow along the segment.
+    area: contact area in units of pi R sigma, a number or an array (n,). The area must grow along the segment.
     """
     edges, out = np.ascontiguousarray(segment.edges), np.empty(len(segment.edges))
     compiled = _coordinates_at_area(segment.normal, len(segment.parameters))
@@ -283,7 +286,7 @@ def states(regime: Regime, u: np.ndarray) -> np.ndarray:
 def normal_states(segment: NormalSegment, u: np.ndarray) -> np.ndarray:
     """Return displacement, its derivative by u, load and contact area (n, 4) of a segment at the coordinates u (n,).
 
-    Displacements are over sigma, loads over K R^(1/2) sigma^(3/2) with K = (4/3) E*, areas over pi R sigma.
+    Units: displacement in sigma, load in K R^(1/2) sigma^(3/2) with K = (4/3) E*, area in pi R sigma.
     """
     return _values(segment.normal, segment.parameters, u, 4)
 
@@ -301,9 +304,8 @@ def resistances(
 ) -> np.ndarray:
     """Return the tangential force (n, m) that a law of the interface gives for whole contacts of known load and contact area.
 
-    groups: dimensionless groups of n contacts. load, area (n, m): m states of each contact; loads are over
-    K R^(1/2) sigma^(3/2) with K = (4/3) E*, areas over pi R sigma. state: "elastic" or "plastic". The force is in the unit of
-    the load.
+    groups: dimensionless groups of n contacts. load, area (n, m): m states of each contact. state: "elastic" or "plastic".
+    Units: loads and forces in K R^(1/2) sigma^(3/2) with K = (4/3) E*, areas in pi R sigma.
     """
     anywhere = NormalSegment(none, none, (), np.zeros((len(groups), 1)), state)
     tangential_resistance = tangential.tangential_resistance(anywhere, groups)

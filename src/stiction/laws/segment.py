@@ -19,12 +19,11 @@ class NormalSegment:
 
     normal(u, *parameters) returns displacement, its derivative by u, load and contact area at the coordinate u.
     coordinate(displacement, *parameters) returns u; it is the inverse of the displacement. Both are scalar formulas
-    (engine.compiled.formula). Displacements are over sigma, loads over K R^(1/2) sigma^(3/2), areas over pi R sigma, with the
-    tip radius R, the standard deviation sigma of the heights and K = (4/3) E*.
+    (engine.compiled.formula). Units: displacement in sigma, load in K R^(1/2) sigma^(3/2), area in pi R sigma, with the tip
+    radius R, the standard deviation sigma of the heights and K = (4/3) E*.
 
-    parameters: arrays (n,), in the order in which `normal` takes them.
-    edges: array (n, m + 1) of coordinates: start, kinks, and end of the segment; the end may be infinite.
-    state: one of STATES. lowest: lower bound of the displacement.
+    parameters: arrays (n,), in the order in which `normal` takes them. edges: array (n, m + 1) of coordinates: start, kinks,
+    and end of the segment; the end may be infinite. state: one of STATES. lowest: lower bound of the displacement.
     """
 
     normal: Callable
@@ -40,8 +39,8 @@ class TangentialResistance:
     """Describe the tangential force at which one asperity slides, along one segment and for n contacts at once.
 
     resistance(u, displacement, load, area, *parameters) returns the slip-limited and the yield-limited force, in the unit of
-    the load. The smaller force decides, and the other is returned as 0. parameters: arrays (n,). The engine sums both numbers,
-    so that they may also be other quantities of an asperity, such as a stiffness.
+    the load. The smaller force decides, and the other is returned as 0. parameters: arrays (n,). Because the engine sums both
+    numbers over all asperities, they may also be other quantities of an asperity, such as a stiffness.
 
     kinks: array (n, k) of coordinates at which the force is not smooth, in any order, or None; those outside the segment are
     ignored. branch: coordinates at which the force starts like a fractional power, as in `Regime`, or None.

@@ -15,11 +15,11 @@ if TYPE_CHECKING:
 
 
 def warnings_about(subject: Subject, rules: Iterable[Validity], results: Mapping[str, Any]) -> list[ValidityWarning]:
-    """Return one warning for each validity range that the inputs or the results of a contact leave.
+    """Return one warning for each validity range that an input or a result of a contact lies outside.
 
-    rules: the validity ranges. results: dimensionless results by name; a result that is None is not checked. A quantity that
-    is not in `results` is taken from the contact, `subject`. A warning states the smallest and largest value outside, and how
-    many of all values are outside.
+    rules: the validity ranges. results: dimensionless results by name; a result that is None is not checked. A quantity that is
+    not in `results` is taken from the contact, `subject`. A warning states the smallest and the largest value outside the
+    range, and how many of the values are outside.
     """
     warnings = []
     for rule, values, outside in ranges_left(subject, rules, results):
@@ -32,10 +32,10 @@ def warnings_about(subject: Subject, rules: Iterable[Validity], results: Mapping
 def ranges_left(
     subject: Subject, rules: Iterable[Validity], results: Mapping[str, Any]
 ) -> Iterator[tuple[Validity, np.ndarray, np.ndarray]]:
-    """Yield each validity range that is left, with the values of its quantity and a mask of the values outside.
+    """Yield each validity range that some values lie outside, with all values of its quantity and a mask of those outside.
 
-    rules: the validity ranges. results: dimensionless results by name; a result that is None is not checked. A quantity that
-    is not in `results` is taken from the contact, `subject`. NaN counts as inside.
+    rules: the validity ranges. results: dimensionless results by name; a result that is None is not checked. A quantity that is
+    not in `results` is taken from the contact, `subject`. NaN counts as inside.
     """
     for rule in rules:
         value = results[rule.quantity] if rule.quantity in results else subject.known(rule.quantity)
@@ -48,7 +48,7 @@ def ranges_left(
 
 
 def with_warnings(data: "xarray.Dataset", more: Iterable[ValidityWarning]) -> "xarray.Dataset":
-    """Return a copy of a result with the validity warnings `more` added to those that it has.
+    """Return a copy of a result with the validity warnings `more` appended to those that it has.
 
     Warnings are stored as text in the attribute `outside_validity` and as JSON in the attribute `validity_warnings`.
     """
@@ -71,5 +71,5 @@ def warnings_of(data: "xarray.Dataset") -> list[ValidityWarning]:
 
 
 def read_warnings(text: str) -> list[ValidityWarning]:
-    """Return the validity warnings in a JSON text, which is the attribute `validity_warnings` of a result."""
+    """Return the validity warnings in a JSON text, such as the attribute `validity_warnings` of a result."""
     return [ValidityWarning.from_data(row) for row in json.loads(text)]

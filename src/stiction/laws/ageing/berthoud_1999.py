@@ -41,7 +41,7 @@ from stiction.records.sources import Source
 
 
 def factor(groups: Groups) -> np.ndarray:
-    """Return the interface strength after the hold time over its initial value, (n,).
+    """Return the ratio (n,) of the interface strength after the hold time to its initial value.
 
     It is 1 + m ln(1 + t_w/t_c), with the ageing rate m, the hold time t_w and the reference time t_c.
     """

@@ -36,17 +36,18 @@ from stiction.records.sources import Source
 def value(hardness_ratio, depth_over_thickness, constant, exponent):
     """Return the hardness of film and substrate together over the substrate's: 1 + (H_f/H_s - 1) exp(-c (omega/t)^m).
 
-    hardness_ratio: H_f/H_s, film over substrate. depth_over_thickness: omega/t. constant: c. exponent: m, 1 or 2.
+    hardness_ratio: H_f/H_s, film over substrate. depth_over_thickness: omega/t, with the depth omega and the film thickness t.
+    constant: c. exponent: m, 1 or 2.
     """
     power = depth_over_thickness if exponent == 1.0 else depth_over_thickness * depth_over_thickness
     return 1.0 + (hardness_ratio - 1.0) * exponential(-constant * power)
 
 
 def constants(n_E: np.ndarray, n_H: np.ndarray, n_Y: np.ndarray) -> np.ndarray:
-    """Return the constant c (n,) with which the film's effect on the hardness decays: n_Y/n_E, or n_H/(n_Y sqrt(n_E)).
+    """Return the constant c (n,) in the exponent by which the film's effect on the hardness decays with depth.
 
-    The first holds for a soft film (n_H < 1), the second for a hard one. n_E, n_H, n_Y: modulus, hardness and yield stress of
-    the film over the substrate's.
+    c is n_Y/n_E for a soft film (n_H < 1), n_H/(n_Y sqrt(n_E)) for a hard one. n_E, n_H, n_Y: modulus, hardness and yield
+    stress of the film over the substrate's.
     """
     return np.where(n_H < 1.0, n_Y / n_E, n_H / (n_Y * np.sqrt(n_E)))
 

@@ -25,9 +25,9 @@ _DIAGONAL = 7.0  # of a Vickers pyramid, over the depth of its impression
 def value(hardness_ratio, depth_over_thickness, constant, exponent):
     """Return the hardness of film and substrate together over the substrate's, 1 + (H_f/H_s - 1) A_f/A.
 
-    A_f/A, the film's part of the area, is 2 C t/d - C^2 (t/d)^2 while C t/d < 1, else 1. hardness_ratio: H_f/H_s.
-    depth_over_thickness: displacement omega over film thickness t; the diagonal d is 7 omega. constant: C. `exponent` is not
-    used.
+    A_f/A, the fraction of the area that the film covers, is 2 C t/d - C^2 (t/d)^2 while C t/d < 1, else 1. hardness_ratio:
+    H_f/H_s. depth_over_thickness: displacement omega over film thickness t; the diagonal d is 7 omega. constant: C. `exponent`
+    is not used.
     """
     rim = constant / max(_DIAGONAL * depth_over_thickness, constant)
     return 1.0 + (hardness_ratio - 1.0) * rim * (2.0 - rim)

@@ -22,16 +22,16 @@ WEIGHT = 0.09  # k1
 
 @formula
 def value(hardness_ratio, depth_over_thickness, constant, exponent):
-    """Return the hardness of film and substrate together over the substrate's, 1 + (H_f/H_s - 1) 2 k1 t/omega.
+    """Return the hardness of film and substrate together over the substrate's, 1 + (H_f/H_s - 1) (2 k1) t/omega.
 
-    Near the surface it is limited to the film's hardness. hardness_ratio: H_f/H_s. depth_over_thickness: omega/t. constant: 2
-    k1. `exponent` is not used.
+    At small depths it is limited to the film's hardness. hardness_ratio: H_f/H_s. depth_over_thickness: omega/t, with the depth
+    omega and the film thickness t. constant: the number 2 k1. `exponent` is not used.
     """
     return 1.0 + (hardness_ratio - 1.0) * constant / max(depth_over_thickness, constant)
 
 
 def constants(n_E: np.ndarray, n_H: np.ndarray, n_Y: np.ndarray) -> np.ndarray:
-    """Return the constant 2 k1 = 0.18 for each contact, (n,); of the arguments only the length of n_H is used."""
+    """Return the constant 2 k1 = 0.18 for each contact, (n,); only the length of n_H is used."""
     return np.full_like(n_H, 2.0 * WEIGHT)
 
 

@@ -12,9 +12,9 @@ $$
 
 $s_\mu$ is the standard deviation of the friction coefficient $\mu$ between contacts under the same load $P$, as far as it
 follows from the strength. $A_i$ are the areas of the $n$ junctions in contact, and angle brackets denote their mean. The
-second formula holds if the force is $\tau_0A$ alone. The law leaves out that other asperities touch in each contact; another
-validity warning states this scatter. The mean of $\mu$ does not change. Theories without single junctions do not support this
-law, nor do films, whose junctions belong to two bodies.
+second formula holds if the force is $\tau_0A$ alone. Different contacts also touch at different asperities; this scatter is not
+included, and a validity warning states it. The mean of $\mu$ does not change. Theories without single junctions do not support
+this law, nor do films, whose junctions belong to two bodies.
 
 *Limit*: many junctions, or $c_\tau=0$: no scatter. *Check*: Hertz's asperities with exponential heights, for which $\langle
 A^2\rangle=2\langle A\rangle^2$: $s_\mu/\mu=c_\tau\sqrt{2/n}$ at every load.
@@ -34,10 +34,10 @@ _LARGEST = 1e150
 
 @formula
 def resistance(u, w, load, area, eta, shear_strength, strength_variation):
-    """Return the variance of the friction force of one asperity, and 0; the engine sums both over all asperities.
+    """Return (variance of the friction force of one asperity, 0); the engine sums both numbers over all asperities.
 
     The variance is the square of strength_variation times interface strength times contact area. u, w, load: not used. area:
-    contact area over pi R sigma. eta: hardness group; eta times the area is the load at which the mean pressure is the
+    contact area in units of pi R sigma. eta: hardness group; eta times the area is the load at which the mean pressure is the
     hardness. shear_strength: interface strength over the hardness. strength_variation: standard deviation of the strength over
     its mean.
     """

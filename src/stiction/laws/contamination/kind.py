@@ -37,11 +37,11 @@ class Contamination(Addition, TangentialLaw):
     def results(
         self, results: Mapping[str, np.ndarray], summed: Callable[[TangentialLaw], np.ndarray], asperities: np.ndarray | None
     ) -> dict[str, np.ndarray]:
-        """Return the standard deviation (n, m) of the friction coefficient that follows from the scatter of junction strength.
+        """Return {"friction_coefficient_scatter": standard deviation (n, m) of the friction coefficient between contacts}.
 
-        It is the entry `friction_coefficient_scatter` of the returned dict. results: results of the sum per asperity, with the
-        key "load". summed(law): sum of the resistance of `law` over all heights, per asperity. asperities: number of
-        asperities. The variances of the friction forces of all asperities add up.
+        It follows from the scatter of junction strength: the variances of the friction forces of all asperities add up.
+        results: results of the sum per asperity, with the key "load". summed(law): sum of the resistance of `law` over all
+        heights, per asperity. asperities: number of asperities.
         """
         assert asperities is not None  # because the law needs the groups that determine it
         return {"friction_coefficient_scatter": quotient(np.sqrt(summed(self) / asperities), results["load"])}

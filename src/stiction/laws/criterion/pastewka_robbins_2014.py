@@ -43,16 +43,15 @@ def stickiness_ratio(rms_slope, rms_curvature, interaction_range, adhesion_lengt
 
 
 def interaction_range(groups: Groups) -> np.ndarray:
-    """Return the range of the attraction over sigma (n,), taken as the equilibrium distance of the surfaces.
+    """Return the range of the attraction in units of sigma (n,), taken as the equilibrium distance of the surfaces.
 
-    It is (16/9)^(1/3) theta^(-2/3) / mu_T, by the definitions of the elastic adhesion index theta and the Tabor parameter
-    mu_T.
+    It is (16/9)^(1/3) theta^(-2/3) / mu_T, by the definitions of the elastic adhesion index theta and the Tabor parameter mu_T.
     """
     return np.cbrt(16.0 / 9.0) * groups.theta ** (-2.0 / 3.0) / groups.tabor_parameter
 
 
 def range_over_gap(groups: Groups) -> np.ndarray:
-    """Return the range of the attraction over (16/3) h'^2/h'' (n,), the gap next to a contact spot.
+    """Return the ratio (n,) of the attraction's range to the gap next to a contact spot, (16/3) h'^2/h''.
 
     h' is the root mean square gradient, h'' the root mean square of half the Laplacian. The theory requires a short range, so
     this ratio must be small. sqrt(sigma/R) cancels. Source: Monti, Sanner & Pastewka 2021, as the authors' group restates it.
@@ -62,7 +61,7 @@ def range_over_gap(groups: Groups) -> np.ndarray:
 
 
 def stickiness(groups: Groups) -> np.ndarray:
-    """Return the stickiness ratio (n,), repulsion over attraction; a surface sticks if the ratio is below 1.
+    """Return the ratio (n,) of repulsion to attraction of n rough surfaces; a surface sticks if its ratio is below 1.
 
     The surfaces are isotropic and Gaussian and have the summits (sigma, R, N) of `groups`. The range of the attraction is the
     equilibrium distance. In units of sigma and with s = sqrt(sigma/R), w/E* = (4/3) s / theta and h'' = sqrt(3 pi/32) s^2,

@@ -58,11 +58,10 @@ def wavevector_sum(surface: "HeightMap") -> float:
 
 
 def elastic_over_adhesion(groups: Groups, surface: "HeightMap | None" = None) -> np.ndarray:
-    """Return the elastic energy U of full contact over the work of adhesion gamma, U/gamma (n,).
+    """Return the ratio U/gamma (n,) of the elastic energy U of full contact to the work of adhesion gamma.
 
-    surface: map that represents both faces, from whose spectrum U is computed. Without a map the result is an upper bound,
-    from sigma, R and N of the groups. By the definition of the adhesion index theta, E* sigma/gamma = (3/4) theta
-    sqrt(R/sigma).
+    surface: map that represents the roughness of both faces; U is computed from its spectrum. Without a map, sigma, R and N of
+    the groups give an upper bound. By the definition of the adhesion index theta, E* sigma/gamma = (3/4) theta sqrt(R/sigma).
     """
     if surface is not None:
         from stiction.surfaces.finding import length_unit  # slow to import
@@ -75,10 +74,10 @@ def elastic_over_adhesion(groups: Groups, surface: "HeightMap | None" = None) ->
 
 
 def energy_ratio(groups: Groups, surface: "HeightMap | None" = None) -> np.ndarray:
-    """Return the elastic energy of full contact over the energy that adhesion gains on the rough area (n,).
+    """Return the ratio (n,) of the elastic energy of full contact to the energy that adhesion gains on the rough area.
 
-    Full contact lasts without load if the ratio is below 1. surface: map that represents both faces, or None, which gives an
-    upper bound from sigma, R and N of the groups.
+    Full contact lasts without load if the ratio is below 1. surface: map that represents the roughness of both faces, or None,
+    which gives an upper bound from sigma, R and N of the groups.
     """
     slope = groups.sharpness * slope_over_sharpness(groups.roughness_parameter)
     return elastic_over_adhesion(groups, surface) / (1.0 + 0.5 * slope * slope)

@@ -96,17 +96,17 @@ PULL_ON_MAPS = Validity(
 def along(w, pull, height):
     """Return the six values of a meniscus that a `Regime` requires: w, 1 (derivative of w by the coordinate), load, 0, 0, 0.
 
-    The zeros are contact area and tangential forces. The load is negative; the coordinate is the displacement w over sigma
-    itself, negative for a gap. pull: attractive force on a touching asperity, over K R^(1/2) sigma^(3/2). height: largest
-    bridged gap over sigma, beyond which the load is 0.
+    The zeros are contact area and tangential forces. The load is negative. The coordinate is the displacement w itself, in
+    units of sigma, negative for a gap. pull: attractive force on a touching asperity, in units of K R^(1/2) sigma^(3/2).
+    height: largest bridged gap in units of sigma, beyond which the load is 0.
     """
     return w, 1.0, -pull * min(1.0, max(1.0 + w / height, 0.0)), 0.0, 0.0, 0.0
 
 
 def pull(groups: Groups) -> list[Regime]:
-    """Return a list with the one regime of menisci: they bridge gaps up to w_m and surround contacts.
+    """Return a list with one regime, the menisci that bridge gaps up to w_m or surround contacts.
 
-    Its coordinate is the displacement w over sigma, from -w_m on; w_m is the largest bridged gap over sigma.
+    Its coordinate is the displacement w in units of sigma, from -w_m on; w_m is the largest bridged gap in units of sigma.
     """
     height = groups.meniscus_height
     edges = edges_at(-height, 0.0, np.inf)

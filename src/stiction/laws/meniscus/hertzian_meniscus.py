@@ -62,7 +62,8 @@ def along(s, pull, height):
     """Return the six values of a ring of liquid that a `Regime` requires: displacement w, dw/ds, load, 0, 0, 0.
 
     The zeros are contact area and tangential forces. s = a/sqrt(b^2 - a^2), with the inner radius a and the outer radius b of
-    the ring. pull: attractive force at first touch, over K R^(1/2) sigma^(3/2). height: largest bridged gap over sigma.
+    the ring. pull: attractive force at first touch, in units of K R^(1/2) sigma^(3/2). height: largest bridged gap in units of
+    sigma.
     """
     if s == math.inf:
         return math.inf, math.inf, -0.5 * pull, 0.0, 0.0, 0.0
@@ -74,10 +75,10 @@ def along(s, pull, height):
 
 @formula
 def coordinate(w, pull, height):
-    """Return the coordinate s of a ring of liquid at the displacement w over sigma, by Newton's method on w = pi w_m s^2/F(s).
+    """Return the coordinate s of a ring of liquid at the displacement w in units of sigma.
 
-    height: largest bridged gap w_m over sigma. The start is an upper bound, because F is at most pi/2 and at most 4/(3 s).
-    `pull` is not used.
+    height: largest bridged gap w_m in units of sigma. Newton's method solves w = pi w_m s^2/F(s). It starts at an upper bound
+    of s, because F is at most pi/2 and at most 4/(3 s). `pull` is not used.
     """
     if w == math.inf:
         return math.inf
@@ -95,7 +96,7 @@ def coordinate(w, pull, height):
 def pull(groups: Groups) -> list[Regime]:
     """Return two regimes: menisci that bridge a gap, from w = -w_m to 0, and rings of liquid around contacts, from w = 0 on.
 
-    w is the displacement of the asperity over sigma, w_m the largest bridged gap over sigma.
+    w is the displacement of the asperity and w_m the largest bridged gap, both in units of sigma.
     """
     bridging = equilibrium_meniscus.pull(groups)[0]
     edges = np.tile([0.0, np.inf], (len(groups), 1))

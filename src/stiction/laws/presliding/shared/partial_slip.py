@@ -1,6 +1,7 @@
-"""Derive tangential laws of displaced contacts: the force that a contact carries at a displacement replaces its strength.
+"""Derive, from a tangential law, laws of contacts that are displaced tangentially but may not slide yet.
 
-The engine can then sum this force over heights. Equations and sources are in `laws/presliding/mindlin_1949.py`.
+In these laws the force, stiffness or sticking area of a contact at its displacement replaces its strength, so that the engine
+can sum it over heights. Equations and sources are in `laws/presliding/mindlin_1949.py`.
 """
 
 from collections.abc import Callable
@@ -25,13 +26,13 @@ _MOST = 4  # changes between sticking and sliding that are searched on a segment
 
 @cache
 def _slipping(resistance: Callable, own: int) -> Any:
-    """Return a formula for a displaced asperity: the tangential force that it carries, and the energy lost in a cycle.
+    """Return a formula that gives two numbers for a displaced asperity: its tangential force, and the energy lost in a cycle.
 
     resistance: formula of the strength, with `own` parameters. The returned formula takes these parameters, then K beta, the
-    tangential displacement over sigma, and the fraction of the strength that a sliding asperity retains. The energy is in the
-    unit of force times sigma.
+    tangential displacement in units of sigma, and the fraction of its strength that a sliding asperity retains. The energy is
+    in the unit of force times sigma.
     """
-    compliance, moved, left = own, own + 1, own + 2
+    compliance, moved, residual = own, own + 1, own + 2
 
     @formula
     def slipping(u, w, load, area, *row):
@@ -41,7 +42,7 @@ def _slipping(resistance: Callable, own: int) -> Any:
             return 0.0, 0.0
         slides_at = 1.5 * strength / stiffness(area, row[compliance])
         s = row[moved] / slides_at
-        force = strength * slip_share(s) if s < 1.0 else strength * row[left]
+        force = strength * slip_share(s) if s < 1.0 else strength * row[residual]
         return force, strength * slides_at * loss_share(s)
 
     return slipping
@@ -49,10 +50,10 @@ def _slipping(resistance: Callable, own: int) -> Any:
 
 @cache
 def _sticking_area(resistance: Callable, own: int) -> Any:
-    """Return a formula for a tangentially displaced asperity: the part of its contact area that still sticks, and 0.
+    """Return a formula that gives (contact area that still sticks, 0) for a tangentially displaced asperity.
 
-    resistance: formula of the strength, with `own` parameters. The returned formula takes these parameters, then K beta and
-    the displacement over sigma.
+    resistance: formula of the strength, with `own` parameters. The returned formula takes these parameters, then K beta and the
+    displacement in units of sigma.
     """
     compliance, moved = own, own + 1
 
@@ -76,7 +77,7 @@ def _not_yet(normal: Callable, parameters: int, resistance: Callable, own: int) 
         """Return a number that is positive while the asperity at the coordinate u does not slide yet.
 
         It is 3/2 of the strength minus the initial tangential stiffness times the tangential displacement. row: parameters of
-        the asperity law and of the strength, then K beta and the displacement over sigma.
+        the asperity law and of the strength, then K beta and the displacement in units of sigma.
         """
         w, _, load, area = normal(u, *row[:parameters])
         slip_limited, yield_limited = resistance(u, w, load, area, *row[parameters:count])
@@ -86,11 +87,11 @@ def _not_yet(normal: Callable, parameters: int, resistance: Callable, own: int) 
 
 
 def slipping_law(tangential: TangentialLaw, displacement: np.ndarray, residual: float) -> TangentialLaw:
-    """Return a tangential law with the force of contacts at a tangential displacement in place of their strength.
+    """Return a tangential law whose force is that of contacts at a tangential displacement, in place of their strength.
 
-    tangential: law of the strength. displacement (n,): over sigma. residual: fraction of its strength that an asperity retains
-    once it slides. The slip-limited part of the returned law is the force. Its yield-limited part is the energy lost in a
-    cycle of this amplitude, in the unit of force times sigma.
+    tangential: law of the strength. displacement (n,): in units of sigma. residual: fraction of its strength that an asperity
+    retains once it slides. The slip-limited part of the returned law is the force. Its yield-limited part is the energy lost in
+    a cycle of this amplitude, in the unit of force times sigma.
     """
     return _displaced(tangential, _slipping, displacement, np.full(len(displacement), residual))
 
@@ -98,7 +99,7 @@ def slipping_law(tangential: TangentialLaw, displacement: np.ndarray, residual: 
 def sticking_area_law(tangential: TangentialLaw, displacement: np.ndarray) -> TangentialLaw:
     """Return a tangential law whose resistance is the contact area that still sticks at a tangential displacement.
 
-    tangential: law of the strength. displacement (n,): over sigma.
+    tangential: law of the strength. displacement (n,): in units of sigma.
     """
     return _displaced(tangential, _sticking_area, displacement)
 
@@ -108,9 +109,9 @@ def _displaced(
 ) -> TangentialLaw:
     """Return a tangential law in which a formula of displaced contacts replaces the strength.
 
-    tangential: law of the strength. formula_of(resistance, number of its parameters): returns the replacing formula, which
-    takes the parameters of the strength, then K beta, the displacement (n,) over sigma and `parameters`. Coordinates at which
-    asperities begin to slide become kinks and branch points of the law.
+    tangential: law of the strength. formula_of(resistance, number of its parameters): returns the formula that replaces the
+    strength; it takes the parameters of the strength, then K beta, the displacement (n,) in units of sigma and `parameters`.
+    Coordinates at which asperities begin to slide become kinks and branch points of the law.
     """
 
     def resistance(segment: NormalSegment, groups: Groups, **options: str) -> TangentialResistance | None:
@@ -166,8 +167,8 @@ def sticking_law(tangential: TangentialLaw) -> TangentialLaw:
 def _begins(segment: NormalSegment, strength: TangentialResistance, more: tuple[np.ndarray, ...]) -> np.ndarray:
     """Return the coordinates (n, 4) on a segment at which asperities change between sticking and sliding.
 
-    strength: resistance of the asperities to sliding. more: K beta and the tangential displacement over sigma, arrays (n,).
-    Unused entries are the first coordinate of the segment.
+    strength: resistance of the asperities to sliding. more: K beta and the tangential displacement in units of sigma, arrays
+    (n,). Unused entries are the first coordinate of the segment.
     """
     edges = with_kinks(segment.edges, strength.kinks)
     edges = np.ascontiguousarray(np.minimum(edges, coordinates(segment, _DEEPEST)[:, None]))
