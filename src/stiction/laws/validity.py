@@ -22,14 +22,14 @@ def warnings_about(subject: Subject, rules: Iterable[Validity], results: Mapping
     range, and how many of the values are outside.
     """
     warnings = []
-    for rule, values, outside in ranges_left(subject, rules, results):
+    for rule, values, outside in violated_ranges(subject, rules, results):
         ends = float(values[outside].min()), float(values[outside].max())
         points = int(outside.sum()), outside.size
         warnings.append(ValidityWarning(rule.why, rule.quantity, *ends, rule.low, rule.high, *points, rule.kind))
     return warnings
 
 
-def ranges_left(
+def violated_ranges(
     subject: Subject, rules: Iterable[Validity], results: Mapping[str, Any]
 ) -> Iterator[tuple[Validity, np.ndarray, np.ndarray]]:
     """Yield each validity range that some values lie outside, with all values of its quantity and a mask of those outside.

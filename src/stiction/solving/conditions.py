@@ -14,7 +14,7 @@ import numpy as np
 
 from stiction.laws.meniscus.equilibrium_meniscus import KELVIN
 from stiction.laws.proportion import OUT_OF_PROPORTION
-from stiction.laws.validity import ranges_left, warnings_about
+from stiction.laws.validity import violated_ranges, warnings_about
 from stiction.quantities.dimensions import aligned
 from stiction.records.claims import Validity
 from stiction.records.validity_warning import ValidityWarning
@@ -154,7 +154,7 @@ def points_outside(problem: Problem, curve: Mapping[str, np.ndarray]) -> np.ndar
     curve: normalised results (1, m) of a single contact, by name.
     """
     status = np.full(curve["load"].shape, WITHIN)
-    for rule, _, outside in ranges_left(problem.subject, rules_of(problem), _known(problem, curve)):
+    for rule, _, outside in violated_ranges(problem.subject, rules_of(problem), _known(problem, curve)):
         status = np.maximum(status, np.where(outside, IMPOSSIBLE if rule.kind == "impossible" else OUTSIDE, WITHIN))
     return status[0]
 

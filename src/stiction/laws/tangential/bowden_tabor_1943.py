@@ -25,10 +25,10 @@ from stiction.records.sources import Source
 
 @formula
 def shear_force(area, eta, shear_strength):
-    """Return the tangential force T = tau_0 A of a contact, over K R^(1/2) sigma^(3/2).
+    """Return the tangential force T = tau_0 A of a contact, in units of K R^(1/2) sigma^(3/2).
 
-    area: contact area A over pi R sigma. eta: hardness group; eta times the area is the load at which the mean pressure is the
-    hardness H. shear_strength: strength of the interface over the hardness, tau_0/H.
+    area: contact area A in units of pi R sigma. eta: hardness group; eta times the area is the load at which the mean pressure
+    is the hardness H. shear_strength: strength of the interface over the hardness, tau_0/H.
     """
     return shear_strength * eta * area
 
@@ -39,7 +39,10 @@ def resistance(u, w, load, area, eta, shear_strength):
 
 
 def tangential_resistance(segment: NormalSegment, groups: Groups) -> TangentialResistance:
-    """Return the tangential resistance on a segment: shear strength of the interface times contact area, elastic or plastic."""
+    """Return the tangential resistance on a segment: shear strength of the interface times contact area, elastic or plastic.
+
+    segment: one smooth part of an asperity law. groups: dimensionless groups of n contacts.
+    """
     return TangentialResistance(resistance, (groups.eta, groups.shear_strength))
 
 

@@ -28,10 +28,10 @@ from stiction.records.sources import Source
 
 @formula
 def resistance(u, w, load, area, eta, shear_strength, pressure_coefficient):
-    """Return the slip-limited force T = tau_0 A + alpha max(P, 0) of one asperity, and 0, the yield-limited force.
+    """Return the slip-limited and the yield-limited force of one asperity, (tau_0 A + alpha max(P, 0), 0).
 
-    u, w: not used. load, area: P over K R^(1/2) sigma^(3/2), also the unit of T, and A over pi R sigma. eta: hardness group.
-    shear_strength: tau_0/H, strength of the interface over the hardness. pressure_coefficient: alpha.
+    load, area: P and A. eta: hardness group. shear_strength: tau_0/H, strength of the interface over the hardness.
+    pressure_coefficient: alpha. u, w: not used. Units: load and forces in K R^(1/2) sigma^(3/2), area in pi R sigma.
     """
     return shear_force(area, eta, shear_strength) + pressure_coefficient * max(load, 0.0), 0.0
 
@@ -39,7 +39,7 @@ def resistance(u, w, load, area, eta, shear_strength, pressure_coefficient):
 def tangential_resistance(segment: NormalSegment, groups: Groups) -> TangentialResistance:
     """Return the tangential resistance on a segment, with a kink at zero load, below which pressure adds no strength.
 
-    groups: dimensionless groups of n contacts.
+    segment: one smooth part of an asperity law. groups: dimensionless groups of n contacts.
     """
     turns = zero_load(segment)
     parameters = groups.eta, groups.shear_strength, groups.pressure_coefficient

@@ -36,7 +36,7 @@ from stiction.laws.tangential.shared.zero_load import zero_load
 from stiction.records.registry import TangentialLaw, Validity
 from stiction.records.sources import Source
 
-# Where a segment that begins under load is split for the sum, over its first displacement.
+# A segment that begins under load is split for the sum over heights at these multiples of its first displacement.
 _SPLITS = (8.0, 64.0, 512.0, 4096.0)
 
 
@@ -52,10 +52,10 @@ def friction_coefficient(load_ratio):
 
 @formula
 def resistance(u, w, load, area, L_c):
-    """Return 0, the slip-limited force, and the yield-limited force mu P, at which no tangential stiffness is left.
+    """Return the slip-limited and the yield-limited force of one asperity, (0, mu P); both are 0 under tension.
 
-    Both are 0 under tension. load: P over K R^(1/2) sigma^(3/2), also the unit of the force. L_c: load at first yield in full
-    stick, in the same unit. u, w, area: not used.
+    At the force mu P the asperity has lost its tangential stiffness. load: P in units of K R^(1/2) sigma^(3/2), as the forces.
+    L_c: load at first yield in full stick, in the same unit. u, w, area: not used.
     """
     return 0.0, load * friction_coefficient(load / L_c) if load > 0.0 else 0.0
 
@@ -63,13 +63,13 @@ def resistance(u, w, load, area, L_c):
 def tangential_resistance(segment: NormalSegment, groups: Groups) -> TangentialResistance:
     L_c = critical_values(groups.eta, groups.nu, groups.hardness_to_yield)[1]
     first = np.ascontiguousarray(segment.edges[:, 0])
-    # T grows as P^0.65 from zero load on, a broken power in any smooth coordinate. Zero load is at first touch or, for an
-    # adhesive plastic junction, where its tension ends.
+    # T grows as P^0.65 from zero load on, a fractional power in any smooth coordinate. The load is zero at first touch or, for
+    # an adhesive plastic junction, where its tension ends.
     begins = zero_load(segment)
     begins = first if begins is None else begins
     at_first = normal_states(segment, first)
     touches = at_first[:, 2] <= 0.0
-    # For a segment that begins under load, the power law begins before it, about as far away as first touch.
+    # If a segment begins under load, the power law begins before the segment, near first touch.
     near = [coordinates(segment, np.where(touches, -np.inf, at_first[:, 0] * factor)) for factor in _SPLITS]
     kinks = np.stack([begins, *(np.where(touches, begins, place) for place in near)], axis=1)
     return TangentialResistance(resistance, (L_c,), kinks, np.where(touches, begins, -np.inf))

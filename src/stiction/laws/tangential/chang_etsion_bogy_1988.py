@@ -57,10 +57,10 @@ _ON_AXIS, _AT_EDGE = 0.2045, 0.56
 
 @formula
 def axis_coefficient(nu):
-    """Return c1, the shear stress on the axis of a sheared Hertz contact over the largest surface traction q0.
+    """Return c1, the ratio of the shear stress on the axis of a sheared Hertz contact to the largest surface traction q0.
 
-    c1 = -1 + (3/2) z atan(1/z) - z^2 / (2 (1 + z^2)), where z = 0.48 is the depth of first yield over the contact radius for
-    nu = 0.3. The authors use this depth for every Poisson's ratio nu.
+    c1 = -1 + (3/2) z atan(1/z) - z^2 / (2 (1 + z^2)), where z = 0.48 is the depth of first yield over the contact radius for nu
+    = 0.3. The authors use this depth for every Poisson's ratio nu.
     """
     z = 0.48
     return -1.0 + 1.5 * z * math.atan(1.0 / z) - z * z / (2.0 * (1.0 + z * z))
@@ -72,7 +72,7 @@ def on_axis(w_ratio, nu, K_H):
 
     w_ratio: displacement over the displacement at first yield without shear. K_H: largest pressure at that yield over the
     hardness. nu: Poisson's ratio. At yield (f p0)^2 + 3 (c1 q0)^2 = Y^2, with the yield stress Y. Without shear, the von Mises
-    stress on the axis is f times the largest pressure p0. The largest traction q0 causes the shear stress c1 q0 there, see
+    stress on the axis is f times the largest pressure p0. The largest traction q0 adds the shear stress c1 q0 on the axis, see
     `axis_coefficient`.
     """
     return _ON_AXIS / (K_H * abs(axis_coefficient(nu))) * math.sqrt(max(1.0 / w_ratio - 1.0, 0.0))
@@ -117,10 +117,11 @@ def _fill_first_on_axis(nu, K_H, out):
 
 
 def first_on_axis(nu: np.ndarray, K_H: np.ndarray) -> np.ndarray:
-    """Return the ratio (n,) of displacement to displacement at first yield, above which yield under shear begins on the axis.
+    """Return the ratio (n,) w/w_c above which a Hertz contact under shear yields on its axis first.
 
-    Below, it begins at the trailing edge. nu, K_H (n,): Poisson's ratio, and largest pressure at first yield without shear
-    over the hardness. The ratio is found by bisection; it is 0.9512 for nu = 0.3.
+    w: displacement. w_c: displacement at first yield without shear. Below this ratio the contact yields at its trailing edge
+    first. nu (n,): Poisson's ratio. K_H (n,): largest pressure at first yield without shear over the hardness. The ratio is
+    found by bisection; it is 0.9512 for nu = 0.3.
     """
     out = np.empty_like(nu)
     _fill_first_on_axis(nu, K_H, out)
@@ -129,10 +130,11 @@ def first_on_axis(nu: np.ndarray, K_H: np.ndarray) -> np.ndarray:
 
 @formula
 def resistance(u, w, load, area, w_c, nu, K_H):
-    """Return 0, the slip-limited force, and the yield-limited force mu P; both are 0 before first touch and from w_c on.
+    """Return the slip-limited and the yield-limited force of one asperity, (0, mu P).
 
-    w: displacement over sigma. load: P over K R^(1/2) sigma^(3/2), also the unit of the force. w_c: displacement at first
-    yield without shear. nu: Poisson's ratio. K_H: largest pressure at that yield over the hardness. u, area: not used.
+    Both are 0 before first touch and from w_c on. w: displacement in units of sigma. load: P in units of K R^(1/2) sigma^(3/2),
+    as the forces. w_c: displacement at first yield without shear. nu: Poisson's ratio. K_H: largest pressure at that yield over
+    the hardness. u, area: not used.
     """
     return 0.0, load * friction_coefficient(w / w_c, nu, K_H) if 0.0 < w < w_c else 0.0
 
@@ -142,8 +144,9 @@ def tangential_resistance(
 ) -> TangentialResistance | None:
     """Return the tangential resistance on a segment, or None for a plastic segment without resistance.
 
-    Up to the displacement at first yield it is the force at which a Hertz contact yields under shear. Beyond, there is no
-    resistance, unless `plastic_junctions` is the key of another law, whose resistance is then used.
+    segment: one smooth part of an asperity law. groups: dimensionless groups of n contacts. Up to the displacement at first
+    yield the resistance is the force at which a Hertz contact yields under shear. Beyond, there is none, unless
+    `plastic_junctions` is the key of another law, whose resistance is then used.
     """
     if segment.state == "plastic":
         return of_whole_segment(plastic_junctions, segment, groups)

@@ -82,8 +82,8 @@ INSIDE, BELOW, IN_NU = 14, 15, 20
 def inside_reach(nu):
     """Return the value of (1 - 2 nu) p0/Y up to which the series for yield on the surface inside the contact is fitted.
 
-    nu: Poisson's ratio. p0/Y: largest pressure over yield stress. The series is used up to a value that is 0.4 to 7 % smaller
-    for nu up to 0.4. For larger nu it is used up to a much smaller value, because the asperity yields below the surface first.
+    nu: Poisson's ratio. p0/Y: largest pressure over yield stress. For nu up to 0.4 the series is used up to a value that is 0.4
+    to 7 % smaller. For larger nu it is used up to a much smaller value, because the asperity yields below the surface first.
     """
     return 0.205 + 0.33 * nu
 
@@ -91,28 +91,28 @@ def inside_reach(nu):
 def below_reach(nu):
     """Return the relative width of the range of p0/Y over which the series for yield below the surface is fitted.
 
-    The range is (1 - width) F to F, with largest pressure over yield stress, p0/Y, and its value F at which the load alone
-    causes yield. nu: Poisson's ratio. The series is used from the p0/Y at which this place yields first, at most 0.02 F above
-    the start of the range.
+    p0/Y: largest pressure over yield stress. The range is (1 - width) F to F, where F is the p0/Y at which the load alone
+    causes yield. nu: Poisson's ratio. The series is used from the p0/Y at which yield below the surface comes first, at most
+    0.02 F above the start of the range.
     """
     return 0.012 + 0.22 * nu
 
 
 def shear_at_yield(s, nu, x, z) -> np.ndarray:
-    """Return the largest traction over the yield stress, q0/Y, at which one place of a sheared Hertz contact yields.
+    """Return the largest traction over the yield stress, q0/Y, at which a given place of a sheared Hertz contact yields.
 
-    s: largest pressure over the yield stress, p0/Y. nu: Poisson's ratio. x, z: position in the direction of shear and depth of
-    the place, over the contact radius. The arguments are broadcast. The result is infinite if the place never yields. The
+    s: largest pressure over the yield stress, p0/Y. nu: Poisson's ratio. x, z: position of the place in the direction of shear,
+    and its depth, over the contact radius. The arguments are broadcast. The result is infinite if the place never yields. The
     squared von Mises stress is a quadratic form in s and q0/Y.
     """
     return _root(s, *_forms(nu, x, z))
 
 
 def _forms(nu, x, z) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return the coefficients of s^2, 2 s q and q^2 in the squared von Mises stress over Y^2 at a place of a Hertz contact.
+    """Return the coefficients of s^2, 2 s q and q^2 in the squared von Mises stress at a place of a Hertz contact.
 
-    s, q: largest pressure and largest traction over the yield stress Y. nu: Poisson's ratio. x, z: position in the direction
-    of shear and depth of the place, over the contact radius.
+    The squared stress is in units of Y^2. s, q: largest pressure and largest traction over the yield stress Y. nu: Poisson's
+    ratio. x, z: position of the place in the direction of shear, and its depth, over the contact radius.
     """
     normal, tangential = pressed(x, 0.0, z, nu), dragged(x, 0.0, z, nu)
     return _product(normal, normal), _product(normal, tangential), _product(tangential, tangential)
@@ -142,7 +142,7 @@ def _product(first: Stress, other: Stress) -> np.ndarray:
 
 @cache
 def first_yield_of_load() -> np.ndarray:
-    """Return F = p0/Y, at which the load alone causes yield, as a Chebyshev series (IN_NU,) in 4 nu - 1.
+    """Return F, the p0/Y at which the load alone causes yield, as the coefficients (IN_NU,) of a Chebyshev series in 4 nu - 1.
 
     p0/Y: largest pressure over yield stress. nu: Poisson's ratio.
     """
@@ -178,10 +178,11 @@ def series_below() -> np.ndarray:
 
 
 def _least(s, nu, x, z, reach_x: float, reach_z: float) -> np.ndarray:
-    """Return the traction at which a Hertz contact first yields anywhere: its largest value q0 over the yield stress Y.
+    """Return the traction at which a Hertz contact first yields anywhere, as its largest value q0 over the yield stress Y.
 
-    s: largest pressure over Y. nu: Poisson's ratio. Both are arrays of one shape, as is the result. The places (x, z), over the
-    contact radius, are tried first; then the neighbourhood of the place that yields first, reach_x by reach_z, is searched.
+    s: largest pressure over Y. nu: Poisson's ratio. Both are arrays of one shape, as is the result. The places (x, z), in units
+    of the contact radius, are tried first. Then the neighbourhood of the one that yields first is searched, reach_x by reach_z
+    in size.
     """
 
     def shear(x, z):
@@ -193,16 +194,16 @@ def _least(s, nu, x, z, reach_x: float, reach_z: float) -> np.ndarray:
 
 
 def _nodes(terms: int) -> tuple[np.ndarray, np.ndarray]:
-    """Return a grid of Chebyshev points: y from 0 to 1 along axis 0, Poisson's ratio nu from 0 to 0.5 along axis 1.
+    """Return two arrays (terms, IN_NU), a grid of Chebyshev points of y (0 to 1, along axis 0) and nu (0 to 0.5, along axis 1).
 
-    Both are arrays (terms, IN_NU).
+    y: variable of a series. nu: Poisson's ratio.
     """
     y, nu = (1.0 + chebyshev.chebpts1(terms)) / 2.0, (1.0 + chebyshev.chebpts1(IN_NU)) / 4.0
     return np.meshgrid(y, nu, indexing="ij")
 
 
 def _fit(values: np.ndarray) -> np.ndarray:
-    """Return the Chebyshev coefficients of a function of y and Poisson's ratio from its values at the grid of `_nodes`.
+    """Return the Chebyshev coefficients of a function of y and Poisson's ratio from its values on the grid of `_nodes`.
 
     Values and coefficients have the same shape, (terms, IN_NU).
     """
@@ -228,13 +229,13 @@ def _sum(y, series, first, terms):
 
 @formula
 def resistance(u, w, load, area, *row):
-    """Return 0, the slip-limited force, and the yield-limited force Q = (q0/p0) P of an elastic asperity.
+    """Return the slip-limited and the yield-limited force of an elastic asperity, (0, Q) with Q = (q0/p0) P.
 
-    load, area: P over K R^(1/2) sigma^(3/2), also the unit of Q, and contact area over pi R sigma. u, w: not used. row:
-    hardness group eta; k = H/Y; Poisson's ratio; the values of s = p0/Y up to which yield is inside the contact, from which it
-    is below the surface, and at which the load alone causes yield; factors that turn s into the variable y of both series;
-    coefficients of both series (`series_for`). s = 1.5 k P/(eta A), because the mean pressure is H where P = eta A (theory.md)
-    and H = k Y.
+    load, area: P and contact area. u, w: not used. row: hardness group eta; k = H/Y; Poisson's ratio; three values of s = p0/Y,
+    of which yield is inside the contact up to the first, below the surface from the second on, and caused by the load alone
+    from the third on; two factors that turn s into the variable y of either series; coefficients of both series (`series_for`).
+    s = 1.5 k P/(eta A), because the mean pressure is H where P = eta A (theory.md) and H = k Y. Units: load and forces in K
+    R^(1/2) sigma^(3/2), area in pi R sigma.
     """
     eta, k, nu, inside_until, below_from, end, to_inside, to_below = row[:8]
     series = row[8:]
@@ -253,9 +254,9 @@ def resistance(u, w, load, area, *row):
 def series_for(nu: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return the numbers of `resistance` that depend on Poisson's ratio alone: (5, n) and coefficients (INSIDE + BELOW, n).
 
-    The first are three values of s = p0/Y (yield is inside the contact up to the first, below the surface from the second, and
-    due to the load alone from the third), and two factors that turn s into the variables of the series. The second are the
-    coefficients of both series. nu: Poisson's ratio (n,).
+    The first array holds three values of s = p0/Y and two factors that turn s into the variables of the series. Yield is inside
+    the contact up to the first s, below the surface from the second on, and caused by the load alone from the third on. The
+    second array holds the coefficients of both series. nu: Poisson's ratio (n,).
     """
     known, which = np.unique(nu, return_inverse=True)
     steps, series = _series_for(known.tobytes())
@@ -307,8 +308,8 @@ def _crossing(passed, low: np.ndarray, high: np.ndarray) -> np.ndarray:
 def tangential_resistance(segment: NormalSegment, groups: Groups) -> TangentialResistance | None:
     """Return the tangential force at first yield along an elastic segment, or None for other segments.
 
-    groups: dimensionless groups of n contacts. The stresses are those of a Hertz contact. Yielded asperities have no
-    resistance.
+    segment: one smooth part of an asperity law. groups: dimensionless groups of n contacts. The stresses are those of a Hertz
+    contact. Yielded asperities have no resistance.
     """
     if segment.state != "elastic":
         return None

@@ -52,7 +52,7 @@ from stiction.records.sources import Source
 SMALL, LARGE = 28.0, 8e4
 STRONGEST, WEAKEST = 1.0 / 43.0, 1.0 / 1290.0
 EXPONENT = math.log(STRONGEST / WEAKEST) / math.log(LARGE / SMALL)
-# Number of parts into which a segment is split between both sizes, because the force there is a fractional power of the area.
+# Number of parts into which a segment is split between SMALL and LARGE, where the force is a fractional power of the area.
 _PIECES = 6
 
 
@@ -60,7 +60,8 @@ _PIECES = 6
 def strength_over_modulus(radius):
     """Return the shear strength of a contact over its shear modulus, tau/G.
 
-    radius: contact radius over Burgers vector, a/b.
+    radius: contact radius over Burgers vector, a/b. tau/G is 1/43 up to 28, falls as a power of the radius, and is 1/1290 from
+    80 000 on.
     """
     return STRONGEST * (min(max(radius, SMALL), LARGE) / SMALL) ** -EXPONENT
 
@@ -73,8 +74,8 @@ def resistance(u, w, load, area, unit, size_over_burgers):
 def tangential_resistance(segment: NormalSegment, groups: Groups) -> TangentialResistance:
     """Return the tangential resistance on a segment, with kinks at seven contact radii from 28 to 80 000 Burgers vectors.
 
-    groups: dimensionless groups of n contacts. Between the first and the last radius the force is a fractional power of the
-    area, which sums over heights resolve only in parts.
+    segment: one smooth part of an asperity law. groups: dimensionless groups of n contacts. The kinks split the segment,
+    because the force between the first and the last radius is a fractional power of the area, which is hard to integrate.
     """
     places = np.geomspace(SMALL, LARGE, _PIECES + 1)
     kinks = [coordinates_at_area(segment, (place / groups.size_over_burgers) ** 2) for place in places]

@@ -55,8 +55,8 @@ def together(of_interface, of_full_stick, share):
     """Return the tangential force T of a growing junction, from 1/T^2 = (1 - c^2)/(tau_0 A)^2 + 1/T_s^2.
 
     of_interface: tau_0 A, strength of the interface times area before growth. of_full_stick: T_s, force of a junction in full
-    stick. share: c, strength of the interface over strength of the bulk, at most 1. T is T_s for c = 1, and tau_0
-    A/sqrt(1 - c^2) for T_s -> infinity.
+    stick. share: c, strength of the interface over strength of the bulk, at most 1. T is T_s for c = 1; it is tau_0 A/sqrt(1 -
+    c^2) for T_s -> infinity, and 0 if tau_0 A or T_s is 0.
     """
     if of_interface == 0.0 or of_full_stick == 0.0:
         return 0.0
@@ -68,10 +68,9 @@ def together(of_interface, of_full_stick, share):
 def resistance(u, w, load, area, L_c, eta, shear_strength, share):
     """Return the slip-limited and the yield-limited force of a growing junction; one of the two is 0.
 
-    The force is slip-limited if the interface is weaker than the bulk (share < 1), else yield-limited. load, area: over
-    K R^(1/2) sigma^(3/2), also the unit of the force, and over pi R sigma. L_c: load at first yield in full stick. eta:
-    hardness group. shear_strength: strength of the interface over hardness. share: strength of the interface over strength of
-    the bulk.
+    The force is slip-limited if the interface is weaker than the bulk (share < 1), else yield-limited. L_c: load at first yield
+    in full stick. eta: hardness group. shear_strength: strength of the interface over hardness. share: strength of the
+    interface over strength of the bulk. Units: loads and forces in K R^(1/2) sigma^(3/2), area in pi R sigma.
     """
     _, of_full_stick = _force_of_full_stick(u, w, load, area, L_c)
     force = together(shear_force(area, eta, shear_strength), of_full_stick, share)

@@ -40,8 +40,8 @@ def friction_coefficient(w_ratio):
     """Return the friction coefficient of one asperity, tangential force at failure over load, Q/P.
 
     w_ratio: displacement over displacement at first yield. Up to 1 the coefficient follows from Q/P_c = 0.52 w_ratio^0.982 and
-    P/P_c = w_ratio^1.5, from 1 to 6 it is a cubic, beyond it is 0. The cubic has three decimals. The 2004 paper prints its
-    product with 1.03 with two decimals, which is negative above 4.3.
+    P/P_c = w_ratio^1.5. From 1 to 6 it is a cubic, and beyond it is 0. The 2004 paper prints the cubic times 1.03, with two
+    decimals; that print is negative above 4.3, so that three decimals are used here.
     """
     if w_ratio <= 1.0:
         return 0.52 * w_ratio**-0.518
@@ -51,10 +51,10 @@ def friction_coefficient(w_ratio):
 
 @formula
 def resistance(u, w, load, area, w_c):
-    """Return 0, the slip-limited force, and the yield-limited force mu P of one asperity; it is 0 from 6 w_c on.
+    """Return the slip-limited and the yield-limited force of one asperity, (0, mu P).
 
-    Before first touch it is 0, too. w, w_c: displacement and displacement at first yield, over sigma. load: P over
-    K R^(1/2) sigma^(3/2), also the unit of the force. u, area: not used.
+    Both are 0 before first touch and from 6 w_c on. w, w_c: displacement, and displacement at first yield, in units of sigma.
+    load: P in units of K R^(1/2) sigma^(3/2), as the forces. u, area: not used.
     """
     return 0.0, load * friction_coefficient(w / w_c) if w > 0.0 else 0.0
 
@@ -65,7 +65,7 @@ def tangential_resistance(
     w_c = critical_interference(groups.eta, hardness_coefficient(groups.nu))
     kinks = np.stack([coordinates(segment, w_c), coordinates(segment, NONE_FROM * w_c)], axis=1)
     first = np.ascontiguousarray(segment.edges[:, 0])
-    # Q grows as w^0.982 from first touch, which is a broken power in any smooth coordinate.
+    # Q grows as w^0.982 from first touch, which is a fractional power in any smooth coordinate.
     touches = normal_states(segment, first)[:, 0] <= 0.0
     published = TangentialResistance(resistance, (w_c,), kinks, np.where(touches, first, -np.inf))
     return beyond(plastic_junctions, NONE_FROM * w_c, published, segment, groups)

@@ -53,11 +53,11 @@ from stiction.records.sources import Source
 
 @formula
 def resistance(u, w, load, area, *row):
-    """Return 0, the slip-limited force, and the yield-limited force T = q A; both are 0 where the load alone causes yield.
+    """Return the slip-limited and the yield-limited force of a coated asperity, (0, q A).
 
-    q: mean traction at first yield of film or body. u: coordinate. area: contact area A over pi R sigma. w, load: not used.
-    row: eta/k, the load on a unit area at which the mean pressure is the yield stress of the body; the coordinate at which the
-    load alone causes yield; the parameters of `strength_at`.
+    Both are 0 if the load alone causes yield. q: mean traction at first yield of film or body. u: coordinate. area: contact
+    area A in units of pi R sigma. w, load: not used. row: eta/k, which is the load on a unit area at which the mean pressure is
+    the yield stress of the body; the coordinate at which the load alone causes yield; the parameters of `strength_at`.
     """
     if u >= row[1]:
         return 0.0, 0.0
@@ -67,7 +67,8 @@ def resistance(u, w, load, area, *row):
 def tangential_resistance(segment: NormalSegment, groups: Groups) -> TangentialResistance | None:
     """Return the tangential force at first yield along an elastic segment; None (no resistance) for yielded asperities.
 
-    groups: dimensionless groups of n contacts. Without a film the law `hamilton_1983` applies.
+    segment: one smooth part of an asperity law. groups: dimensionless groups of n contacts. Without a film the law
+    `hamilton_1983` applies.
     """
     if groups.n_E is None:
         return of_a_half_space(segment, groups)

@@ -51,8 +51,8 @@ def resistance(u, w, load, area, *row):
 def tangential_resistance(segment: NormalSegment, groups: Groups) -> TangentialResistance | None:
     """Return the tangential force at which a JKR asperity peels along an elastic segment, or None for other segments.
 
-    groups: dimensionless groups of n contacts; without a film the law `savkoor_briggs_1977` applies. Plastic
-    asperities have no resistance, because the energy balance does not apply to them.
+    segment: one smooth part of an asperity law. groups: dimensionless groups of n contacts; without a film the law
+    `savkoor_briggs_1977` applies. Plastic asperities have no resistance, because the energy balance does not apply to them.
     """
     if groups.n_E is None:
         return of_a_half_space(segment, groups)

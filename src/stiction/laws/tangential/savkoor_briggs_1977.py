@@ -47,10 +47,10 @@ from stiction.records.sources import Source
 def slip_resistance(load, theta, K_beta):
     """Return the tangential force at which a JKR contact peels, T = 4 (K beta)^(-1/2) sqrt((2 pi/theta) P + 3 pi^2/theta^2).
 
-    load: P before shearing, over K R^(1/2) sigma^(3/2), also the unit of T. theta: elastic adhesion index. K_beta: K = (4/3)
-    E* times the tangential compliance beta of the pair. The force follows from the energy balance G_N + G_T = gamma at
-    constant load; it is eq (10) of the 2015 paper, restated for the state before shearing (departure D6). The radicand is a
-    perfect square for a JKR contact; only rounding can make it negative.
+    load: P before shearing, in units of K R^(1/2) sigma^(3/2), as T. theta: elastic adhesion index. K_beta: K = (4/3) E* times
+    the tangential compliance beta of the pair. The force follows from the energy balance G_N + G_T = gamma at constant load; it
+    is eq (10) of soft_coating_2015, restated for the state before shearing (departure D6). The radicand is a perfect square for
+    a JKR contact; only rounding can make it negative.
     """
     pull = math.pi / theta
     return 4.0 * math.sqrt(max(2.0 * pull * load + 3.0 * pull * pull, 0.0) / K_beta)
@@ -60,8 +60,9 @@ def slip_resistance(load, theta, K_beta):
 def slip_resistance_printed(x, theta, K_beta):
     """Return the tangential force at which a JKR contact peels by eq (10) of soft_coating_2015, exactly as printed.
 
-    T = 4 (K beta)^(-1/2) sqrt((2 pi/theta) x^(3/2) - 3 pi^2/theta^2), over K R^(1/2) sigma^(3/2). x: a^2/(R sigma), with the
-    contact radius a. theta: elastic adhesion index. K_beta: K = (4/3) E* times the tangential compliance beta of the pair.
+    It is T = 4 (K beta)^(-1/2) sqrt((2 pi/theta) x^(3/2) - 3 pi^2/theta^2), in units of K R^(1/2) sigma^(3/2). x: a^2/(R
+    sigma), with the contact radius a. theta: elastic adhesion index. K_beta: K = (4/3) E* times the tangential compliance beta
+    of the pair.
     """
     hertz = x * math.sqrt(x)
     return 4.0 * math.sqrt(max(2.0 * math.pi / theta * hertz - 3.0 * (math.pi / theta) ** 2, 0.0) / K_beta)
@@ -75,8 +76,8 @@ def resistance(u, w, load, area, theta, K_beta):
 def tangential_resistance(segment: NormalSegment, groups: Groups) -> TangentialResistance | None:
     """Return the tangential force at which a JKR asperity peels along an elastic segment, or None for other segments.
 
-    groups: dimensionless groups of n contacts. Plastic asperities have no resistance, because the energy balance does not
-    apply to them.
+    segment: one smooth part of an asperity law. groups: dimensionless groups of n contacts. Plastic asperities have no
+    resistance, because the energy balance does not apply to them.
     """
     if segment.state != "elastic":
         return None
@@ -86,7 +87,7 @@ def tangential_resistance(segment: NormalSegment, groups: Groups) -> TangentialR
 
 
 def share_that_peels(groups: Groups) -> np.ndarray:
-    """Return the mode-mixity share zeta (n,), the fraction of the tangential energy release that acts to peel; by default 1.
+    """Return zeta (n,), the fraction of the tangential energy release rate that acts to peel; it is 1 by default.
 
     It is the group `peeling`. Raises InputError if it is 0, because the peeling force would then be infinite.
     """
@@ -99,8 +100,8 @@ def share_that_peels(groups: Groups) -> np.ndarray:
 def no_resistance(segment: NormalSegment, groups: Groups) -> np.ndarray | None:
     """Return the coordinate (n, 1) at which the load alone pulls a JKR contact off, or None for a segment in loading.
 
-    The peeling force is proportional to |u^3 - S/2|, which has a kink there; u: coordinate of the JKR contact, S = sqrt(6
-    pi/theta), with the elastic adhesion index theta.
+    There the peeling force is 0 and has a kink, because it is proportional to |u^3 - S/2|. u: coordinate of the JKR contact. S
+    = sqrt(6 pi/theta), with the elastic adhesion index theta. groups: dimensionless groups of n contacts.
     """
     if segment.lowest >= 0.0:
         return None

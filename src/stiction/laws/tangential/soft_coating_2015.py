@@ -52,11 +52,10 @@ from stiction.records.sources import Source
 
 @formula
 def resistance(u, w, load, area, *row):
-    """Return slip-limited (peeling) and yield-limited force of an adhesive asperity, the larger of them replaced by 0.
+    """Return the slip-limited (peeling) and the yield-limited force of an adhesive asperity, the larger of them replaced by 0.
 
-    load, area: over K R^(1/2) sigma^(3/2), also the unit of the forces, and over pi R sigma. u, w: not used. row: elastic
-    adhesion index theta, hardness group eta, K beta times the fraction of the tangential energy that peels, Poisson's ratio
-    nu, k = H/Y.
+    u, w: not used. row: elastic adhesion index theta, hardness group eta, K beta times the fraction of the tangential energy
+    that peels, Poisson's ratio nu, k = H/Y. Units: load and forces in K R^(1/2) sigma^(3/2), area in pi R sigma.
     """
     theta, eta, K_beta, nu, k = row
     slip_limited = slip_resistance(load, theta, K_beta)
@@ -67,7 +66,7 @@ def resistance(u, w, load, area, *row):
 def resistance_printed(u, w, load, area, *row):
     """Return the two forces of `resistance`, the larger replaced by 0, with the peeling force of eq (10) as printed.
 
-    area: contact area over pi R sigma, which eq (10) uses as x. load, row: as in `resistance`. u, w: not used.
+    area: contact area in units of pi R sigma, which eq (10) uses as x. load, row: as in `resistance`. u, w: not used.
     """
     theta, eta, K_beta, nu, k = row
     slip_limited = slip_resistance_printed(area, theta, K_beta)
@@ -79,9 +78,10 @@ def tangential_resistance(
 ) -> TangentialResistance | None:
     """Return the tangential resistance on a segment of a JKR asperity, or None if the segment has none.
 
-    On an elastic segment it is the smaller of peeling force and force at yield of the trailing edge. On a plastic segment it
-    is the resistance of the law that `plastic_junctions` names, if any. If the film law solves film and body as one solid,
-    both forces use the stiffness and stresses of this solid.
+    segment: one smooth part of an asperity law. groups: dimensionless groups of n contacts. On an elastic segment the
+    resistance is the smaller of peeling force and force at yield of the trailing edge. On a plastic segment it follows the law
+    whose key is `plastic_junctions`, if any. If the film law solves film and body as one solid, both forces use the stiffness
+    and stresses of this solid.
     """
     if segment.state != "elastic":
         return of_whole_segment(plastic_junctions, segment, groups)

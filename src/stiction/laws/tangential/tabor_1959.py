@@ -50,11 +50,11 @@ _ROUNDING = 1e-12
 
 @formula
 def grown_area(load, area, eta, share):
-    """Return the contact area over pi R sigma at which the interface of a junction shears, or `area` if it does not grow.
+    """Return the contact area at which the interface of a junction slides, or `area` if the junction does not grow.
 
-    load: W over K R^(1/2) sigma^(3/2). area: over pi R sigma, before shear. eta: hardness group, so that W over the hardness H
-    is load/eta in the unit of area. share: c, strength of the interface over strength of the bulk. The area A follows from W^2
-    + alpha T^2 = H^2 A^2 with the force of the interface, T = c H A/sqrt(alpha). A mean pressure above H counts as H.
+    Units: load W in K R^(1/2) sigma^(3/2), areas in pi R sigma. area: contact area before shear. eta: hardness group, so that
+    load/eta is W over the hardness H. share: c, strength of the interface over strength of the bulk. The area A follows from
+    W^2 + alpha T^2 = H^2 A^2 with the force of the interface, T = c H A/sqrt(alpha). A mean pressure above H counts as H.
     """
     return max(area, min(load / eta, area) / math.sqrt((1.0 - share) * (1.0 + share)))
 
@@ -67,8 +67,9 @@ def resistance(u, w, load, area, eta, shear_strength, share):
 def tangential_resistance(segment: NormalSegment, groups: Groups, alpha: str) -> TangentialResistance:
     """Return the tangential resistance on a segment: strength of the interface times the area grown under shear.
 
-    It has kinks where growth begins and where the mean pressure reaches the hardness. groups: dimensionless groups of n
-    contacts. alpha: key of ALPHA, "von_mises" or "9". Raises InputError if the interface is as strong as the bulk.
+    It has kinks where growth begins and where the mean pressure reaches the hardness. segment: one smooth part of an asperity
+    law. groups: dimensionless groups of n contacts. alpha: key of ALPHA, "von_mises" or "9". Raises InputError if the interface
+    is as strong as the bulk.
     """
     share = share_of_bulk(groups, alpha)
     endless = share >= 1.0 - _ROUNDING

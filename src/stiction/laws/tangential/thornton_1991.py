@@ -39,10 +39,10 @@ def peeling_force(load, pull_off, stiffness_ratio):
 
 @formula
 def resistance(u, w, load, area, theta, K_beta):
-    """Return the slip-limited force, at which a JKR contact peels, and 0, the yield-limited force.
+    """Return the slip-limited and the yield-limited force, (T, 0), where T is the force at which a JKR contact peels.
 
-    load: over K R^(1/2) sigma^(3/2), also the unit of the force. theta: elastic adhesion index. K_beta: K times the tangential
-    compliance beta of the pair. G* = 1/beta and K = (4/3) E* give G*/E* = (4/3)/(K beta). u, w, area: not used.
+    load: in units of K R^(1/2) sigma^(3/2), as T. theta: elastic adhesion index. K_beta: K times the tangential compliance beta
+    of the pair. G* = 1/beta and K = (4/3) E* give G*/E* = (4/3)/(K beta). u, w, area: not used.
     """
     return peeling_force(load, 1.5 * math.pi / theta, 4.0 / (3.0 * K_beta)), 0.0
 

@@ -61,8 +61,7 @@ _NEAR = 1e-9
 def _grows(psi, p, kappa):
     """Return a number with the sign of the derivative of the peeling force by the phase angle; it is finite and continuous.
 
-    psi: phase angle of shear against opening. p: load over pull-off force. kappa: 1 - zeta, with `peeling` zeta of the
-    contact.
+    psi: phase angle of shear against opening. p: load over pull-off force. kappa: 1 - zeta, with `peeling` zeta of the contact.
     """
     sine, cosine = math.sin(psi), math.cos(psi)
     narrow, shared = math.cos(kappa * psi), kappa * sine * math.tan(kappa * psi)
@@ -124,7 +123,8 @@ def resistance(u, w, load, area, theta, K_beta, kappa):
 def tangential_resistance(segment: NormalSegment, groups: Groups) -> TangentialResistance | None:
     """Return the tangential force at which a JKR asperity peels along an elastic segment, or None for other segments.
 
-    groups: dimensionless groups of n contacts. Plastic asperities have no resistance.
+    segment: one smooth part of an asperity law. groups: dimensionless groups of n contacts. Plastic asperities have no
+    resistance.
     """
     if segment.state != "elastic":
         return None
@@ -135,10 +135,10 @@ def tangential_resistance(segment: NormalSegment, groups: Groups) -> TangentialR
 
 
 def _to_hertz(segment: NormalSegment, groups: Groups, kappa: np.ndarray) -> np.ndarray:
-    """Return the coordinate u (n,) of a JKR contact beyond which shear shrinks it to Hertz's area before it slides.
+    """Return the coordinate u (n,) of a JKR contact above which shear shrinks the contact to Hertz's area before it slides.
 
-    kappa (n,): 1 - zeta, with `peeling` zeta of the contact. The result is limited to the ends of the segment; for kappa = 0
-    it is the last end.
+    kappa (n,): 1 - zeta, with `peeling` zeta of the contact. The result is limited to the ends of the segment; for kappa = 0 it
+    is the upper end.
     """
     with np.errstate(divide="ignore"):
         p = 1.0 / (kappa * np.sin(0.5 * math.pi * kappa)) ** 2

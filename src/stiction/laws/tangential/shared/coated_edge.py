@@ -31,8 +31,8 @@ def edge_root(u, load, area, row):
     """Return the discriminant and the larger root T of D (A P^2 + 2 B P T + T^2) = S^2, yield at the edge of a coated contact.
 
     P: load. T: tangential force, valid if both returned numbers are positive. S: yield stress times contact area. A, B, D:
-    functions of contact radius over film thickness. u: coordinate, u^4 = a^2/(R sigma) with the contact radius a. load, area:
-    over K R^(1/2) sigma^(3/2), also the unit of T, and over pi R sigma. row: parameters from `edge_columns`.
+    functions of contact radius over film thickness. u: coordinate, u^4 = a^2/(R sigma) with the contact radius a. row:
+    parameters from `edge_columns`. Units: load and T in K R^(1/2) sigma^(3/2), area in pi R sigma.
     """
     z = 1.0 - 2.0 / (row[1] * u + 1.0)
     A, B = _curve(z, row[_A:_B]), _curve(z, row[_B:_END])
@@ -60,7 +60,8 @@ def edge_columns(groups: Groups) -> tuple[np.ndarray, ...]:
 def _of_half_space(nu: np.ndarray) -> np.ndarray:
     """Return the curves of ln D, A and B (n, FORMS, 2 + EDGE_TERMS) for uniform half-spaces with Poisson's ratios nu (n,).
 
-    A, B, D: coefficients of the squared von Mises stress at the trailing edge, as in `edge_root`. The curves are constant.
+    A, B, D: coefficients of the squared von Mises stress at the trailing edge, as in `edge_root`. For a half-space the curves
+    are constant.
     """
     n, p, q = coefficients(nu)
     d = p * p + q * q - p * q

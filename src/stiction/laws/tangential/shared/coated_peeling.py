@@ -26,7 +26,7 @@ from stiction.solvers.layered.bodies import bodies_of, per_root
 from stiction.solvers.layered.curves import TERMS
 from stiction.solvers.layered.shear import shear_curve
 
-# ln(u over its first value) at the middle of the knots.
+# Natural logarithm of u over its first value at the middle of the knots.
 _HALFWAY = 2.0
 _GOLDEN, _NARROWING = 0.5 * (math.sqrt(5.0) - 1.0), 16
 _MOST_STEPS = 60
@@ -36,7 +36,7 @@ _LEAST_SHARE = 1e-200
 
 @formula
 def _softness(u, root, curve):
-    """Return the normal-tangential stiffness product K beta of a coated contact, and 1 - e with e = d ln(K beta)/d ln a.
+    """Return the dimensionless tangential compliance K beta of a coated contact, and 1 - e with e = d ln(K beta)/d ln a.
 
     K = (4/3) E*; beta: tangential compliance; a: contact radius. u: coordinate, u^4 = a^2/(R sigma). root: factor from u to
     sqrt(a/t), with the thickness t of one film. curve: logarithms of K beta for the film and for the bodies, then coefficients
@@ -80,12 +80,12 @@ def _narrower(start, c, load, row):
 
 @formula
 def _largest(start, load, row, root, curve):
-    """Return the largest value of T^2 theta zeta/(32 pi n_g) for which the contact is in equilibrium; T: tangential force.
+    """Return the largest value of T^2 theta zeta/(32 pi n_g) at which the contact is in equilibrium; T: tangential force.
 
     theta: adhesion index. zeta: weight of the tangential energy release. n_g: work of adhesion of the film over the
-    substrate's. The maximum is over c from 0 to 1, the fraction of JKR's adhesive force that acts, by golden section search;
-    there is one maximum. start: coordinate of a wider contact. load: normal load. row: parameters of the coated JKR asperity.
-    root, curve: as in `_softness`.
+    substrate's. The value depends on c, from 0 to 1, the fraction of JKR's adhesive force that acts; golden section search
+    finds its single maximum over c. start: coordinate of a wider contact. load: normal load. row: parameters of the coated JKR
+    asperity. root, curve: as in `_softness`.
     """
     low, high = 0.0, 1.0
     at_first, at_second, best = -1.0, -1.0, 0.0
@@ -114,10 +114,11 @@ def _largest(start, load, row, root, curve):
 def _fill(rows, root, curves, first, out):
     """Fill `out` (n, SEGMENTS + 1) with the scaled peeling force at the knots of a spline over u, one row per contact.
 
-    It is sqrt(T^2 theta zeta/(32 pi n_g))/u^3, with the peeling force T, the adhesion index theta, the weight zeta of the
-    tangential energy release, and the work of adhesion n_g of the film over the substrate's. The last knot is the limit at
-    infinite u. The sign is minus where the load falls as the contact grows, because a constant load would pull off such a
-    contact. rows: parameters of the coated JKR asperities. root, curves: as in `_softness`. first (n,): u at the first knot.
+    The scaled force is sqrt(T^2 theta zeta/(32 pi n_g))/u^3, with the peeling force T, the adhesion index theta, the weight
+    zeta of the tangential energy release, and the work of adhesion n_g of the film over the substrate's. The last knot is the
+    limit at infinite u. The sign is minus where the load falls as the contact grows, because a constant load would pull off
+    such a contact. rows: parameters of the coated JKR asperities. root, curves: as in `_softness`. first (n,): u at the first
+    knot.
     """
     for i in range(root.size):
         row = unpack(rows[i], EDGED)
@@ -137,12 +138,11 @@ def _fill(rows, root, curves, first, out):
 
 
 def peeling_columns(segment: NormalSegment, groups: Groups) -> tuple[tuple[np.ndarray, ...], np.ndarray | None]:
-    """Return the parameters of `peeling_force`, each an array (n,), and the coordinate (n, 1) at which the force vanishes.
+    """Return the parameters of `peeling_force`, arrays (n,), and the coordinate (n, 1) at which the peeling force vanishes.
 
-    The force is that of peeling. It vanishes in unloading only: the coordinate is None in loading, and the start of the segment
-    if it vanishes nowhere. segment: JKR asperity of a film law
-    that solves film and body as one solid. groups: dimensionless groups of n contacts with a film, with all defaults filled
-    in. If `peeling` is 0, the force is practically infinite.
+    The force vanishes in unloading only: the coordinate is None in loading, and the start of the segment if it vanishes
+    nowhere. segment: JKR asperity of a film law that solves film and body as one solid. groups: dimensionless groups of n
+    contacts with a film, with all defaults filled in. If `peeling` is 0, the force is practically infinite.
     """
     share = np.maximum(1.0 if groups.peeling is None else groups.peeling, _LEAST_SHARE)
     scale = np.broadcast_to(np.sqrt(32.0 * math.pi * groups.n_g / (groups.theta * share)), len(groups))
@@ -153,8 +153,8 @@ def peeling_columns(segment: NormalSegment, groups: Groups) -> tuple[tuple[np.nd
 def _curves(segment: NormalSegment, groups: Groups) -> tuple[tuple[np.ndarray, ...], np.ndarray]:
     """Return the spline of the peeling force along a segment, and the coordinate (n,) at which the force vanishes.
 
-    The spline is a tuple of arrays (n,): the coordinate at its start, then its coefficients. If the force vanishes nowhere,
-    the second result is the start as well. segment, groups: as in `peeling_columns`.
+    The spline is a tuple of arrays (n,): the coordinate at its start, then its coefficients. If the force vanishes nowhere, the
+    second result is also the coordinate at the start. segment, groups: as in `peeling_columns`.
     """
     laws, first = len(groups), np.ascontiguousarray(segment.edges[:, 0])
     different, which = bodies_of(groups)
@@ -181,7 +181,7 @@ def _vanishes(first: np.ndarray, values: np.ndarray) -> np.ndarray:
 
 @formula
 def peeling_force(u, load, area, row):
-    """Return the tangential force at which a coated JKR asperity peels, over K R^(1/2) sigma^(3/2).
+    """Return the tangential force at which a coated JKR asperity peels, in units of K R^(1/2) sigma^(3/2).
 
     u: coordinate, u^4 = a^2/(R sigma) with the contact radius a. load, area: not used. row: sqrt(32 pi n_g/(theta zeta)), u at
     the start of the spline, spline coefficients.

@@ -32,9 +32,9 @@ _STEP, _LEAST, _MOST = 1.06, 1e-9, 1e30
 
 @formula
 def _norms_at(p, table, angle, film_strength, film):
-    """Return the von Mises stress over the yield stress of the same material, for film or body, whichever is larger.
+    """Return the larger of two ratios, of film and of body: largest von Mises stress over the yield stress of that material.
 
-    It belongs to a mean pressure s and a mean traction q with s^2 + q^2 = 1 in units of the body's yield stress. p:
+    The stress belongs to a mean pressure s and a mean traction q with s^2 + q^2 = 1 in units of the body's yield stress. p:
     (a/t)^(1/2), with the contact radius a and the film thickness t. table: largest stresses in film and body over p and angle.
     angle: index of a ratio q/s in ANGLES. film_strength: yield stress of the film over the body's. film: 1, or 0 without a
     film.
@@ -49,10 +49,9 @@ def _norms_at(p, table, angle, film_strength, film):
 
 @formula
 def _traction(p, s, table, film_strength, film):
-    """Return the squared mean traction at first yield of film or body under a mean pressure.
+    """Return the squared mean traction at first yield of film or body under a mean pressure s; 0 if s alone causes yield.
 
-    The traction, and the pressure s, are over the body's yield stress. p, table, film_strength, film: as in `_norms_at`. The
-    result is 0 if the pressure alone causes yield.
+    Traction and pressure are in units of the body's yield stress. p, table, film_strength, film: as in `_norms_at`.
     """
     before_s = before_q = 0.0
     for angle in range(_ANGLES):
@@ -72,7 +71,7 @@ def _filling(normal: Callable, parameters: int) -> Any:
     def holds(u, arguments):
         """Return whether the mean pressure of the asperity at the coordinate u is too small to cause yield without traction.
 
-        arguments: parameters of the asperity, and the arguments of `_norms_at`.
+        arguments: parameters of the asperity, scale and root as in `fill`, and the last arguments of `_norms_at`.
         """
         row, scale, root, table, film_strength, film = arguments
         _, _, load, area = normal(u, *row)
@@ -82,12 +81,12 @@ def _filling(normal: Callable, parameters: int) -> Any:
 
     @lazy_kernel(worth=300)
     def fill(rows, scale, root, film_strength, film, which, tables, place, out):
-        """Fill out[i] with the squared mean traction at yield at the knots of contact i, over the body's squared yield stress.
+        """Fill out[i] with the squared mean traction at first yield at the knots of contact i.
 
-        place[i] is filled with three numbers of its coordinate: u at which the load alone causes yield, the factor from u to
-        p, and 1 over ln(1 + p) at this u. rows: parameters of the elastic segments. scale: eta/k, which turns load over area
-        into mean pressure over yield stress. root: factor from area^(1/4) to (a/t)^(1/2). which: index of the contact's table
-        in `tables`. film_strength, film: as in `_norms_at`.
+        Tractions are in units of the body's yield stress. place[i] is filled with three numbers of its coordinate: u at which
+        the load alone causes yield, the factor from u to p, and 1 over ln(1 + p) at this u. rows: parameters of the elastic
+        segments. scale: eta/k, which turns load over area into mean pressure over yield stress. root: factor from area^(1/4) to
+        (a/t)^(1/2). which: index of the contact's table in `tables`. film_strength, film: as in `_norms_at`.
         """
         for i in range(scale.size):
             row, table = unpack(rows[i], parameters), tables[which[i]]
@@ -113,7 +112,7 @@ def _filling(normal: Callable, parameters: int) -> Any:
 def _bends(place: np.ndarray, values: np.ndarray) -> np.ndarray:
     """Return the coordinates (n, _BENDS) of the knots at which the squared traction at yield bends most.
 
-    The bend is measured by the second difference; there the place of first yield changes. place (n, 3): coordinate at which
+    At a bend the place of first yield changes. The bend is measured by the second difference. place (n, 3): coordinate at which
     the load alone causes yield, factor from coordinate to p, and 1/ln(1 + p) there. values (n, SEGMENTS + 1): squared traction
     at the knots.
     """
@@ -124,10 +123,10 @@ def _bends(place: np.ndarray, values: np.ndarray) -> np.ndarray:
 
 
 def strengths(segment: NormalSegment, groups: Groups) -> tuple[tuple[np.ndarray, ...], np.ndarray]:
-    """Return the squared mean traction at first yield along an elastic segment as a spline, and where its curve bends.
+    """Return the squared mean traction at first yield along an elastic segment as a spline, and the coordinates of its bends.
 
-    The spline is a tuple of arrays (n,): u where the load alone causes yield, then factor and scale of the coordinate and the
-    spline coefficients, as `strength_at` takes them. The bends are coordinates (n, k). segment: asperity of a film law that
+    The spline is a tuple of arrays (n,): u at which the load alone causes yield, then factor and scale of the coordinate and
+    the spline coefficients, as `strength_at` takes them. The bends are coordinates (n, k). segment: asperity of a film law that
     solves film and body as one solid. groups: dimensionless groups of n contacts with a film, with all defaults filled in.
     """
     laws = len(groups)
@@ -148,10 +147,10 @@ def _table(bodies: Bodies) -> np.ndarray:
 
 @formula
 def strength_at(u, unit, scale, coefficients):
-    """Return the squared mean traction at first yield at the coordinate u, over the body's squared yield stress.
+    """Return the squared mean traction at first yield at the coordinate u, in units of the body's squared yield stress.
 
-    It is a spline with these coefficients; its variable is 1 - sqrt(1 - scale ln(1 + unit u)). The result is 0 where the spline
-    is slightly negative near its end.
+    It is the spline with `coefficients` at 1 - sqrt(1 - scale ln(1 + unit u)), or 0 where the spline is slightly negative near
+    its end. unit, scale: factors from `strengths`.
     """
     y = 1.0 - max(1.0 - np.log1p(unit * u) * scale, 0.0) ** 0.5
     return max(spline(y, coefficients), 0.0)

@@ -1,8 +1,8 @@
 """Compute the tangential force at which the trailing edge of a Hertz contact yields (Hamilton 1983, von Mises).
 
-Reconstruction: the 2015 paper takes the coefficients C1..C7 of its eq (11) from Roy Chowdhury & Ghosh 1994 and does not print
-them. The condition used here has exactly the powers of eq (11); whether its coefficients are the same is not known (departure
-D12 of docs/explanation/theory-limits.md).
+Reconstruction: soft_coating_2015 takes the coefficients C1..C7 of its eq (11) from Roy Chowdhury & Ghosh 1994 and does not
+print them. The condition used here has exactly the powers of eq (11); it is not known whether its coefficients are the same
+(departure D12 of docs/explanation/theory-limits.md).
 """
 
 import math
@@ -24,8 +24,8 @@ def yield_resistance(load, strength, nu):
     """Return the tangential force T at which the trailing edge of a Hertz contact yields, or 0 if T is not real and positive.
 
     T is the larger root of 3n^2 P^2 + 3n(p-q) P T + (p^2+q^2-pq) T^2 = strength^2, with n, p and q from `coefficients`. load:
-    P, also the unit of T. strength: yield stress times contact area over pi, eta x / (pi k), in the same unit. nu: Poisson's
-    ratio.
+    P. strength: yield stress times contact area, divided by pi, eta x / (pi k). nu: Poisson's ratio. load, strength and T have
+    the same unit.
     """
     n, p, q = coefficients(nu)
     d = p * p + q * q - p * q
@@ -38,6 +38,6 @@ def yield_resistance(load, strength, nu):
 
 @formula
 def keep_smaller(slip_limited, yield_limited):
-    """Return both forces with the larger one replaced by 0, because the smaller one decides; equal forces count as slip."""
+    """Return both forces, the larger one replaced by 0 because the smaller one decides; equal forces count as slip."""
     slips = slip_limited <= yield_limited
     return slip_limited if slips else 0.0, 0.0 if slips else yield_limited

@@ -13,7 +13,7 @@ SEGMENTS = 56
 def to_coefficients() -> np.ndarray:
     """Return the matrix (SEGMENTS + 3, SEGMENTS + 1) that turns values at the knots into coefficients of a cubic B-spline.
 
-    Both ends are not-a-knot.
+    The spline satisfies the not-a-knot condition at both ends.
     """
     from scipy.interpolate import BSpline  # slow to import
 

@@ -1,8 +1,8 @@
 """Compute the stresses in a half-space below a pressed and sheared Hertz contact, and its first yield: Hamilton 1983.
 
-Lengths are over the contact radius a, stresses over the largest pressure p0. Hamilton's equations divide by powers of the
-distance r from the axis and lose their digits there. Here they are rearranged in oblate spheroidal coordinates M >= 0,
-0 <= N <= 1, with the depth z:
+Lengths are in units of the contact radius a, stresses in units of the largest pressure p0. Hamilton's equations divide by
+powers of the distance r from the axis and lose their digits there. Here they are rearranged in oblate spheroidal coordinates
+M >= 0, 0 <= N <= 1, with the depth z:
 
     z = M N,   r^2 = (1 + M^2)(1 - N^2)
 
@@ -19,12 +19,12 @@ Stress = tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, np.ndarray, np.nd
 
 
 def stress(x: ArrayLike, y: ArrayLike, z: ArrayLike, mu: ArrayLike, nu: ArrayLike) -> Stress:
-    """Return the six stresses (x, y, z, xy, yz, xz) over p0 below a Hertz contact under normal and tangential force.
+    """Return the six stresses (x, y, z, xy, yz, xz) below a Hertz contact under normal and tangential force, in units of p0.
 
     The contact carries the pressure p0 sqrt(1 - r^2) and, in the direction +x, mu times this as traction; r: distance from the
-    axis over the contact radius a. x, y, z: place over a, with the depth z >= 0. mu: tangential over normal force, any sign.
-    nu: Poisson's ratio, 0 to 0.5. All arguments are broadcast. Tension is positive. Source: Hamilton (1983); `pressed` and
-    `dragged` are the two parts.
+    axis. x, y, z: place, with the depth z >= 0. Lengths are in units of the contact radius. mu: tangential over normal force,
+    any sign. nu: Poisson's ratio, 0 to 0.5. All arguments are broadcast. Tension is positive. Source: Hamilton (1983);
+    `pressed` and `dragged` are the two parts.
     """
     normal, tangential = pressed(x, y, z, nu), dragged(x, y, z, nu)
     xx, yy, zz, xy, yz, xz = (normal_part + mu * other for normal_part, other in zip(normal, tangential, strict=True))
@@ -32,11 +32,11 @@ def stress(x: ArrayLike, y: ArrayLike, z: ArrayLike, mu: ArrayLike, nu: ArrayLik
 
 
 def pressed(x: ArrayLike, y: ArrayLike, z: ArrayLike, nu: ArrayLike) -> Stress:
-    """Return the six stresses (x, y, z, xy, yz, xz) over p0 in a half-space under the pressure p0 sqrt(1 - r^2) alone.
+    """Return the six stresses (x, y, z, xy, yz, xz) in a half-space under the pressure p0 sqrt(1 - r^2) alone, in units of p0.
 
-    x, y, z: place over the contact radius a, with the depth z >= 0; r: distance from the axis over a. nu: Poisson's ratio. All
-    arguments are broadcast. Tension is positive. Source: Hamilton (1983), the stresses of the normal load. In r, theta and z
-    they are those of Huber (1904).
+    x, y, z: place, with the depth z >= 0. r: distance from the axis. Lengths are in units of the contact radius. nu: Poisson's
+    ratio. All arguments are broadcast. Tension is positive. Source: Hamilton (1983), the stresses of the normal load. In r,
+    theta and z they are those of Huber (1904).
     """
     x, y, z, nu = np.broadcast_arrays(*(np.asarray(value, dtype=float) for value in (x, y, z, nu)))
     M, N, S, phi, cos, sin = _spheroidal(x, y, z)
@@ -57,10 +57,10 @@ def pressed(x: ArrayLike, y: ArrayLike, z: ArrayLike, nu: ArrayLike) -> Stress:
 
 
 def dragged(x: ArrayLike, y: ArrayLike, z: ArrayLike, nu: ArrayLike) -> Stress:
-    """Return the six stresses (x, y, z, xy, yz, xz) over q0 in a half-space under the traction q0 sqrt(1 - r^2) along +x.
+    """Return the stresses (x, y, z, xy, yz, xz) in a half-space under the traction q0 sqrt(1 - r^2) along +x, in units of q0.
 
-    x, y, z: place over the contact radius a, with the depth z >= 0; r: distance from the axis over a. nu: Poisson's ratio. All
-    arguments are broadcast. Tension is positive. Source: Hamilton (1983), the stresses of the tangential load.
+    x, y, z: place, with the depth z >= 0. r: distance from the axis. Lengths are in units of the contact radius. nu: Poisson's
+    ratio. All arguments are broadcast. Tension is positive. Source: Hamilton (1983), the stresses of the tangential load.
     """
     x, y, z, nu = np.broadcast_arrays(*(np.asarray(value, dtype=float) for value in (x, y, z, nu)))
     M, N, S, phi, cos, sin = _spheroidal(x, y, z)
@@ -96,11 +96,11 @@ def von_mises(stress: Stress) -> np.ndarray:
 
 
 def first_yield(mu: float, nu: float) -> tuple[float, tuple[float, float]]:
-    """Return p0/Y at which a sheared Hertz contact first yields (von Mises), and the place (x, z) over the contact radius.
+    """Return p0/Y and the place (x, z) at which a sheared Hertz contact first yields (von Mises).
 
-    p0: largest pressure; Y: yield stress. mu: tangential over normal force, 0 or more. nu: Poisson's ratio, 0 to 0.5. x < 0 is
-    the trailing side, z the depth. The place is in the plane y = 0, where the stress is always largest. p0/Y is accurate to
-    1e-12.
+    p0: largest pressure; Y: yield stress. mu: tangential over normal force, 0 or more. nu: Poisson's ratio, 0 to 0.5. x, z: in
+    units of the contact radius; x < 0 is the trailing side, z the depth. The place is in the plane y = 0, where the stress is
+    always largest. p0/Y is accurate to 1e-12.
     """
     # The grid includes the trailing edge, where the stress has a cusp, and the axis.
     x, z = np.linspace(-1.1, 1.1, 221), np.linspace(0.0, 0.8, 81)
@@ -115,7 +115,7 @@ def first_yield(mu: float, nu: float) -> tuple[float, tuple[float, float]]:
 def least_over(
     function: Callable, x: ArrayLike, z: ArrayLike, reach_x: float, reach_z: float
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return the minimum of function(x, z) near each of the places x, z, as arrays (x, z, value).
+    """Return the minimum of function(x, z) near each of the places x, z, as three arrays: x, z and value at the minimum.
 
     function: takes arrays and returns an array of their shape. x, z: arrays that are broadcast; z stays >= 0. Grids around the
     best place are refined, starting with the size reach_x by reach_z. The place is accurate to 1e-7 at best, the value to the
@@ -135,7 +135,7 @@ def _spheroidal(x, y, z):
     """Return M, N, S = M^2 + N^2, arctan(1/M), and cosine and sine of the angle around the axis (1 and 0 on the axis).
 
     M and N are the oblate spheroidal coordinates of the place x, y, z, with z = M N and r^2 = (1 + M^2)(1 - N^2); r: distance
-    from the axis. Lengths are over the contact radius. At the edge of the contact S is returned as 1, not 0.
+    from the axis. Lengths are in units of the contact radius. At the edge of the contact S is returned as 1, not 0.
     """
     r = np.hypot(x, y)
     A = (r - 1.0) * (r + 1.0) + z * z

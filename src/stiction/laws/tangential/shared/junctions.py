@@ -1,4 +1,4 @@
-"""Compare the strength of the interface with that of the bulk, and find where a segment reaches a given pressure.
+"""Compare the shear strengths of interface and bulk, and find where a segment reaches a given mean pressure.
 
 A junction under the mean pressure p and the mean shear stress tau is fully plastic if p^2 + alpha tau^2 = H^2, with the
 hardness H. Without pressure its bulk therefore shears at the stress H/sqrt(alpha).
@@ -20,13 +20,13 @@ from stiction.laws.segment import NormalSegment
 # alpha is 3 (H/Y)^2 for a bulk that shears at Y/sqrt(3) (von Mises), or the 9 that is quoted from Tabor's experiments.
 ALPHA: dict[str, Callable[[np.ndarray], np.ndarray]] = {"von_mises": lambda k: 3.0 * k * k, "9": lambda k: 9.0 + 0.0 * k}
 _DEEPEST = 100.0  # displacement over sigma beyond which no asperity contributes
-_ROUNDING = 1e-13  # a fully plastic segment has this pressure everywhere; rounding must not count as a crossing
+_ROUNDING = 1e-13  # a fully plastic segment may have the given pressure everywhere; rounding must not count as a crossing
 _SAMPLES = 12  # few are enough, because pressures rise or fall slowly
-_MOST = 2  # crossings on a segment: the pressure rises above the value, and a falling limiting pressure may bring it back
+_MOST = 2  # crossings on a segment: the pressure rises above the value, and may fall below it again with the limiting pressure
 
 
 def share_of_bulk(groups: Groups, alpha: str) -> np.ndarray:
-    """Return c = sqrt(alpha) tau_0/H (n,), the shear strength of the interface over the shear strength of the bulk.
+    """Return c = sqrt(alpha) tau_0/H (n,), the ratio of the interface's shear strength to that in the bulk.
 
     alpha: key of ALPHA, the factor in the yield criterion p^2 + alpha tau^2 = H^2 of a plastic junction.
     """
@@ -46,8 +46,8 @@ def _above(normal: Callable, parameters: int) -> Any:
 def where_pressure_is(segment: NormalSegment, pressure: np.ndarray) -> np.ndarray:
     """Return the coordinates (n, 2) at which the mean pressure of a segment equals `pressure` (n,).
 
-    pressure: load over K R^(1/2) sigma^(3/2) per area over pi R sigma; the hardness is eta in this unit. Unused entries are
-    the first coordinate of the segment.
+    pressure: ratio of load, in K R^(1/2) sigma^(3/2), to area, in pi R sigma; the hardness is eta in this unit. Unused entries
+    are the first coordinate of the segment.
     """
     last = np.minimum(segment.edges[:, -1], coordinates(segment, _DEEPEST))
     edges = np.ascontiguousarray(np.minimum(segment.edges, last[:, None]))

@@ -1,7 +1,7 @@
-"""Give yielded junctions a resistance by another law, chosen with the option plastic_junctions.
+"""Give yielded junctions the resistance of another law, chosen with the option plastic_junctions.
 
 The published law stays unchanged. The other law is used only where the published one gives no resistance: beyond a
-displacement or on a whole segment. Its requirements on elastic asperities are not checked there.
+displacement or on a whole segment. What the other law requires of elastic asperities is not checked.
 """
 
 from collections.abc import Callable
@@ -46,10 +46,10 @@ def _from_there_on(published: Callable, own: int, junction: Callable, more: int)
 def beyond(
     plastic_junctions: str, start: np.ndarray, published: TangentialResistance, segment: NormalSegment, groups: Groups
 ) -> TangentialResistance:
-    """Return a resistance that is `published` up to the displacement `start`, and that of another tangential law beyond.
+    """Return a resistance that is `published` up to the displacement `start`, and the resistance by another law beyond it.
 
-    start (n,): displacement over sigma; it must be one of the kinks of the published resistance. plastic_junctions: key of the
-    other law, or "none", which returns `published` unchanged. groups: dimensionless groups of n contacts.
+    start (n,): displacement in units of sigma; it must be one of the kinks of the published resistance. plastic_junctions: key
+    of the other tangential law, or "none", which returns `published` unchanged. groups: dimensionless groups of n contacts.
     """
     other = of_whole_segment(plastic_junctions, segment, groups)
     if other is None:

@@ -53,8 +53,9 @@ def sign_changes(
 ) -> np.ndarray:
     """Return the coordinates (n, numbers, most) at which functions of u change sign along a segment.
 
-    signed(u, row) returns `numbers` values, one of each function; row: parameters of the segment, followed by `parameters`,
-    arrays (n,). most: largest number of sign changes of each function. Unused entries are the first coordinate of the segment.
+    signed(u, row) returns the values of `numbers` functions at the coordinate u. row: parameters of the segment, followed by
+    `parameters`, arrays (n,). most: largest number of sign changes of each function. Unused entries are the first coordinate of
+    the segment.
     """
     laws = len(segment.edges)
     all_parameters, out = (*segment.parameters, *parameters), np.empty((laws, numbers, most))

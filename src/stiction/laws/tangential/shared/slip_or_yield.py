@@ -1,4 +1,4 @@
-"""Find the kinks of the resistance of an adhesive elastic asperity, the smaller of its slip and yield resistance.
+"""Find the kinks of the tangential resistance of an adhesive elastic asperity, which is the smaller of two forces.
 
 Slip resistance is the force of peeling; yield resistance is the force at which the trailing edge yields. With the strength of
 adhesion S = sqrt(6 pi/theta) and the coordinate u = S^(1/3) v of JKR's contact, the equations below depend only on
@@ -29,10 +29,10 @@ _TOUCH, _NO_SLIP, _LOST = 2.0 / 3.0, 1.0 / 2.0, 1.0 / 6.0
 
 @formula
 def _shape(nu, K_beta):
-    """Return the three coefficients of the function G of the module, of r^2, r y (y-1) and y^2 (y-1)^2 in its numerator.
+    """Return the coefficients of r^2, r y (y-1) and y^2 (y-1)^2 in the numerator of G(y), the function G of this module.
 
-    Slip and yield resistance of an asperity are equal where G(y) equals a level. y = (u/S^(1/3))^3, with the coordinate u and
-    the strength of adhesion S; r: slip resistance over a constant. nu: Poisson's ratio. K_beta: K times the tangential
+    Slip and yield resistance of an asperity are equal where G(y) equals a certain value. y = (u/S^(1/3))^3, with the coordinate
+    u and the strength of adhesion S. r: slip resistance over a constant. nu: Poisson's ratio. K_beta: K times the tangential
     compliance.
     """
     n, p, q = coefficients(nu)
@@ -42,11 +42,11 @@ def _shape(nu, K_beta):
 
 @formula
 def _numerator(y, shape, printed):
-    """Return G(y) y^(8/3) and its derivative by y, with the function G of the module.
+    """Return G(y) y^(8/3) and its derivative by y, with the function G of this module.
 
-    Slip and yield resistance of an asperity are equal where G(y) equals a level. y = (u/S^(1/3))^3, with the coordinate u and
-    the strength of adhesion S. shape: coefficients from `_shape`. printed: whether the slip resistance is that of eq (10) of
-    the 2015 paper as printed.
+    Slip and yield resistance of an asperity are equal where G(y) equals a certain value. y = (u/S^(1/3))^3, with the coordinate
+    u and the strength of adhesion S. shape: coefficients from `_shape`. printed: whether the slip resistance is that of eq (10)
+    of soft_coating_2015 as printed.
     """
     a, b, c = shape
     if printed:
@@ -61,10 +61,9 @@ def _numerator(y, shape, printed):
 
 @formula
 def _steepness(y, shape, printed):
-    """Return the logarithmic slope d ln G / d ln y of the function G of the module.
+    """Return the logarithmic slope d ln G / d ln y of the function G of this module.
 
-    Slip and yield resistance of an asperity are equal where G(y) equals a level. shape: coefficients from `_shape`. printed:
-    whether the slip resistance is that of eq (10) of the 2015 paper as printed.
+    y, shape, printed: as in `_numerator`.
     """
     value, slope = _numerator(y, shape, printed)
     return y * slope / value - 8.0 / 3.0
@@ -72,11 +71,10 @@ def _steepness(y, shape, printed):
 
 @formula
 def _turning_point(low, high, shape, printed):
-    """Return a turning point y of the function G of the module between low and high, or `high` if there is none.
+    """Return the y between low and high at which the function G of this module has an extremum, or `high` if there is none.
 
-    Slip and yield resistance of an asperity are equal where G(y) equals a level. shape, printed: as in `_numerator`. The
-    search is regula falsi (Illinois variant). An accuracy of 1e-8 is enough: G is flat at a turning point, so that a crossing
-    this close to it is a touching point within 1e-16.
+    shape, printed: as in `_numerator`. The search is regula falsi (Illinois variant). An accuracy of 1e-8 is enough: G is flat
+    at an extremum, so that its value there is accurate to 1e-16.
     """
     at_low, at_high = _steepness(low, shape, printed), _steepness(high, shape, printed)
     if (at_low < 0.0) == (at_high < 0.0):
@@ -98,10 +96,10 @@ def _turning_point(low, high, shape, printed):
 
 @formula
 def _dip(nu, shape, printed):
-    """Return the two y between which the function G of the module falls, or y of first touch twice if G only rises.
+    """Return the two y between which the function G of this module falls; if G only rises, both are the y of first touch.
 
-    Slip and yield resistance of an asperity are equal where G(y) equals a level. nu: Poisson's ratio. shape, printed: as in
-    `_numerator`. d ln G/d ln y falls from first touch to a single lowest value, then rises to 4/3.
+    nu: Poisson's ratio. shape, printed: as in `_numerator`. d ln G/d ln y falls from first touch to a single lowest value, then
+    rises to 4/3.
     """
     lowest, least, ratio = _TOUCH, 0.1, 1.4
     y = _TOUCH
@@ -131,7 +129,7 @@ def _dip(nu, shape, printed):
 def _crossing(low, high, level, shape, printed):
     """Return v between low and high at which slip and yield resistance are equal, G(v^3) = level, or `high` if there is none.
 
-    v: coordinate u over S^(1/3), with the strength of adhesion S. G: function of the module, which must be monotonic between
+    v: coordinate u over S^(1/3), with the strength of adhesion S. G: function of this module, which must be monotonic between
     low and high. shape, printed: as in `_numerator`. Bracketed Newton's method is applied to the fourth root of G, which is
     almost linear for large v.
     """
@@ -160,9 +158,9 @@ def _crossing(low, high, level, shape, printed):
 def _unloading_kinks(out, level, shape):
     """Fill out[0:6] with the kinks v at and below first touch, which an asperity passes only in unloading.
 
-    v: coordinate u over S^(1/3), with the strength of adhesion S. level: value of the function G of the module at which slip
+    v: coordinate u over S^(1/3), with the strength of adhesion S. level: value of the function G of this module at which slip
     and yield resistance are equal. shape: coefficients from `_shape`. The slip resistance vanishes at v^3 = 1/2, and G has one
-    turning point on either side.
+    extremum on either side.
     """
     lost, none, touch = _LOST ** (1.0 / 3.0), _NO_SLIP ** (1.0 / 3.0), _TOUCH ** (1.0 / 3.0)
     left = _turning_point(_LOST, _NO_SLIP - 1e-9, shape, False) ** (1.0 / 3.0)
@@ -179,12 +177,12 @@ def _unloading_kinks(out, level, shape):
 def _fill_kinks(level, end, nu, K_beta, printed, unloading, kinks):
     """Fill `kinks` (n, 3 or 9) with the kinks v of the resistance of n contacts, up to `end` (n,).
 
-    v: coordinate u over S^(1/3), with the strength of adhesion S. The first three columns are the v from first touch (y = v^3
-    = 2/3) on at which slip and yield resistance are equal. With `unloading` the segment starts at a smaller v, and six columns
-    follow: the v at which the slip resistance vanishes, the v of first touch, and four v below it at which both resistances
-    are equal. A crossing that does not exist is replaced by the upper end of its interval. level (n,): value of the function G
-    of the module at which both are equal. nu (n,): Poisson's ratio. K_beta (n,): (4/3) E* times the tangential compliance and
-    the mode-mixity share. printed: as in `_numerator`.
+    v: coordinate u over S^(1/3), with the strength of adhesion S. The first three columns are the v from first touch (v^3 =
+    2/3) on at which slip and yield resistance are equal. With `unloading` the segment starts at a smaller v, and six columns
+    follow: the v at which the slip resistance vanishes, the v of first touch, and four v below first touch at which both
+    resistances are equal. A crossing that does not exist is replaced by the upper end of its interval. level (n,): value of the
+    function G of this module at which both resistances are equal. nu (n,): Poisson's ratio. K_beta (n,): (4/3) E* times the
+    tangential compliance and the mode-mixity share. printed: as in `_numerator`.
     """
     touch = _TOUCH ** (1.0 / 3.0)
     down, up, shape = touch, touch, (0.0, 0.0, 0.0)
@@ -204,12 +202,12 @@ def _fill_kinks(level, end, nu, K_beta, printed, unloading, kinks):
 def kinks_of(
     groups: Groups, K_beta: np.ndarray, last: np.ndarray, printed: bool, unloading: bool
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Return the kinks (n, 5 or 11) of the smaller of slip and yield resistance, and the branch point (n,) of the latter.
+    """Return the kinks (n, 5 or 11) of the smaller of slip and yield resistance, and a branch point (n,) of the latter.
 
-    They are values of the coordinate u of an adhesive elastic asperity. K_beta (n,): K beta times the mode-mixity share. last
-    (n,): u at the end of the elastic asperity. printed: use eq (10) of the 2015 paper as printed. unloading: start at the
-    smallest stable contact instead of first touch; this adds six kinks. A kink that does not exist is placed at an end or
-    outside the segment.
+    Both are values of the coordinate u of an adhesive elastic asperity. At the branch point the yield resistance ceases to be
+    real. K_beta (n,): K beta times the mode-mixity share. last (n,): u at the end of the elastic asperity. printed: use eq (10)
+    of soft_coating_2015 as printed. unloading: start at the smallest stable contact instead of first touch; this adds six
+    kinks. A kink that does not exist is placed at an end of the segment or outside it.
     """
     scale = np.sqrt(6.0 * math.pi / groups.theta) ** (1.0 / 3.0)
     e = groups.eta / (scale * scale)

@@ -11,15 +11,15 @@ from stiction.laws.segment import NormalSegment, TangentialResistance
 from stiction.laws.tangential.shared.edge_yield import keep_smaller
 from stiction.laws.tangential.shared.sign_changes import sign_changes
 
-# Sign changes of each number that are searched.
+# Largest number of sign changes that are searched, for each number of the formula.
 _MOST = 5
 
 
 class Force(NamedTuple):
-    """Store a formula of (u, load, area, row) and its parameters as columns, arrays (n,); row has one value of each column.
+    """Hold a formula of (u, load, area, row) and its parameters as columns, arrays (n,); row has one value of each column.
 
-    A formula for peeling returns the force. A formula for yield returns two numbers: one that is negative if the force is not
-    real, and the force. A force that is not real or is negative counts as 0.
+    The formula of a peeling force returns the force. The formula of a yield force returns two numbers: one that is negative if
+    the force is not real, and the force. A force that is not real or is negative counts as 0.
     """
 
     formula: Callable
@@ -38,11 +38,12 @@ def _resistance(peels: Callable, width: int, yields: Callable) -> Any:
 
 @cache
 def _signed(peels: Callable, width: int, yields: Callable, normal: Callable, parameters: int) -> Any:
-    """Return a formula of (u, row) that gives two numbers; they change sign at the kinks of the smaller of two forces.
+    """Return a formula of (u, row) that gives two numbers, whose sign changes are kinks of the smaller force.
 
-    The forces are those of peeling and yield. The first number changes sign where they cross or the yield force vanishes, the
-    second where the yield force stops being real. peels, yields: formulas of the forces; `peels` has `width` parameters.
-    normal: formula of the segment, with `parameters` parameters. row: parameters of segment, peeling and yield, in this order.
+    The forces are those of peeling and of yield at the coordinate u. The first number changes sign where the two forces are
+    equal or the yield force vanishes, the second where the yield force stops being real. peels, yields: formulas of the forces;
+    `peels` has `width` parameters. normal: formula of the segment, with `parameters` parameters. row: parameters of segment,
+    peeling and yield, in this order.
     """
     of_yield = parameters + width
 
