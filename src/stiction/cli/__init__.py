@@ -1,4 +1,4 @@
-"""The command line `stiction`.
+"""Define the command line `stiction`.
 
 Slow libraries are imported inside the commands that need them, so that `stiction --help` answers at once.
 """

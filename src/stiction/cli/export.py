@@ -1,4 +1,4 @@
-"""The command `stiction export`, which writes predicted friction for simulation programs."""
+"""Define the command `stiction export`, which writes predicted friction for simulation programs."""
 
 from pathlib import Path
 

@@ -1,4 +1,4 @@
-"""The command `stiction figures`, which draws the figures of the 2015 paper on soft coatings and a map of its claims."""
+"""Define the command `stiction figures`: the figures of the 2015 paper on soft coatings, and a map of its claims."""
 
 from pathlib import Path
 

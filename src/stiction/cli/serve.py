@@ -1,4 +1,4 @@
-"""The command `stiction serve`, which opens the web page."""
+"""Define the command `stiction serve`, which opens the web page."""
 
 import sys
 from pathlib import Path

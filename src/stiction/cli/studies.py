@@ -1,4 +1,4 @@
-"""The commands of all studies in the package `studies`, and the commands `report` and `validate`."""
+"""Define the commands of all studies in the package `studies`, and the commands `report` and `validate`."""
 
 import inspect
 from functools import partial

@@ -1,4 +1,4 @@
-"""The command `stiction surface`, which analyses one scan."""
+"""Define the command `stiction surface`, which analyses one scan."""
 
 from dataclasses import replace
 from pathlib import Path

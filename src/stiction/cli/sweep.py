@@ -1,4 +1,4 @@
-"""The command `stiction sweep`, which solves many contacts into a store on disk."""
+"""Define the command `stiction sweep`, which solves many contacts and stores the results on disk."""
 
 from collections.abc import Iterable, Iterator
 from pathlib import Path

@@ -84,7 +84,7 @@ def confidence_in(data: "xarray.Dataset") -> str:
 
 
 def confidence_scale(word: str) -> str:
-    """Return a confidence with the three words of its scale and their meanings."""
+    """Return a text with a confidence, "high", "fair" or "low", and an explanation of these three words."""
     high, fair, _ = (f"{factor:g}" for factor in _CONFIDENCE)
     scale = f"high (the interval ends within a factor of {high} of mu, and no warning), fair (within {fair})"
     return f"{word}, of {scale} and low (wider, or fewer than two of three handbook contacts agree)"

@@ -1,4 +1,4 @@
-"""The answer card: mu with its interval as a bar, confidence, main source of uncertainty, one warning and the next step."""
+"""Build the answer card: mu with its interval as a bar, confidence, sources of uncertainty, a warning and the next step."""
 
 import math
 from html import escape
@@ -123,7 +123,7 @@ def card_of(data: "xarray.Dataset", named: str = "") -> Card:
 
 
 def _agreement(data: "xarray.Dataset") -> str:
-    """Return "5 of 6 handbook contacts agree"; "" if friction that the user measured takes their place."""
+    """Return a text such as "5 of 6 handbook contacts agree"; "" without such contacts, or if the user measured friction."""
     held, contacts = data.attrs["in_handbooks"]
     return f"{held} of {contacts} handbook contacts agree" if contacts and "measured" not in data.attrs else ""
 

@@ -163,7 +163,7 @@ def write_picture(figure: "Figure", path: Path) -> None:
 
 
 def undrawn_of(names: Iterable[str]) -> list[str]:
-    """Return those of the file names that end in .png, if matplotlib is not installed to draw them; else an empty list."""
+    """Return the file names that end in .png if matplotlib, which draws them, is not installed; otherwise []."""
     return [] if installed("matplotlib") else [name for name in names if name.endswith(".png")]
 
 

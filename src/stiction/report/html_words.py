@@ -13,13 +13,13 @@ _WORD = re.compile(rf"(?<![A-Za-z])({'|'.join(sorted(_GREEK, key=len, reverse=Tr
 
 
 def letters(text: str) -> str:
-    """Replace names of Greek letters and units on a keyboard by their signs: "sigma = 2 um" becomes "σ = 2 µm"."""
+    """Replace spelled-out Greek letters and units by their signs: "sigma = 2 um" becomes "σ = 2 µm"."""
     shown = _WORD.sub(lambda match: _GREEK[match[1]], text).replace("τ_0", "τ₀")
     return with_signs(shown.replace("sqrt(", "√(").replace("+-", "±"))
 
 
 def on_page(table: Table, caption: str) -> Table:
-    """Return a terminal table as a table for the web page: cells as texts, Greek letters in the heads, another caption."""
+    """Convert a terminal table for the web page: plain texts as cells, Greek letters in the heads, and a new caption."""
     columns = [replace(column, head=letters(column.head.replace("\n", " "))) for column in table.columns]
     return replace(table, columns=columns, rows=[[str(cell) for cell in row] for row in table.rows], caption=caption)
 

@@ -1,4 +1,4 @@
-"""Draw how the method of finding asperities changes their heights' deviation sigma, radius R, density N, and friction."""
+"""Draw how friction and the height deviation, radius and density of asperities depend on the asperity method."""
 
 import textwrap
 from typing import TYPE_CHECKING, Any
@@ -133,7 +133,7 @@ def _places(cutoffs: np.ndarray) -> np.ndarray:
 
 
 def _apart(places: np.ndarray, gap: float = 0.13) -> list[float]:
-    """Return the positions on a logarithmic axis that are far enough apart for their labels, always with the first.
+    """Return the positions on a logarithmic axis that are far enough apart for their labels, including the first one.
 
     places: ascending positions, > 0. gap: least distance, as a fraction of the length of the logarithmic axis.
     """

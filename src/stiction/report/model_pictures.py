@@ -87,9 +87,9 @@ def models_figure(
 
 
 def _within(x: np.ndarray, y: np.ndarray, low: float, high: float) -> tuple[np.ndarray, np.ndarray]:
-    """Return the part of a line between two loads, with its ends interpolated: nothing of it lies beyond the axis.
+    """Return the part of a line between the loads `low` and `high`, with interpolated values at these loads.
 
-    x: loads in ascending order; those that are not positive are left out, as is mu that is not.
+    x, y: loads, in ascending order, and mu at each load. Points at which the load or mu is not positive are left out.
     """
     known = (x > 0.0) & (y > 0.0)
     x, y = x[known], y[known]

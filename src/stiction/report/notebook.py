@@ -1,6 +1,6 @@
 """Summarise a result for a notebook: meaning, ranges and validity warnings.
 
-Results are xarray datasets, whose own notebook view folds the attributes away, and with them the validity warnings.
+Results are xarray datasets. The notebook view of xarray hides the attributes of a dataset, which include the warnings.
 """
 
 from html import escape

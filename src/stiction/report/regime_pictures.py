@@ -97,7 +97,7 @@ def _plasticity(axes: Axes, contact: "Contact", pressure: float) -> None:
 
 
 def _dot(axes: Axes, place: tuple[float, float], ends: tuple[tuple[float, float], ...], colour: str, name: str) -> None:
-    """Draw a dot; beyond an end of the map it stands on the edge, and its name says so."""
+    """Draw a dot with a name; a dot outside the map is drawn on its edge, and the name states this."""
     x, y = (float(np.clip(value, low, high)) for value, (low, high) in zip(place, ends, strict=True))
     name += "" if (x, y) == place else ", beyond the edge"
     axes.plot(x, y, "o", color=colour, markersize=9, label=name, clip_on=False, zorder=5)

@@ -143,7 +143,7 @@ def load_in_words(findings: ReportData) -> str:
 def headline(findings: ReportData) -> str:
     """Return the headline of a report: mu, or the contact area of a model without friction.
 
-    mu has significant digits only. Without a working load the headline states the smallest and the largest value.
+    mu is rounded to its significant digits. Without a working load the headline states the smallest and the largest value.
     """
     if findings.prediction is not None:
         return answer.headline(findings.prediction).replace("mu", "μ", 1)

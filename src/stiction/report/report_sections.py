@@ -54,7 +54,7 @@ _COLUMNS = [*map(Column, ("quantity", "symbol")), *numbers("value"), *map(Column
 
 
 def groups_of_inputs(findings: ReportData) -> list[Table]:
-    """Return the inputs of a case as tables, one for each part of the contact, with how well each is known and its source."""
+    """Return the inputs of a case as tables, one for each part of the contact, with the range and the source of each input."""
     subject, places = findings.case.subject, stated_in(findings.text)
     table = "contact" if isinstance(subject, Contact) else "indices"
     known = {

@@ -39,7 +39,7 @@ def is_log(values: np.ndarray) -> bool:
 def scale_friction(axes: "Axes", values: np.ndarray, which: str = "y") -> None:
     """Make a friction axis logarithmic if `is_log` holds for the values, and append "(log)" to its label; else start it at 0.
 
-    values: friction coefficients that the axis shows. which: "x" or "y". An axis that is logarithmic already stays so.
+    values: friction coefficients that the axis shows. which: "x" or "y". An axis that is already logarithmic is left unchanged.
     """
     text = getattr(axes, f"get_{which}label")().removesuffix(LOG)
     if getattr(axes, f"get_{which}scale")() == "log" or is_log(values):

@@ -25,7 +25,7 @@ _NAMED = 0.05  # fraction of the largest effect above which an input is named
 def sensitivity_figure(data: "xarray.Dataset") -> Figure:
     """Draw a sensitivity study: Sobol indices, total indices against load, Morris effects and logarithmic sensitivities.
 
-    data: result of `sensitivity`. Of a prediction, the shares of the variance of ln mu take the place of indices and effects.
+    data: result of `sensitivity`. For a prediction, shares of the variance of ln mu are drawn instead of indices and effects.
     Without uncertain inputs, only the logarithmic sensitivities are drawn.
     """
     if "friction_coefficient_share" in data:

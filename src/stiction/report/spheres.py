@@ -1,4 +1,4 @@
-"""Properties of two adhesive spheres, for the export formats of discrete-element programs."""
+"""Compute properties of two adhesive spheres, for the export formats of discrete-element programs."""
 
 from math import pi
 from typing import TYPE_CHECKING, Any

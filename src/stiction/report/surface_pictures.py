@@ -34,8 +34,9 @@ _ENOUGH = 10**6
 def map_figure(surface: HeightMap, title: str = "", asperities: Asperities | None = None) -> Figure:
     """Draw a height map in colours, or a profile as a line, next to a histogram of heights.
 
-    Of a map, missing points are grey and hatched. Its colours and the histogram leave out spikes and the lowest and highest 0.1
-    % of heights. title: by default the name of the surface. asperities: asperities to mark, if their method gives positions.
+    Missing points of a map are grey and hatched. The colour scale and the histogram leave out spikes and the lowest and highest
+    0.1 % of the heights. title: by default the name of the surface. asperities: asperities to mark, if their method gives
+    positions.
     """
     shape = (8.0, 3.2) if surface.is_profile else (4.4 * min(max(surface.size[1] / surface.size[0], 0.5), 2.2) + 1.6, 4.8)
     figure = Figure(figsize=(shape[0] + 3.4, shape[1]), layout="compressed")
@@ -85,7 +86,7 @@ def _draw_places(axes: Axes, surface: HeightMap, asperities: Asperities, factor:
 
 
 def _some(heights: np.ndarray) -> np.ndarray:
-    """Return evenly spaced ones of the heights, at most a million, for a quick histogram."""
+    """Return a million of the heights at most, at even distances, so that a histogram of them is fast."""
     return heights[:: -(-heights.size // _ENOUGH)]
 
 

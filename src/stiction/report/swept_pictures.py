@@ -76,7 +76,7 @@ def swept_figure(data: "xarray.Dataset", title: str = "") -> Figure:
 
 
 def _legend_below(figure: Figure, panels: list[Axes]) -> None:
-    """Replace the legends of panels that have the same lines by one below them."""
+    """Replace the legends of panels that have the same lines by one legend below the panels."""
     legends = [legend for axes in panels if (legend := axes.get_legend())]
     if not legends:
         return

@@ -90,8 +90,8 @@ class View:
 
     data: the dataset, written as `name`.nc; None if there is none. parts: function that returns all texts and tables for a
     terminal. record: function that returns the content for JSON. files: functions that write a file to a path, by file name.
-    pictures: by file name. warnings: sentences. short: function that returns the short answer, most important part first; by
-    default it is `parts`. is_brief: whether `parts` already is the short answer.
+    pictures: pictures by file name. warnings: sentences. short: function that returns the short answer, most important part
+    first; by default it is `parts`. is_brief: whether `parts` already is the short answer.
     """
 
     name: str

@@ -1,4 +1,4 @@
-"""The answer card above every tab: mu, its interval, its confidence and main source of uncertainty; "Why" shows details."""
+"""Build the answer card above the tabs: mu, its interval, confidence and sources of uncertainty; "Why" shows details."""
 
 from html import escape
 
@@ -93,8 +93,8 @@ class AnswerCard:
 def card_on_page(prediction: xarray.Dataset, named: str = "") -> Card:
     """Return the short answer card of a prediction for the page, which names tabs in place of commands.
 
-    A warning that the next step repeats is left out. named: result of the model that the case names, as text, or "". With such
-    a result the card keeps only both values of mu and the main warning.
+    A warning is left out if the next step states the same. named: result of the model that the case names, as text, or "". With
+    such a result, the card has no sources of uncertainty, handbook contacts and next step.
     """
     card = card_of(at_working_load(prediction), named)  # without the range of loads: the form shows the load
     if named:

@@ -1,4 +1,4 @@
-"""The tab One asperity: a section of the stresses below it, its point of first yield, and the film to scale."""
+"""Build the tab One asperity: the stresses in a section below it, its point of first yield, and the film to scale."""
 
 import math
 from typing import Any

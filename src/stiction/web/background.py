@@ -81,10 +81,10 @@ class Progress:
         self._interrupt()
 
     def watched(self, work: Callable[["Progress"], _T]) -> _T:
-        """Run a function of this Progress in the current thread, and return its result.
+        """Call `work` with this Progress in the current thread, and return its result.
 
-        The function is interrupted when the study is stopped or times out. The time limit starts here, so that the time of
-        earlier studies does not count. Raises KeyboardInterrupt.
+        Raises KeyboardInterrupt within `work` when the study is stopped or times out. The time limit starts here, so that
+        waiting for earlier studies does not count.
         """
         import numba  # noqa: F401  Interrupted, its import could not be repeated in this process.
 
@@ -114,7 +114,7 @@ class Progress:
                 self._thread = None
 
     def check(self) -> None:
-        """Raise KeyboardInterrupt, as Ctrl+C in a terminal does, if the study is to stop."""
+        """Raise KeyboardInterrupt, as Ctrl+C in a terminal does, if the study was stopped or its time is over."""
         self.too_long = time.monotonic() > self._end
         if self._stop.is_set() or self.too_long:
             raise KeyboardInterrupt
@@ -122,7 +122,7 @@ class Progress:
     def __call__(self, text: str) -> Callable[[Iterable], Iterator]:
         """Return a function that wraps a list of steps and records each step as progress.
 
-        text: label of the steps.
+        text: label of the steps. Before each step, `check` may raise KeyboardInterrupt.
         """
 
         def wrapped(steps: Iterable) -> Iterator:
@@ -136,6 +136,6 @@ class Progress:
         return wrapped
 
     def tell(self, count: int, text: str) -> None:
-        """Record how many designs were tried, `count`, and a text on how many there will be at most."""
+        """Record the number of tried designs, `count`, and a text on the largest number; raise KeyboardInterrupt as `check`."""
         self.check()
         self.text, self.share = f"{count} designs tried, {text}", 0.0

@@ -1,4 +1,4 @@
-"""The tab Compare: models that are suitable, unsuitable or impossible for the contact, each sorted by mu."""
+"""Build the tab Compare: models that are suitable, unsuitable or impossible for the contact, each group sorted by mu."""
 
 import re
 from collections.abc import Iterator

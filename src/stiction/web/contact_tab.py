@@ -1,4 +1,4 @@
-"""The tab Contact: curves over load or separation, with the interval of a prediction or the stacked parts of one model."""
+"""Build the tab Contact: curves over load or separation, with the interval of a prediction or the parts of one model."""
 
 from typing import Any
 

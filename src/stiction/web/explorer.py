@@ -85,7 +85,8 @@ class Explorer:
     async def ask(self, tables: Mapping[str, Any]) -> None:
         """Solve a changed case, given by its tables; `undo` goes back to the case before.
 
-        The title is adapted if the contact has changed. Tables with a new title count as another case with a title of its own.
+        If the contact has changed, the title of the case is replaced by one that names the bodies. A new title in the tables is
+        kept.
         """
         now, before = time.monotonic(), self.query.tables
         if now - self._changed > _APART:
@@ -157,10 +158,10 @@ class Explorer:
 
 
 def _retitled(tables: Mapping[str, Any], titled: Mapping[str, Any]) -> dict[str, Any]:
-    """Return case tables with a title that suits them.
+    """Return case tables with the present title if it still suits the contact, otherwise with a new title.
 
-    If `titled`, the case for which the present title was written, has the same contact, its title stays. Otherwise the title
-    names the bodies.
+    titled: tables of the case for which the present title was written. If its contact is the same, its title is kept. Otherwise
+    the title names the bodies.
     """
     same = all(tables.get(name) == titled.get(name) for name in ("contact", "indices"))
     title = titled.get("title") if same else _described(tables)

@@ -1,4 +1,4 @@
-"""The form of a case: load, bodies, film, roughness, adhesion and interface, with fields, sliders and errors.
+"""Build the form of a case: load, bodies, film, roughness, adhesion and interface, with fields, sliders and errors.
 
 The tables of a case are nested dicts, as they are read from a case file. A path is the sequence of keys to an entry.
 """
@@ -53,7 +53,7 @@ _PLAIN_LOADS = {"start": 1e-6, "stop": 0.1, "count": 51, "spacing": "log"}  # no
 class Form:
     """Show the form of one visitor.
 
-    The form is rebuilt if the case gets other fields, and stays while a slider moves.
+    The form is rebuilt if the case gets other fields, but not while a slider moves.
     """
 
     def __init__(self, explorer: Explorer):
@@ -107,7 +107,7 @@ class Form:
         await self._explorer.open(self._explorer.first)
 
     def _contact(self, parts: dict[str, Part]) -> None:
-        """Add the fields of a contact in units.
+        """Add the fields of a case with a table [contact].
 
         parts: parts of the form by the last key of their path.
         """
@@ -294,7 +294,7 @@ class Form:
     def _with_allowed_interface(self, tables: Mapping[str, Any]) -> Mapping[str, Any]:
         """Return case tables without the interface state, if their bodies do not allow it.
 
-        The state comes back when the bodies allow it again.
+        A removed state is put back as soon as the bodies allow it again.
         """
         state = value_at(tables, INTERFACE) or self._switched_off.get(INTERFACE)
         if not isinstance(state, str):

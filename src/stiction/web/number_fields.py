@@ -83,8 +83,8 @@ def draw_number(explorer: Explorer, number: Number, otherwise: str = "") -> ui.i
 def draw_load(explorer: Explorer, inputs: dict[tuple[str, ...], Any]) -> Callable[[], None]:
     """Add the field of the working load, and return a function that updates the field after a new answer.
 
-    inputs: text fields by path in the tables of the case. The new field is added, so that an error of the load appears below
-    it. If the case states separations, the load follows from them.
+    inputs: text fields by path in the tables of the case. The new field is added to this dict, so that an error of the load
+    appears below the field. If the case states separations, the load follows from them.
     """
     if not explorer.load > 0.0:
         ui.label("No load is compressive: see the points of the curve.").classes("text-sm")

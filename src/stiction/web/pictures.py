@@ -1,4 +1,4 @@
-"""Show a view, the texts, tables and pictures of a result, on the page."""
+"""Show a view on the page: the texts, tables and pictures of a result."""
 
 import textwrap
 from collections.abc import Callable
@@ -40,7 +40,7 @@ class Shown(NamedTuple):
         return cls(list(view.parts()), drawings, view.warnings)
 
     def show(self, narrow: bool, opened: Callable[[str], object] | None = None) -> None:
-        """Add tables, sentences and drawings to the page.
+        """Add warnings, tables, drawings and sentences to the page.
 
         narrow: whether the page is narrow. opened: receives the name of a model that the visitor selects in a table.
         """
@@ -86,7 +86,7 @@ def drawing_of(figure: Any, told: str, narrow: bool = False) -> str:
 
 
 def _make_narrow(figure: Any) -> None:
-    """Place the panels of a figure below one another, with fewer ticks and a broken title."""
+    """Place the panels of a figure below one another, with fewer ticks and with titles broken into lines."""
     from matplotlib.ticker import AutoLocator, MaxNLocator
 
     width, height = figure.get_size_inches()

@@ -1,4 +1,4 @@
-"""The tab Regime: the contact in the plane of the adhesion indices, with claims and figures of the 2015 paper.
+"""Build the tab Regime: the contact in the plane of the adhesion indices, with claims and figures of the 2015 paper.
 
 The paper introduced the model of soft films that stiction calls soft_coating_2015. The adhesion indices are theta (elastic) and
 lambda (plastic).

@@ -1,4 +1,4 @@
-"""The tab Share: the address of this page, and the files that the command line writes too."""
+"""Build the tab Share: the address of this page, and the files that the command line writes too."""
 
 import tempfile
 from pathlib import Path

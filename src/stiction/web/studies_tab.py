@@ -1,4 +1,4 @@
-"""The tab Studies: which input to measure better, design for a target mu, and calibration by measurements.
+"""Build the tab Studies: sensitivity to the inputs, design for a target mu, and calibration by measured values.
 
 Each study is limited to one minute.
 """

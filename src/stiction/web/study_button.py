@@ -1,4 +1,4 @@
-"""A study on the page: a button that starts it, its progress, and a button that stops it."""
+"""Add a study to the page: a button that starts it, its progress, and a button that stops it."""
 
 import time
 from collections.abc import Callable
@@ -16,9 +16,9 @@ _EVERY = 0.3  # seconds between updates of the shown progress
 class Study:
     """Add a study to the page: a button that starts it, a button that stops it, and its progress.
 
-    A visitor can run a study once at a time. After a change of the case, a result is marked as old. explorer: state of the
-    visitor; None if the result does not depend on the case. work: function of a Progress that computes the result in a thread.
-    show: receives the result in the event loop. done: text after the run.
+    The study cannot be started again while it runs. After a change of the case, a result is marked as old. explorer: state of
+    the visitor; None if the result does not depend on the case. work: function of a Progress that computes the result in a
+    thread. show: receives the result in the event loop. done: text after the run.
     """
 
     def __init__(

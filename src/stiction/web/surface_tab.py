@@ -1,4 +1,4 @@
-"""The tab Surface: a scan, its spectrum with the cutoffs, its asperities by each method, and the friction with it."""
+"""Build the tab Surface: a scan, its spectrum with the cutoffs, its asperities by each method, and friction with it."""
 
 import math
 from collections.abc import Mapping
@@ -40,7 +40,7 @@ _STEP = 0.005  # step of the sliders, in the decimal logarithm of the wavevector
 
 
 class SurfaceTab:
-    """Show one scan of one visitor.
+    """Show the scan of a visitor, with its spectrum and asperities, and friction with this surface.
 
     Spectrum and friction are updated while a cutoff moves, drawings after the slider is released.
     """
@@ -148,7 +148,7 @@ class SurfaceTab:
         return Band(int(self._form.value), **lengths)
 
     async def _ask(self) -> None:
-        """Compute and show spectrum and friction of the newest band; the sliders may move between the two."""
+        """Compute and show the spectrum, then friction, for the band of wavelengths that the sliders set."""
         if self._scan is None:
             return
         explorer = self._explorer

@@ -1,4 +1,4 @@
-"""File formats of other programs, one module for each.
+"""Write friction tables in the file formats of other programs, with one module for each format.
 
 Each module has a function `content(table)` that returns the content of the file. Its argument is a friction table: the dataset
 of `stiction.export`, with mu against the nominal pressure in the units that the user chose. The docstring of the module cites

@@ -26,9 +26,9 @@ def surface_behavior(table: "xarray.Dataset") -> list[str]:
 
 
 def at_stated_load(table: "xarray.Dataset", what: str) -> str:
-    """Return a comment line with load and pressure of the numbers that the file gives for a single load.
+    """Return a comment line with the load and the pressure at which some numbers of the file hold.
 
-    table: dataset of `export`. what: name of these numbers.
+    table: dataset of `export`. what: name of the numbers for which the file has one value, at the stated load.
     """
     row = table.isel(row=table.attrs["working_row"])
     load, pressure = (f"{float(row[name]):.6g} {row[name].attrs['units']}" for name in ("load", "nominal_pressure"))

@@ -1,9 +1,9 @@
 """Lethe: properties of a particle type and of walls, for the JKR contact force.
 
 Document: Lethe, "Lagrangian Physical Properties" and theory guide "Discrete Element Method", "Johnson-Kendall-Roberts force
-model". Its Coulomb limit is mu (F + 2 F_po), where F_po = (3/2) pi gamma_e R_e. The coefficient is chosen so that this is
-the predicted friction force at the stated load. Two equal surface energies gamma have gamma_e = 2 gamma, so each is half the
-work of adhesion. Both bodies get the same coefficient, so that every mean of them is that of the pair.
+model". Its Coulomb limit is mu (F + 2 F_po), where F_po = (3/2) pi gamma_e R_e. The coefficient mu is chosen so that this limit
+equals the predicted friction force at the stated load. Two equal surface energies gamma have gamma_e = 2 gamma, so each is half
+the work of adhesion. Both bodies get the same coefficient, so that any mean of both is the coefficient of the pair.
 """
 
 from typing import TYPE_CHECKING

@@ -1,7 +1,8 @@
 """MOOSE: a [Functions] block, mu against contact pressure, for `function_friction` of a frictional mortar constraint.
 
 Document: MOOSE, "PiecewiseLinear" (x, y, axis) and "ComputeFrictionalForceLMMechanicalContact" (function_friction, "function to
-evaluate friction with values from contact pressure and relative tangential velocities": pressure stands in place of x).
+evaluate friction with values from contact pressure and relative tangential velocities": the function receives the pressure as
+x).
 """
 
 from typing import TYPE_CHECKING

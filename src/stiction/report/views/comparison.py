@@ -193,9 +193,9 @@ def _group(models: "list[xarray.Dataset]") -> Group:
 
 
 def _ends(result: "xarray.Dataset", mu: float) -> list[float]:
-    """Return [mu, mu], each corrected for one end of the 90 % interval of the model's area error on benchmark surfaces.
+    """Return mu after correction for each end of the 90 % interval of the model's area error on benchmark surfaces.
 
-    mu stays unchanged if that interval is unknown.
+    The list has two values; both are mu itself if the interval is unknown.
     """
     errors = json.loads(result["measured_error"].item()) or {}
     ends = [errors.get(f"area_{end}") or [None] for end in ("high", "low")]

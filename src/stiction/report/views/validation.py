@@ -39,7 +39,7 @@ def origin_lines(data: "xarray.Dataset") -> Iterator[Text]:
 
 
 def validation_table(data: "xarray.Dataset") -> Table:
-    """Return a table of the models: grade, number of predicted values, error, and claimed ranges that the series leaves."""
+    """Return a table of the models: grade, number of predicted values, error, and violated validity ranges."""
     errors = {"bias": "mean ratio", "factor": "factor off"}
     if np.isfinite(data["error"].values).any():
         errors["in_errors"] = "in errors"
