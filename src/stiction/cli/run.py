@@ -1,4 +1,4 @@
-"""The commands `stiction run`, which solves a case, and `stiction slide`, which moves it sideways until it slides."""
+"""Define the commands `stiction run`, which solves a case, and `stiction slide`, which moves it until it slides."""
 
 from collections.abc import Callable
 from dataclasses import replace

@@ -92,8 +92,8 @@ def sources_of_case(case: "CaseLike") -> list[str]:
 def film_of_case(case: Case, choice: Choice) -> "xarray.Dataset":
     """Compute the stresses in the film of a case at its points, with the models and laws of `choice`.
 
-    Returns the dataset of `film_stresses`, with the title of the case. Raises InputError, also if a number of the case is
-    swept.
+    Returns the dataset of `film_stresses`, with the title of the case. Raises InputError, also if a number of the case is an
+    array.
     """
     from stiction.studies.stresses.film_stress import film_stresses, require_film  # slow to import, and no other study needs it
 
@@ -132,10 +132,8 @@ def slide_case(
     xarray.Dataset
         As from `slide`, with the dimensionless groups of the contact as attributes.
 
-    Raises
-    ------
-    InputError
-        As `slide`; also if numbers of the contact are swept.
+    Raises ------ InputError
+        As `slide`; also if a number of the contact is an array.
 
     Examples
     --------

@@ -32,12 +32,12 @@ class ReportData:
     """Store the results that a report of one case shows.
 
     text: the case file as written; "" without a file. data: the prediction, or the results of the named model at all points of
-    the case. load: working load in N, or dimensionless for [indices]; None if no load is above 0 or numbers are swept.
-    working_results: results of the named model at the working load; None for a prediction. comparison: results of all models at
-    the working load, or None. not_compared: reason why models are not compared; "" if they are. analyses: analysis of the scan
-    of each body, by body. input_warnings: warnings of unlikely inputs. recommended: the prediction, also if the case names a
-    model; None if no prediction is possible. curve: the prediction over a range of loads, also if the case states a single
-    load; None if the case names a model.
+    the case. load: working load in N, or dimensionless for [indices]; None if no load is above 0, or if a number of the case is
+    an array. working_results: results of the named model at the working load; None for a prediction. comparison: results of all
+    models at the working load, or None. not_compared: reason why models are not compared; "" if they are. analyses: analysis of
+    the scan of each body, by body. input_warnings: warnings of unlikely inputs. recommended: the prediction, also if the case
+    names a model; None if no prediction is possible. curve: the prediction over a range of loads, also if the case states a
+    single load; None if the case names a model.
     """
 
     case: Case
@@ -54,7 +54,7 @@ class ReportData:
 
     @property
     def prediction(self) -> "xarray.Dataset | None":
-        """Return `data` if it is a prediction of a single contact; None if the case names a model or has swept numbers."""
+        """Return `data` if it is a prediction of a single contact; None if the case names a model or has array parameters."""
         return self.data if "shares" in self.data.attrs else None
 
     @property
@@ -66,7 +66,7 @@ class ReportData:
 def collect_report_data(case: Case, text: str = "", *, load: Any = None, progress: Progress = silent) -> ReportData:
     """Compute the results that a report of a case shows.
 
-    text: the case file as written. load: working load [N], by default the middle load of the case. A case with swept numbers
+    text: the case file as written. load: working load [N], by default the middle load of the case. A case with array parameters
     has no working load, and its models are not compared. progress: function that takes a label and returns an iterator wrapper,
     such as a progress bar. Raises InputError.
     """

@@ -22,7 +22,7 @@ def with_finish(case: Case) -> Case:
 
     These are height deviation, radius and density of asperities, which are sampled together. Samples with a height deviation
     above the radius are excluded, unless all are such. A case that states all three, or has a scan, is returned unchanged.
-    Raises InputError if numbers of the roughness are swept.
+    Raises InputError if a number of the roughness is an array.
     """
     contact = case.subject
     if not isinstance(contact, Contact) or not contact.roughness.unknowns or contact.measured is not None:

@@ -170,7 +170,7 @@ def _one_finish(case: Case, numbers: Mapping) -> dict[tuple[str, ...], Any]:
 
 
 def predict_swept(case: Case, level: float = 0.9) -> "xarray.Dataset":
-    """Return the predictions of a case with swept numbers, over their dimensions and the loads.
+    """Return the predictions of a case with array parameters, over the dimensions of these and the loads.
 
     level: coverage probability of the intervals. Variables are named as in `predict`. Refused points, each a contact at a load,
     are NaN; the attribute `refused` is their number, `why_refused` the reason for the first of them. The attribute `draws` is
@@ -210,7 +210,7 @@ def predict_swept(case: Case, level: float = 0.9) -> "xarray.Dataset":
 
 
 def _why_refused(case: Case, place: Region) -> str:
-    """Return the reason why one contact of a swept case is refused at one load; "" if solving it alone gives a result."""
+    """Return the reason why one contact of a parameter sweep is refused at one load; "" if solving it alone gives a result."""
     import xarray
 
     loads = xarray.DataArray(case.load, dims=("load",))

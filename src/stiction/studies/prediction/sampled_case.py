@@ -59,7 +59,7 @@ class SampledCase:
 
     load: loads above 0 in N, an array (m,) or a labelled array (xarray) along dimensions of the contacts. levels: quantile
     levels (n, k), one column for each of the k sample dimensions of the case. A point is a contact at a load: if numbers of the
-    case are swept, the m points are all combinations of these numbers and the loads, in the order of `dims`.
+    case are arrays, the m points are all combinations of their values and the loads, in the order of `dims`.
     """
 
     case: Case
@@ -68,12 +68,12 @@ class SampledCase:
 
     @property
     def contact(self) -> Contact:
-        """Return the contact with the nominal values of its uncertain numbers; swept numbers are arrays."""
+        """Return the contact with the nominal values of its uncertain numbers; array parameters are arrays."""
         return _contact(self.case)
 
     @cached_property
     def dims(self) -> dict[str, int]:
-        """Return the dimensions of the points and their lengths: dimensions of swept numbers, and `load`."""
+        """Return the dimensions of the points and their lengths: those of the array parameters, and `load`."""
         loads = {} if hasattr(self.load, "dims") else {"load": np.size(self.load)}
         return dimensions([*self.case.swept.values(), self.load]) | loads
 
@@ -86,7 +86,7 @@ class SampledCase:
 
     @property
     def contacts(self) -> int:
-        """Return the number of contacts: combinations of the swept numbers, without the loads."""
+        """Return the number of contacts: combinations of the values of array parameters, without the loads."""
         return math.prod(size for dim, size in self.dims.items() if dim != "load")
 
     def ends(self) -> "list[SampledCase]":
@@ -235,12 +235,12 @@ def _contact(case: Case) -> Contact:
 
 
 def _without(case: Case, names: Sequence[str]) -> Case:
-    """Return the case without the fields `names` of its contact, and without their uncertain and swept numbers."""
+    """Return the case without the fields `names` of its contact, and without uncertain numbers and arrays in these fields."""
     return _changed(case, dict.fromkeys(names))
 
 
 def _changed(case: Case, fields: Mapping[str, Any]) -> Case:
-    """Return the case with fields of its contact replaced by exact values, which are then neither uncertain nor swept.
+    """Return the case with fields of its contact replaced by exact values, which are neither uncertain nor arrays.
 
     fields: values by name of the field. Replacing the work of adhesion also removes the work of adhesion of the film.
     """

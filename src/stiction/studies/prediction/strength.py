@@ -26,8 +26,8 @@ class Strength:
 
     states: states of the interface with weights that sum to 1; empty if tau_0 is stated. stated: tau_0 [Pa], or None.
     coefficient: stated pressure coefficient, 0 if none. takes_states: whether the state supplies the pressure coefficient
-    instead. varied: values of the swept and uncertain numbers of a stated interface, by name. metallic: mask of points with
-    metal junctions. aged: factor by which the hold time raises tau_0. Arrays are (n or 1, m or 1).
+    instead. varied: values of the uncertain numbers and array parameters of a stated interface, by name. metallic: mask of
+    points with metal junctions. aged: factor by which the hold time raises tau_0. Arrays are (n or 1, m or 1).
     """
 
     def __init__(self, sampled: SampledCase):
