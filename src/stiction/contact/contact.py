@@ -41,12 +41,12 @@ class Contact(Subject):
     first, second : Material, str or dict
         Material, name of a preset, or a dict. Their order matters only in `st.slide`, where unlike bodies move over a map.
     roughness : Roughness, dict, HeightMap, topography or (array, size)
-        sigma, R and N of the asperities; or a scan of the first body, the second being smooth; or a dict like the table of a
-        case file, with a scan or numbers as `first`, `second` or both, and how asperities are found.
+        sigma, R and N of the asperities; or a scan of the first body (the second is then smooth); or a dict like the table of
+        a case file, with scans or numbers as `first` and `second`, and the method that finds asperities.
     nominal_area : float [m^2], str with a unit, or array
         Area on which the load rests.
     work_of_adhesion : float [J/m^2], str with a unit, or array, optional
-        Of the bodies' surfaces, see `st.work_of_adhesion`; by default, or at zero, there is no adhesion.
+        Work of adhesion of the two surfaces, see `st.work_of_adhesion`; by default, or at zero, there is no adhesion.
     coating : Coating or dict, optional
         Film on one body or on both.
     hardness_to_yield : float or array, optional
@@ -56,12 +56,12 @@ class Contact(Subject):
     interface : str, dict or Interface, optional
         State of the interface in place of these two numbers; `stiction interfaces` lists the states. Results use its medians.
     peeling, strength_variation, burgers_vector : float, the last [m] or str with a unit, optional
-        Fraction of the energy released by shear that opens an adhesive asperity (1); standard deviation over mean of the
-        strength of junctions; Burgers vector, for the law `hurtado_kim_1999`.
+        Fraction of the energy released by shear that opens an adhesive asperity, by default 1; standard deviation over mean of
+        the strength of junctions; Burgers vector, for the law `hurtado_kim_1999`.
     weakening_slip, residual_strength : float [m] and float, str with a unit, or array, optional
-        Slip over which the strength of the interface falls, and the fraction of it that remains; the slip needs the fraction.
+        Slip over which the strength of the interface falls, and fraction of the strength that remains; a slip needs a fraction.
     liquid, hold_time, reference_time, ageing_rate : optional
-        Liquid that condenses between asperities; ageing of the interface at rest: three numbers, all or none.
+        Liquid that condenses between asperities. The other three describe ageing of the interface at rest: all or none.
 
     Raises
     ------
@@ -70,8 +70,8 @@ class Contact(Subject):
 
     Notes
     -----
-    Every number may be an array with a named dimension (`stiction.axis`). The softer body decides the strength; of equally hard
-    bodies the one with the lower yield stress, then Poisson's ratio, then tangent modulus.
+    Every number may be an array with a named dimension (`stiction.axis`). Strength is taken from the softer body; of equally
+    hard bodies from the one with the lower yield stress, then the lower Poisson's ratio, then the lower tangent modulus.
 
     Examples
     --------
@@ -191,7 +191,7 @@ class Contact(Subject):
         return groups if self.coating is None else groups | self._film_groups(self.coating, bare)
 
     def _adhesion(self, bare: "Pair") -> dict[str, Any]:
-        """Return theta, lambda and Tabor's parameter without the film; for no adhesion, return the hardness group instead."""
+        """Return theta, lambda and Tabor's parameter without the film, by name; without adhesion, the hardness group."""
         sigma, radius, gamma = self._sigma, self._radius, self.work_of_adhesion
         if gamma is None or not self.adheres:
             return {"hardness_group": pi * bare.hardness * (radius / sigma) ** 0.5 / bare.K}
@@ -247,7 +247,7 @@ class Contact(Subject):
 
     @property
     def softer_counterbody(self) -> tuple[Material, Material] | None:
-        """Return (film, body opposite the film) if this body is softer than the film at any point of a sweep; else None."""
+        """Return (film, counterbody) if the body opposite the film is softer than the film anywhere in a sweep; else None."""
         if self.coating is None or self.coating.bodies == "both":
             return None
         film, other = (at_radius(body, self._radius) for body in (self.coating.material, self._against_film(self.coating)))
@@ -334,9 +334,9 @@ class Contact(Subject):
     def interface_at(self, level: "ArrayLike" = 0.5) -> tuple["Values | None", "Values | None"]:
         """Return the shear strength tau_0 [Pa] and the pressure coefficient of the interface; each is None if unknown.
 
-        level: quantile levels between 0 and 1 at which the distributions of the interface state are read; numbers without a
-        state do not depend on it. The bodies' strength does not limit it. If the state gives it over hardness or
-        shear modulus, those of the softer touching body apply. Raises InputError.
+        level: quantile levels between 0 and 1 at which the distributions of the interface state are evaluated; without a state
+        the level has no effect. The strength is not capped at the bodies' strength. A strength relative to hardness or shear
+        modulus refers to the softer touching body. Raises InputError for a level outside 0 to 1.
         """
         if self.interface is None:
             return self.interfacial_shear_strength, self.pressure_coefficient
@@ -383,7 +383,7 @@ class Contact(Subject):
 
     @property
     def size_effect(self) -> "NumberOrArray | None":
-        """Return the largest (H at asperities/H of large imprints)^2 - 1 of bodies and film; None if none has a size effect."""
+        """Return (H under asperities/H of large imprints)^2 - 1, maximum of bodies and film; None without a size effect."""
         ratios = [size_ratio(body, self._radius) for body in self._bodies if body.characteristic_depth is not None]
         return max(ratios, key=lambda ratio: float(np.max(ratio))) if ratios else None
 

@@ -31,7 +31,7 @@ _FOLLOWS = ("hardness_group", "films", "layer_n_H", "layer_nu", "coated_share", 
 def hardness_group(theta, lam):
     """Return the hardness group eta = pi H sqrt(R/sigma)/K from the adhesion indices theta (elastic) and lambda (plastic).
 
-    eta = sqrt(pi) 18^(1/4) lambda^(1/4) theta^(-1/2), with half the coefficient 7.3 of eq 1.
+    eta = sqrt(pi) 18^(1/4) lambda^(1/4) theta^(-1/2). The coefficient, 3.65, is half the 7.3 in eq. (1) of the 2015 paper.
     """
     return math.sqrt(math.pi) * 18.0**0.25 * lam**0.25 / np.sqrt(theta)
 
@@ -39,7 +39,7 @@ def hardness_group(theta, lam):
 def stiffness_group(nu):
     """Return the product K beta = (8/3)(2 - nu)/(1 - nu) of normal stiffness K and tangential compliance beta.
 
-    nu: Poisson's ratio. It holds for two bodies of one material, or if one body is rigid: 6.4762 at nu = 0.3 (S1.3).
+    nu: Poisson's ratio. The formula holds for two bodies of one material, or if one body is rigid (S1.3 of the theory page).
     """
     return 8.0 / 3.0 * (2.0 - nu) / (1.0 - nu)
 
@@ -260,7 +260,7 @@ class Indices(Subject):
         return None if self.shear_strength is None else np.minimum(*strengths)
 
     def knows(self, group: str) -> bool:
-        """Return whether the group of this name has a value or a default; theta and lambda have none without adhesion."""
+        """Return whether the group of this name has a value or a default; theta and lambda have neither without adhesion."""
         return group in _FOLLOWS or getattr(self, group) is not None
 
     def indices(self) -> "Indices":

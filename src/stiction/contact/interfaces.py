@@ -112,10 +112,11 @@ class Interface(Input):
         return self.strength_at(level, hardness, modulus), slope
 
     def allows(self, first: Material, second: Material, *, coated: bool = True) -> bool:
-        """Return whether a user may name this interface state for two bodies.
+        """Return whether a user may select this interface state for two bodies.
 
-        coated: whether one of the two is a film; a state that only films have is not allowed otherwise. A state without
-        `pairs`, such as one defined by a user, is allowed for any bodies.
+        A state with `pairs` is allowed if it has a prior weight for these two materials. If this weight is 0 and the state has
+        `of_film`, a film is required too. A state without `pairs`, such as one defined by a user, is allowed for any bodies.
+        coated: whether one of the two materials is a film.
         """
         weight = self.weight_of(first, second)
         return not self.pairs or (weight is not None and (weight > 0.0 or coated or not self.of_film))
@@ -186,9 +187,10 @@ def allowed_interfaces(first: Material, second: Material, *, coated: bool) -> li
 
 
 def check_interface(contact: Input, state: Interface, first: Material, second: Material) -> None:
-    """Raise InputError if a contact states strength numbers too, or if its bodies do not allow the interface state.
+    """Raise InputError if the interface state of a contact contradicts its other inputs or does not suit its bodies.
 
-    state: interface state of the contact. first, second: materials of the two touching surfaces.
+    A state must not be combined with an interfacial shear strength or pressure coefficient. first, second: materials of the two
+    touching surfaces.
     """
     stated = ("interfacial_shear_strength", "pressure_coefficient")
     for name in (name for name in stated if getattr(contact, name) is not None):
@@ -204,8 +206,8 @@ def check_interface(contact: Input, state: Interface, first: Material, second: M
 def interface_weights(first: Material, second: Material) -> dict[str, float]:
     """Return name -> prior weight of each interface state that is possible between two bodies; the weights sum to 1.
 
-    They apply if the user states no interface. first, second: materials of the touching surfaces, a film in place of its body.
-    The weights depend on the material classes of both.
+    The weights apply if the user states no interface. They depend on the classes of the two materials. first, second: materials
+    of the touching surfaces; for a coated body, the material of its film.
     """
     prior = {name: state.weight_of(first, second) for name, state in _states().items()}
     weights = {name: weight for name, weight in prior.items() if weight}

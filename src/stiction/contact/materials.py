@@ -227,7 +227,7 @@ def preset_name(word: Any, field: str = "material", others: Sequence[str] = ()) 
 
 
 def symbols_of(name: str) -> tuple[str, ...]:
-    """Return the chemical symbols, formulas and designations of a preset that no other preset has, in its order."""
+    """Return the chemical symbols, formulas and designations that only this preset has, in the order of its file."""
     every = [symbol for preset in _presets().values() for symbol in preset.symbols]
     return tuple(symbol for symbol in _presets()[name].symbols if every.count(symbol) == 1)
 

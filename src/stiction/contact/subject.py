@@ -68,7 +68,7 @@ class Subject(Input):
 
     @property
     def impossible(self) -> "NumberOrArray":
-        """Return a mask over the dimensions of the arrays: where a dimensionless group is out of its bounds."""
+        """Return a mask, over the dimensions of array inputs, that is True where a dimensionless group is out of its bounds."""
         return False
 
     @cached_property
@@ -119,12 +119,12 @@ class Subject(Input):
 
     @property
     def measured(self) -> "Measured | None":
-        """Return what scans determined of the roughness (surfaces.measured.Measured); None without scans."""
+        """Return the roughness measured from scans (surfaces.measured.Measured); None without scans."""
         return None
 
     @property
     def map(self) -> "HeightMap | None":
-        """Return the single height map that represents the roughness of both surfaces; None if the scans give none."""
+        """Return the single height map that represents the roughness of both surfaces; None if there is no such map."""
         return None
 
     def as_numbers(self) -> "Subject":
@@ -134,7 +134,7 @@ class Subject(Input):
     def with_surface_moments(self) -> "Subject":
         """Return the contact with the sigma, R and N that reproduce the spectral moments of the surface.
 
-        Theories of the whole surface use these numbers. If they are unknown, the contact is returned unchanged.
+        Theories of the whole surface use these values. If the spectral moments are unknown, the contact is returned unchanged.
         """
         return self
 

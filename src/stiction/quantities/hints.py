@@ -9,9 +9,9 @@ _PREFIXES = ("", "p", "n", "u", "m", "k", "M", "G")
 
 
 def with_a_point(text: str) -> str:
-    """Return a hint on a number with a decimal comma: the same text with a decimal point; "" if `text` has no decimal comma.
+    """Return a hint that suggests a decimal point for a number with a decimal comma; "" if `text` has no decimal comma.
 
-    For a number with more than one comma the hint is to write it without commas.
+    For a number with more than one comma, the hint suggests to write it without commas.
     """
     number = _COMMA.match(text[:100])
     if number is None:

@@ -78,7 +78,7 @@ _CONTROL = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f\x7f]")
 
 
 # Fields that describe the numbers and change no result.
-_SAID_BY_NOTES = ("source", "range")
+_IN_NOTES = ("source", "range")
 
 
 def by_default(value: object) -> Any:
@@ -243,9 +243,9 @@ class Input(BaseModel):
                 rows += [(f"{name}.{inner}", text) for inner, text in value.listed()]
             elif name in QUANTITIES and value is not None:
                 rows.append((name, as_text(value, name)))
-            elif isinstance(value, str) and name not in _SAID_BY_NOTES:
+            elif isinstance(value, str) and name not in _IN_NOTES:
                 rows.append((name, value))
-            elif isinstance(value, dict) and name not in _SAID_BY_NOTES:
+            elif isinstance(value, dict) and name not in _IN_NOTES:
                 rows += [
                     (f"{name}.{key}", str(entry) if np.ndim(entry) == 0 else f"{np.size(entry)} values")
                     for key, entry in value.items()

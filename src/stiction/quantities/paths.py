@@ -35,8 +35,9 @@ def _not_read(path: Path, largest: int) -> str:
 def require_place(path: Path, allowed: str) -> None:
     """Raise an InputError if no file or folder could be written at an output path; an existing path is accepted.
 
-    path: value of the option --out. allowed: allowed values, for the error. Refused are names that the operating system does
-    not accept, a path with a file in place of a parent folder, and a parent folder without write permission.
+    path: value of the option --out. allowed: allowed values, for the error. The error is raised for a name that the operating
+    system does not accept, for a path with a file in place of a parent folder, and for a parent folder without write
+    permission.
     """
     try:
         path.stat()

@@ -14,7 +14,7 @@ _MOST = 20_000_000  # largest size of all stored points, in bytes
 
 
 def spread_rows(count: int, most: int) -> np.ndarray:
-    """Return row numbers (k,), ascending, evenly spread from the first to the last of `count` rows; k is `most` at most."""
+    """Return at most `most` row numbers (k,) in ascending order, spread evenly from the first to the last of `count` rows."""
     return np.unique(np.linspace(0, count - 1, min(count, most)).round().astype(int))
 
 

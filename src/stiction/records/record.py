@@ -112,7 +112,7 @@ def _outside() -> tuple[tuple[Record, str], ...]:
 
 
 def _problem(record: object, others: list[Record]) -> str:
-    """Return in words why an object from a plug-in cannot be used as a record; "" if it can.
+    """Return the reason, as text, why an object from a plug-in cannot be used as a record; "" if it can.
 
     others: records of the plug-ins loaded before it, whose keys must not be repeated.
     """

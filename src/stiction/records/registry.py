@@ -303,7 +303,7 @@ class AsperityMethod(Record):
 
 @cache
 def kinds_of_additions() -> dict[str, type[Addition]]:
-    """Return keyword -> class of each kind of law that can be added to a model, such as "meniscus", in their order."""
+    """Return keyword -> class of each kind of law that can be added to a model, such as "meniscus", sorted by `order`."""
     additions = [import_module(f"stiction.laws.{name}.kind").KIND for name in names_of_additions()]
     return {kind.keyword: kind for kind in sorted(additions, key=lambda kind: kind.order)}
 
@@ -348,14 +348,14 @@ def _first(key: str, known: Iterable[str]) -> tuple[str, ...]:
 
 
 def incompatibility(law: TangentialLaw | FilmLaw | Addition, asperity: AsperityLaw) -> str:
-    """Return in words why a tangential law, film law or added law cannot be combined with an asperity law; "" if it can."""
+    """Return the reason why a tangential, film or added law cannot be combined with an asperity law, as text; "" if it can."""
     missing = [why for trait, why in law.wants.items() if trait not in asperity.traits]
     reasons = " and ".join(missing).replace(" and it ", " and ")
     return f"the {law.keyword} law {law.key} does not suit the asperity law {asperity.key}: {reasons}" if missing else ""
 
 
 def friction_incompatibility(film: FilmLaw, tangential: TangentialLaw | None) -> str:
-    """Return in words why a film law cannot be combined with a tangential law; "" if it can, or if the latter is None."""
+    """Return the reason why a film law cannot be combined with a tangential law, as text; "" if it can or there is none."""
     if tangential is None or film.tangential in ("", tangential.key):
         return ""
     if film.tangential != "interface":

@@ -38,7 +38,7 @@ class ValidityWarning:
 
     @property
     def beyond(self) -> float:
-        """Return how far the values lie outside the range, relative to the bound that they pass; absolute if it is 0."""
+        """Return how far the values lie outside the range, relative to the bound they violate; absolute if this bound is 0."""
         ends = [(self.low, self.low - self.least), (self.high, self.most - self.high)]
         excesses = [distance / abs(bound) if bound else distance for bound, distance in ends if math.isfinite(bound)]
         return max(excesses, default=math.nan)
@@ -82,7 +82,7 @@ class ValidityWarning:
 
     @property
     def rule(self) -> str:
-        """Return which range is left and why, as text with the symbol of the quantity but without its value."""
+        """Return the violated range and the reason for it, as text with the symbol of the quantity but without its value."""
         return (
             f"{QUANTITIES[self.quantity].symbol} is not {self._range}: {self.why}" if self.quantity in QUANTITIES else self.why
         )

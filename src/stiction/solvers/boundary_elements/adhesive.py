@@ -12,15 +12,16 @@ short compared with the deformation at the contact edge, this is the limit of Jo
 the limit of Derjaguin, Muller & Toporov.
 
 Because of the attraction, (1) has more than one minimum. The solver finds the one downhill from its start. At the first load it
-starts from the contact without adhesion, and at every further load from the solution of the load before. Loads in falling order
-therefore describe a separation. Beyond the largest pull there is no contact: `detached`.
+starts from the contact without adhesion, and at every further load from the solution at the previous load. Loads in falling
+order therefore describe a separation. Beyond the largest pull there is no contact (`detached`).
 
 The grid must resolve the contact edge, where e^(-g/rho) pulls over a length of about E* rho^2/w. With m points along this
-length the edge of a sphere catches on the points. Its largest pull (Tabor's parameter 3; 1.0276 times the value of Johnson,
-Kendall & Roberts, by an axisymmetric solution) is then too high by 5 % at m = .9, 2 % at 1.1, 1.5 % at 1.3, and .2 to .8 % at 2
-to 3. If m is below 2, the map is solved on a finer grid, to which its heights are interpolated by Fourier series, where that is
-accurate enough (m >= .8). Otherwise it has a warning. The contact area is corrected by c S d for the pixels at its edge, as in
-contacts without adhesion (S: length of the pixel sides at the edge, d: side of a pixel; see `measures`), with
+length, the contact edge of a sphere cannot move smoothly past the points. Its largest pull (Tabor's parameter 3; 1.0276 times
+the value of Johnson, Kendall & Roberts, by an axisymmetric solution) is then too high by 5 % at m = .9, 2 % at 1.1, 1.5 % at
+1.3, and .2 to .8 % at 2 to 3. If m is below 2, the map is solved on a finer grid, to which its heights are interpolated by
+Fourier series, where that is accurate enough (m >= .8). Otherwise it has a warning. The contact area is corrected by c S d for
+the pixels at its edge, as in contacts without adhesion (S: length of the pixel sides at the edge, d: side of a pixel; see
+`measures`), with
 
     c = .100 + .085/m     (m >= 1)                                                                                        (2)
 
@@ -91,9 +92,9 @@ def solve_adhesive(
     """Solve the adhesive contact of a periodic map with a flat face at a series of loads, and return one contact per load.
 
     heights: (rows, columns) [m]. size: (y, x) of the map [m]. modulus: effective modulus E* [Pa] of the bodies without a film;
-    infinite if both are rigid. loads [N]: solved in the order given, each from the solution before; negative loads pull. work:
-    work of adhesion [J/m2], > 0. reach: range of attraction [m], > 0. film: elastic film on one body, or None. Raises
-    InputError for unusable arguments, and if both the substrate of the film and the counterbody are rigid.
+    infinite if both are rigid. loads [N]: solved in the order given, each starting from the previous solution; negative loads
+    pull. work: work of adhesion [J/m2], > 0. reach: range of attraction [m], > 0. film: elastic film on one body, or None.
+    Raises InputError for unusable arguments, and if both the substrate of the film and the counterbody are rigid.
     """
     loads = [float(load) for load in loads]
     if not loads or not np.isfinite(loads).all():

@@ -36,7 +36,7 @@ def shortest_range(surface: "HeightMap", bodies: Bodies, work: float) -> float:
 def adhesive_curve(surface: "HeightMap", bodies: Bodies, pressures: Sequence[float], *, work: float, reach: float) -> MapCurve:
     """Solve an adhesive map at nominal pressures [Pa] in the given order, and return its contacts.
 
-    Negative pressures pull. Each solution starts from the one before. bodies: elastic constants of both bodies. work: work of
+    Negative pressures pull. Each solution starts from the previous one. bodies: elastic constants of both bodies. work: work of
     adhesion [J/m2]. reach: range of attraction [m]. Raises InputError for a map that is not periodic, for plastic bodies, and
     for films on both bodies.
     """

@@ -58,7 +58,7 @@ def condense(
     problem: Problem, menisci: Menisci | None, start: np.ndarray, *, tolerance: float, most: int,
     seen: Callable[[int, float], None] | None = None,
 ) -> Condensed:  # fmt: skip
-    """Return the solution of a contact with the liquid that condenses around its dry contact spots, as `Condensed`.
+    """Solve a contact together with the liquid that condenses around its contact spots, and return it as `Condensed`.
 
     problem: the dry contact. menisci: the liquid, or None for a dry contact. start: first guess of the pressure (rows, columns)
     [Pa]. tolerance: largest accepted residual. most: largest number of steps of each solution; the contact is solved again

@@ -200,7 +200,7 @@ def missed_gap(problem: Problem, pressure: np.ndarray, gap: np.ndarray) -> np.nd
 
 
 class _Search:
-    """Take steps in single precision, with gaps divided by the problem's length; `seen` is called before each step."""
+    """Lower the energy of a problem step by step, in single precision; gaps are divided by the problem's length."""
 
     def __init__(self, problem: Problem, seen: Callable[[int, float], None] | None):
         self.steps = 0
@@ -255,7 +255,7 @@ class _Search:
         return self._accept(on_level(pressure, self._problem))
 
     def _along(self, length: float) -> tuple[np.ndarray, bool]:
-        """Return the pressure after a step along the search direction, and whether it was within 0 to the hardness unclipped.
+        """Return the clipped pressure after a step along the search direction, and whether nothing had to be clipped.
 
         length: factor of the direction. Where the gap has a sign that the pressure forbids, the pressure is also changed in
         proportion to the gap, so that the gap closes.

@@ -90,8 +90,8 @@ class _Kernel:
 class PeriodicBoundary:
     """Compute displacements of a periodic map from its pressure.
 
-    compliance: of both bodies, by wavenumber. shape: (rows, columns). size: (y, x) [m]. The attribute `knows_approach` states
-    whether displacements are absolute; if not, their mean over the map is zero.
+    compliance: elastic compliance of both bodies at each wavenumber. shape: (rows, columns). size: (y, x) [m]. The attribute
+    `knows_approach` states whether displacements are absolute; if not, their mean over the map is zero.
     """
 
     inverts = True
@@ -149,7 +149,7 @@ class MirroredBoundary(PeriodicBoundary):
 class FreeBoundary:
     """Compute displacements of a map with no pressure outside it.
 
-    compliance: of both bodies, by wavenumber. shape: (rows, columns). size: (y, x) [m].
+    compliance: elastic compliance of both bodies at each wavenumber. shape: (rows, columns). size: (y, x) [m].
     """
 
     knows_approach = True

@@ -43,8 +43,9 @@ class MapContact:
     area_pixels: area of all pixels in contact [m2]. perimeter: length of the contact edge [m]. separation: distance from the
     mean plane of the undeformed heights to the face [m]; for half-spaces on a periodic map, to the mean of the deformed face.
     mean_gap: mean distance of the faces [m], with 0 where they touch. approach: approach since first touch [m]; None for
-    half-spaces on a periodic map. stiffness: derivative of load by approach [N/m]; NaN without elastic points. plastic_area:
-    area where the pressure equals the hardness [m2]. plastic_share: fraction of the load on this area [1].
+    half-spaces on a periodic map. stiffness: derivative of the load with respect to the approach [N/m]; NaN without elastic
+    points. plastic_area: area where the pressure equals the hardness [m2]. plastic_share: fraction of the load on this area
+    [1].
 
     pressure: (rows, columns) [Pa]; None if not stored. residual: error of the contact conditions, relative. steps: number of
     steps of the solver. pressure_error, area_error [1], overlap [m]: error bounds on this grid (see `certificate`). load_error:
@@ -244,7 +245,7 @@ def usable_map(heights) -> np.ndarray:
 def _rising(request: _Request, compliance: Compliance, pressures: np.ndarray) -> Iterator[MapContact]:
     """Solve one mean pressure after the other, and yield the contact at each.
 
-    pressures (n,) [Pa]: ascending; each solution starts from the one before.
+    pressures (n,) [Pa]: ascending; each solution starts from the previous one.
     """
     boundary = PeriodicBoundary if request.periodic else FreeBoundary if request.ends else MirroredBoundary
     displacement = boundary(compliance, request.heights.shape, request.size)
@@ -290,7 +291,7 @@ def _from_coarser(request, compliance, boundary, mean, heights) -> np.ndarray:
 def _between(coarse: np.ndarray, axis: int, periodic: bool) -> np.ndarray:
     """Return a map with twice as many rows (axis 0) or columns (axis 1); each new one is the mean of its two neighbours.
 
-    Behind the last row or column the first follows if the map is periodic; otherwise the last is repeated.
+    The last row or column has the first as its second neighbour if the map is periodic; otherwise the last one is repeated.
     """
     xp, last = namespace(coarse), (-1, slice(None)) if axis == 0 else (slice(None), -1)
     middle = 0.5 * (coarse + xp.roll(coarse, -1, axis=axis))

@@ -51,7 +51,7 @@ def _next(z, sums, coefficient):
 
 @formula
 def _polynomial(z, c):
-    """Return the polynomial Sum c_k z^k with 19 coefficients c, and its derivative by z.
+    """Return the polynomial Sum c_k z^k with 19 coefficients c, and its derivative with respect to z.
 
     The terms are written out because the compiler does not vectorise a loop over a tuple.
     """
@@ -65,9 +65,9 @@ def _polynomial(z, c):
 
 @formula
 def _curve(z, by_u, c):
-    """Return (1 - z^2) Sum c_k z^k at z, and its derivative by ln u.
+    """Return (1 - z^2) Sum c_k z^k at z, and its derivative with respect to ln u.
 
-    c: the 19 coefficients. by_u: derivative of z by ln u, (1 - z^2)/2, with u the coordinate of the asperity.
+    c: the 19 coefficients. by_u: dz/d ln u = (1 - z^2)/2, with u the coordinate of the asperity.
     """
     value, slope = _polynomial(z, c)
     return 2.0 * by_u * value, by_u * (2.0 * by_u * slope - 2.0 * z * value)
@@ -77,8 +77,8 @@ def _curve(z, by_u, c):
 def _hertzian(u, row):
     """Return the contact of a sphere without adhesion at the coordinate u; row: parameters of the asperity.
 
-    The six values are z, dz/d ln u, the modulus E_P of the load, the factor D of the approach, and the derivatives of ln E_P
-    and ln D by ln u.
+    The six values are z, dz/d ln u, the modulus E_P of the load, the factor D of the approach, d ln E_P/d ln u and d ln D/d ln
+    u.
     """
     z, by_u = _place(u, row[1])
     load, load_slope = _curve(z, by_u, row[HEAD:_APPROACH])
@@ -89,7 +89,7 @@ def _hertzian(u, row):
 
 @formula
 def plain(u, *row):
-    """Return displacement, its derivative by u, load and area of an asperity without adhesion or with DMT's.
+    """Return displacement w, dw/du, load and area of an asperity without adhesion or with DMT's adhesion.
 
     u: coordinate, (a^2/(R sigma))^(1/4). row: parameters; the third is the pull that is subtracted from the load. Displacements
     are over sigma, loads over K R^(1/2) sigma^(3/2) and areas over pi R sigma, with K = (4/3) E* of the bodies without a film.
@@ -101,9 +101,10 @@ def plain(u, *row):
 
 @formula
 def _edge(z, by_u, row):
-    """Return 1/sqrt(B) at the coordinate z of the curves, and the derivative of its logarithm by ln u.
+    """Return 1/sqrt(B) at the coordinate z of the curves, and the derivative of its logarithm with respect to ln u.
 
-    2 B is the derivative of the contact stiffness by the contact radius. by_u: dz/d ln u. row: parameters of the asperity.
+    2 B is the derivative of the contact stiffness with respect to the contact radius. by_u: dz/d ln u. row: parameters of the
+    asperity.
     """
     edge, edge_slope = _curve(z, by_u, row[PLAIN:EDGED])
     return exponential(-0.25 * (1.0 - z) * row[0] - 0.5 * edge), -0.5 * edge_slope + 0.25 * by_u * row[0]
@@ -132,7 +133,7 @@ def parted(u, row):
 
 @formula
 def edged(u, *row):
-    """Return displacement, its derivative by u, load and area of an asperity with JKR's adhesion.
+    """Return displacement w, dw/du, load and area of an asperity with JKR's adhesion.
 
     u: coordinate, (a^2/(R sigma))^(1/4). row: parameters; the third is the strength of adhesion s. Displacements are over
     sigma, loads over K R^(1/2) sigma^(3/2) and areas over pi R sigma, with K = (4/3) E* of the bodies without a film.
@@ -147,7 +148,7 @@ def edged(u, *row):
 
 @formula
 def plain_coordinate(w, *row):
-    """Return the coordinate u of an asperity without adhesion or with DMT's at the displacement w (over sigma); 0 for w <= 0.
+    """Return the coordinate u of an asperity without adhesion or with DMT's, at the displacement w over sigma; 0 for w <= 0.
 
     row: parameters of the asperity. Newton's method is used on logarithms, because ln w rises with ln u at a slope close to 4.
     """
@@ -234,7 +235,7 @@ def edged_coordinate(w, *row):
 def pulled_off(row):
     """Return the coordinate u at which an asperity with JKR's adhesion detaches while the bodies are moved apart.
 
-    There the derivative of the displacement by u is 0. row: parameters of the asperity.
+    At this coordinate the derivative of the displacement with respect to u is 0. row: parameters of the asperity.
     """
     low = high = touch(row)
     while not _comes_off(low, row):

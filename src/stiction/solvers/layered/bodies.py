@@ -19,7 +19,8 @@ class Bodies(NamedTuple):
 
     pair: the films, with their fractions of the elastic compliance. coated: elastic constants of each coated body.
     film_modulus: plane-strain modulus of the film over the contact modulus of the bodies without films. bare_share: compliance
-    of the body without a film over the compliance of both bodies without films. bare_nu: its Poisson's ratio.
+    of the uncoated body over the compliance of both bodies without films; 0 if both are coated. bare_nu: Poisson's ratio of the
+    uncoated body.
     """
 
     pair: Pair
@@ -50,10 +51,10 @@ def columns_of(groups: Groups) -> np.ndarray:
 
 
 def film_share(given: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the films' fraction of the elastic compliance, and their modulus over the modulus of the body below: (n,) each.
+    """Return the films' fraction of the surface compliance, and their modulus over the modulus of the body below: (n,) each.
 
-    given: rows as returned by `columns_of`. The compliance is the one of half-spaces of the two surface materials; the fraction
-    is 1 if both bodies are coated. Raises InputError for impossible bodies.
+    given: rows as returned by `columns_of`. The surface compliance belongs to two half-spaces that consist of the surface
+    materials. The fraction is 1 if both bodies are coated. Raises InputError if an n_E is impossible for its coated_share.
     """
     n_E, bodies, first = given[:3]
     single = bodies == 1.0

@@ -74,9 +74,9 @@ def _film(x: np.ndarray, ratio: float, excess: float) -> np.ndarray:
 
 
 def compliance(x: np.ndarray, pair: Pair) -> np.ndarray:
-    """Return the elastic compliance (n,) of two coated bodies at the wavenumbers k = x/t, for x (n,).
+    """Return the relative elastic compliance (n,) of two coated bodies at the wavenumbers k = x/t, for x (n,).
 
-    t is the thickness of one film. It is divided by the compliance of half-spaces of the two surface materials.
+    t: thickness of one film. The compliance is divided by the compliance of half-spaces of the two surface materials.
     """
     total = np.full(np.shape(x), 1.0 - sum(layer.share for layer in pair))
     for layer in pair:
@@ -85,9 +85,9 @@ def compliance(x: np.ndarray, pair: Pair) -> np.ndarray:
 
 
 def modulus_without_film(pair: Pair) -> float:
-    """Return the contact modulus of the bodies without films, divided by the one of half-spaces of the surface materials.
+    """Return the contact modulus of the bodies without films over the modulus of half-spaces of their surface materials.
 
-    It is infinite if both bodies are rigid.
+    The result is infinite if both bodies are rigid.
     """
     long_waves = 1.0 - sum(layer.share * (1.0 - layer.ratio) for layer in pair)
     return 1.0 / long_waves if long_waves > 0.0 else np.inf

@@ -7,8 +7,8 @@ For E = E_P or B
     ln E = (1 + z)/2 ln(E at z = 1) + (1 - z^2) Sum_k c_k z^k
 
 (D is 1 at both ends). The c_k are fitted to exact solutions and to their slopes, so that load, approach and stiffness are
-consistent. With e and d the derivatives of ln E_P and ln D by ln a, dP/d delta = S becomes an identity of the curves (P: load,
-delta: approach, S = 2 a E_S: stiffness),
+consistent. With e = d ln E_P/d ln a and d = d ln D/d ln a, dP/d delta = S becomes an identity of the curves (P: load, delta:
+approach, S = 2 a E_S: stiffness),
 
     E_S = E_P (1 + e/3)/(D (1 + d/2)).
 
@@ -51,8 +51,8 @@ def curves(pair: Pair) -> np.ndarray:
     """Return the coefficients (CURVES, TERMS) of the curves ln E_P, ln D and ln B for a pair of coated bodies.
 
     E_P is the contact modulus of the load, D the factor of the approach D a^2/R (a: contact radius, R: sphere radius), and B
-    half the derivative of the contact stiffness by the contact radius. Exact solutions are cached for each pair. Two rigid
-    bodies are not supported, because their modulus without films is infinite.
+    half the derivative of the contact stiffness with respect to the contact radius. Exact solutions are cached for each pair.
+    Two rigid bodies are not supported, because their modulus without films is infinite.
     """
     return np.array(_solved(pair)).reshape(CURVES, TERMS)
 
@@ -78,8 +78,8 @@ def _solved_together(pairs: tuple[Pair, ...]) -> np.ndarray:
 def fit(solved: np.ndarray, below: float) -> np.ndarray:
     """Fit the coefficients (CURVES, TERMS) of the curves ln E_P, ln D and ln B to exact solutions at the contact radii RADII.
 
-    solved: fields of `sphere.Response` (radii, 7). below: contact modulus without films over the contact modulus of the surface
-    materials.
+    solved: fields of `sphere.Response` (radii, 7). below: contact modulus of the bodies without films over the contact modulus
+    of half-spaces of the surface materials.
     """
     at = {name: column for name, column in zip(Response._fields, solved.T, strict=True)}
     ends = {"load": np.log(below), "approach": 0.0, "edge": np.log(below)}
@@ -89,8 +89,8 @@ def fit(solved: np.ndarray, below: float) -> np.ndarray:
 def fit_one(values: np.ndarray, slopes: np.ndarray, rise: float) -> np.ndarray:
     """Fit the coefficients (TERMS,) of one curve to its values and slopes at the contact radii RADII.
 
-    slopes: derivatives by the logarithm of the contact radius. rise: value of the curve at very large radii; at very small
-    radii it is 0.
+    slopes: derivatives with respect to the logarithm of the contact radius. rise: value of the curve at very large radii; at
+    very small radii it is 0.
     """
     root = np.sqrt(RADII)
     z = (root - 1.0) / (root + 1.0)
@@ -102,7 +102,10 @@ def fit_one(values: np.ndarray, slopes: np.ndarray, rise: float) -> np.ndarray:
 
 
 def _basis(z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the fit functions (1 - z^2) T_k(z) at z (n,) and their derivatives by z, (n, TERMS) each; T_k: Chebyshev's."""
+    """Return the fit functions (1 - z^2) T_k(z) at z (n,), and their derivatives with respect to z: (n, TERMS) each.
+
+    T_k: Chebyshev polynomials.
+    """
     unit = np.eye(TERMS)
     value = chebyshev.chebval(z, unit).T
     slope = chebyshev.chebval(z, chebyshev.chebder(unit)).T

@@ -34,7 +34,7 @@ _PLACE = np.array([1.0]), np.array([0.0])
 @lru_cache(maxsize=256)
 @on_one_thread
 def edge_curves(bodies: Bodies) -> np.ndarray:
-    """Return curves of the coefficients ln D, A and B of the edge stress against contact size, as (FORMS, 2 + EDGE_TERMS).
+    """Return curves of the coefficients ln D, A and B of the edge stress against contact size: (FORMS, 2 + EDGE_TERMS).
 
     A row holds the limits f (a half-space of film material) and g (a film of zero thickness), then the c_k of the curve (1 -
     z)/2 f + (1 + z)/2 g + (1 - z^2) Sum c_k z^k. z = (q - 1)/(q + 1) with q the root of contact radius over film thickness. If

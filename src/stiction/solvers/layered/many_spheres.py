@@ -28,9 +28,10 @@ _AT_ONCE = 32  # pairs, which bounds the memory
 
 
 class _Sums(NamedTuple):
-    """Store the sums over all waves if the excess compliance is 1 at one of k nodes and 0 at the others.
+    """Store the sums over all waves for an excess compliance that is 1 at one of k nodes and 0 at the others.
 
-    matrix: (k, n, n). to_edge, to_edge_slope: (k, n). edge: (k,). All are linear in the compliance.
+    The excess compliance is the compliance relative to half-spaces of the surface materials, minus 1. All sums are linear in
+    it. matrix: (k, n, n). to_edge, to_edge_slope: (k, n). edge: (k,).
     """
 
     matrix: np.ndarray
@@ -50,7 +51,7 @@ def respond_many(pairs: Sequence[Pair], radii: Iterable[float]) -> np.ndarray:
 
 
 def _respond(softer: np.ndarray, sums: _Sums) -> np.ndarray:
-    """Return the responses (p, 7) to the excess compliances (p, k) at the nodes."""
+    """Return the fields of `sphere.Response` (p, 7) from the excess compliances `softer` (p, k) of p pairs at k nodes."""
     nodes, size = sums.to_edge.shape
     matrix = (softer @ sums.matrix.reshape(nodes, -1)).reshape(-1, size, size)
     matrix[:, range(size), range(size)] += 1.0

@@ -17,7 +17,8 @@ the solution for the right side s^2. Then
     stiffness S = 2 a E_S, E_S = Integral g_0;   approach delta = D a^2/R, D = g_2(1)/g_0(1);
     load P = 4 E_P a^3/(3R), E_P = (3/2)(D Integral g_0 - Integral g_2);   dS/da = 2 B, B = g_0(1)^2 (Krein's identity).
 
-Slopes by ln a follow from the derivatives of the equation by s and by a. dP/d delta = S is a result of all this, not an input.
+Derivatives with respect to ln a follow from differentiating the equation with respect to s and to a. dP/d delta = S is a result
+of all this, not an input.
 """
 
 from collections.abc import Sequence
@@ -41,7 +42,7 @@ class Response(NamedTuple):
     P is the load and delta the approach. Moduli are divided by the plane-strain modulus of the two surfaces that meet. load:
     E_P in P = 4 E_P a^3/(3R). approach: D in delta = D a^2/R. stiffness: E_S in dP/d delta = 2 a E_S. edge: B in dS/da = 2 B
     with S = dP/d delta, which determines adhesion at the contact edge. load_slope, approach_slope, edge_slope: derivatives of
-    ln E_P, ln D and ln B by ln a.
+    ln E_P, ln D and ln B with respect to ln a.
     """
 
     load: float
@@ -56,9 +57,9 @@ class Response(NamedTuple):
 def respond(pair: Pair, radius: float) -> Response:
     """Return the dimensionless response of coated bodies to a sphere at one contact radius: a `Response`.
 
-    It holds the moduli that determine load, stiffness and adhesion at the contact edge, the approach, and derivatives by the
-    contact radius. pair: the coatings. radius: contact radius divided by the thickness of one film, > 0; tested up to 1000.
-    The numbers are accurate to 1e-6.
+    It holds the moduli that determine load, stiffness and adhesion at the contact edge, the approach, and derivatives with
+    respect to the contact radius. pair: the coatings. radius: contact radius divided by the thickness of one film, > 0; tested
+    up to 1000. The numbers are accurate to 1e-6.
     """
     _, _, even, at_edge, edge_slope = waves(float(radius))
     softer, g_0, g_2, wider, to_edge = _solve(pair, float(radius))
@@ -70,8 +71,8 @@ def response_of(
 ) -> Response:
     """Return the response from the coefficients (n,) of the three solutions, and from sums over the excess compliance.
 
-    g_0, g_2, wider, to_edge: from `_solve`. to_edge_slope: derivative of `to_edge` by the coordinate s at the edge. edge: sum
-    of the excess compliance times squared edge values.
+    g_0, g_2, wider, to_edge: from `_solve`. to_edge_slope: derivative of `to_edge` with respect to the coordinate s, at the
+    edge. edge: sum of the excess compliance times squared edge values.
     """
     edge_0, edge_2 = 1.0 - to_edge @ g_0, 1.0 - to_edge @ g_2
     slope_0, slope_2 = -to_edge_slope @ g_0, 2.0 - to_edge_slope @ g_2

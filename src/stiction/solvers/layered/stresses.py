@@ -130,8 +130,8 @@ def _half_space(nu: float) -> dict[str, tuple[float, float]]:
 def _amplitudes(F: np.ndarray, nu: float) -> dict[str, np.ndarray]:
     """Return the stress amplitudes (n, waves) by name, from the stress function of each wave at n depths.
 
-    F: the function and its first two derivatives by depth, (3, 2, n, waves). The second axis is (pressure, shear). nu:
-    Poisson's ratio.
+    F: the function and its first two derivatives with respect to depth, (3, 2, n, waves). The second axis is (pressure, shear).
+    nu: Poisson's ratio.
     """
     (p, q), (p1, q1), (p2, q2) = F
     return {

@@ -104,7 +104,7 @@ def waves(x: np.ndarray, body: CoatedBody) -> Waves:
 
 
 def film_function(waves: Waves, depth: float) -> np.ndarray:
-    """Return the stress function F that a film adds to the one of a half-space, at one depth, with F' and F'': (3, 2, m).
+    """Return the stress function F that a film adds to a half-space's function, at one depth, with F' and F'': (3, 2, m).
 
     depth: divided by the film thickness, 0 to 1. The second axis is (pressure, shear), the third the m waves.
     """
@@ -139,8 +139,8 @@ def _decaying(z) -> np.ndarray:
 def _film(z, x) -> np.ndarray:
     """Return the four basis functions in a film at depth z (m,), with their first three derivatives: (4, 4, m).
 
-    They are exp(-z), z exp(-z), exp(-y) and y exp(-y), with y = x - z and the depth x of the interface. The derivatives are by
-    z.
+    They are exp(-z), z exp(-z), exp(-y) and y exp(-y), with y = x - z and the depth x of the interface. The derivatives are
+    with respect to z.
     """
     z = np.broadcast_to(z, x.shape)
     down, up = _decaying(z), _decaying(x - z)
@@ -159,8 +159,8 @@ def _weigh(amplitudes, z) -> np.ndarray:
 def _continuous(F: np.ndarray, nu: float, softness: float) -> tuple[np.ndarray, ...]:
     """Return the four quantities that are continuous at the interface of film and body.
 
-    They are the stress function, its derivative by depth, and the displacements along the wave and in depth times 2 mu, with mu
-    the shear modulus of the film. F: the stress function and its first three derivatives. nu: Poisson's ratio on this side.
-    softness: mu over the shear modulus on this side.
+    They are the stress function, its derivative with respect to depth, and 2 mu times the displacements along the wave and in
+    the depth direction, with mu the shear modulus of the film. F: the stress function and its first three derivatives. nu:
+    Poisson's ratio on this side. softness: mu over the shear modulus on this side.
     """
     return F[0], F[1], softness * ((1.0 - nu) * F[2] + nu * F[0]), softness * ((1.0 - nu) * F[3] - (2.0 - nu) * F[1])

@@ -175,9 +175,9 @@ class _Strengths:
     """Limit how often the strength of a point changes between turns, so that the iteration ends.
 
     A turn solves the pressure once and then the traction once. Without a limit, some points at the edge would touch in one turn
-    and not in the next. After three free turns, such a point first changes by only a part of the way to its new strength. After
-    its second such change its strength is fixed. misfit: difference of all strengths from those that the pressure gives,
-    relative to the sum of the latter.
+    and not in the next. After three turns without a limit, such a point at first makes only 30 % of the change to its new
+    strength. After its second such change its strength is fixed. misfit: difference of all strengths from those that the
+    pressure gives, relative to the sum of the latter.
     """
 
     def __init__(self) -> None:

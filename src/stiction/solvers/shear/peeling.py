@@ -35,7 +35,7 @@ _OF_DISCS = 1.04
 _ALONG = 2.0  # standard deviation of the smoothing, in points
 _MOST_TURNS = 40
 _STAYS = 2e-3  # largest relative change of the number of touching points, or of the force, in the last iteration
-_APPROACH = 0.7  # part of the difference to the force that the present contact bears, by which one iteration raises the force
+_APPROACH = 0.7  # fraction of the difference to the force of the present contact by which one iteration raises the force
 
 
 @dataclass(frozen=True)
@@ -131,8 +131,8 @@ def slide_and_peel(
     The path holds a state for each shift, and the state with the largest force, which is searched with smaller steps. contact:
     the map, solved without shear. operator: tangential compliance. strength: returns the shear strength of every point of a
     contact (rows, columns) [Pa]. work: work of adhesion [J/m2]. law: law of mode mixity. zeta: fraction of the shear energy
-    that opens the edge, 0 to 1. weakening: how strength falls with slip; None for constant strength. Contact that is lost does
-    not come back when the force falls.
+    that opens the edge, 0 to 1. weakening: how strength falls with slip; None for constant strength. Points that have lost
+    contact do not touch again when the force falls.
     """
     full, zero, none = strength(contact), np.zeros((1, *contact.gap.shape)), np.zeros(contact.gap.shape, dtype=bool)
     start = PeelingState(
