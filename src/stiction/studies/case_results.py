@@ -47,7 +47,9 @@ def solve_case(case: "CaseLike", choice: Choice | None = None, progress: Progres
     progress : callable
         Receives a label and returns a function that wraps the list of steps.
 
-    Returns ------- xarray.Dataset
+    Returns
+    -------
+    xarray.Dataset
         As from `solve`, or as from `predict` for a prediction. With uncertain numbers, results are those of the nominal
         contact, and NAME_quantile (quantile, ...) and its standard error NAME_quantile_error are added for
         friction_coefficient, contact_area, load and pull_off_force. With scans, friction_coefficient_by_method
@@ -113,7 +115,9 @@ def slide_case(
 ) -> "xarray.Dataset":
     """Compute the tangential force of a case against displacement, at no more than five of its points.
 
-    Parameters ---------- case : Case, path, or dict like a case file
+    Parameters
+    ----------
+    case : Case, path, or dict like a case file
         One contact; uncertain numbers have their nominal values.
     choice : Choice, optional
         Model and laws that replace those of the case.
@@ -132,7 +136,9 @@ def slide_case(
     xarray.Dataset
         As from `slide`, with the dimensionless groups of the contact as attributes.
 
-    Raises ------ InputError
+    Raises
+    ------
+    InputError
         As `slide`; also if a number of the contact is an array.
 
     Examples

@@ -17,8 +17,8 @@ from stiction.web.page import make_page
 from stiction.web.query import Query, law_names, option_values, solved
 
 _MOST_CONNECTIONS = 1000
-# Objects between two garbage collections, and collections of the young between two of older ones. A page is some 10,000 objects
-# that refer to each other: those of visitors who have left stay until the oldest are collected, here after some five pages.
+# Thresholds of the garbage collection. A page consists of some 10,000 objects that refer to each other. After its visitor has
+# left, they stay in memory until the oldest generation is collected, here after about five pages.
 _COLLECTED = 5_000, 5, 2
 _FORGOTTEN = 60.0  # seconds after which the library forgets the tab of a browser; by default it is 30 days
 _PATIENCE = 600.0  # seconds until a page must be there; the first use of a model compiles its kernels
@@ -65,10 +65,10 @@ def serve(query: Query, host: str, port: int) -> None:
     app.on_shutdown(close_all)
     app.storage.max_tab_storage_age = _FORGOTTEN
     gc.collect()
-    gc.freeze()  # what is imported stays: to go through it in every collection would take longer than a page
+    gc.freeze()  # otherwise every collection would scan all imported objects, which takes longer than building a page
     gc.set_threshold(*_COLLECTED)
-    # Nothing is compressed for a browser on this machine: that takes longer than sending it. Tailwind, which makes styles in
-    # the browser, is off, as it takes half of the time of a page: page.py has the few styles that are used.
+    # Responses to a browser on this machine are not compressed, because compressing takes longer than sending. Tailwind, which
+    # makes styles in the browser, takes half the time of a page; it is off, and page.py has the few styles that are used.
     middleware: dict[str, Any] = {"gzip_middleware_factory": None} if names_for(host) else {}
     ui.run(
         host=host, port=port, title="stiction", dark=None, language="en-US", tailwind=False, show=False, reload=False,

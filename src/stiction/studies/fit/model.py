@@ -197,7 +197,7 @@ def _groups(data: Measurements, parameters: Sequence[Free]) -> tuple[_Group, ...
 def _check_answers(forward: ForwardModel, subject: Any) -> None:
     """Raise InputError if the model does not compute one of the measured quantities.
 
-    subject: a contact with which this is tried; its free parameters are halfway between their ends.
+    subject: the contact of the test solution; its free parameters are halfway between their ends.
     """
     load = forward.data.load[np.isfinite(forward.data.load)]
     point: dict[str, Any] = {"load": float(load[0])} if load.size else {"separation": 0.0}

@@ -2,8 +2,8 @@
 
 An area model computes the area of every sample. The area is divided by the model's error, which is sampled from its errors on
 solved benchmark surfaces near the nominal contact (truth.md). This removes the bias of the model, but keeps how its area
-depends on load, hardness and roughness. Models are combined with stacking weights: those that predict benchmark surfaces left
-out of the fit best (`make truth`).
+depends on load, hardness and roughness. Models are combined with stacking weights, which best predict benchmark surfaces that
+were left out of the fit (`make truth`).
 """
 
 import math
@@ -39,8 +39,8 @@ _OTHER_FILMS = (
 _OTHER_HEIGHTS = ((Choice(_SUM, asperity="zhao_maietta_chang_2000", tangential="none"), 1.0),)
 # Standard deviation of ln of the area where no solved surface is near, a judgement (grade C): a factor of 2 at 90 %.
 _FAR, _FAR_ON_MAP = 0.42, 0.03  # the latter for the map itself, which differs from the benchmarks only by a lighter load
-# Real over nominal area of the nominal contact from which on a sample without a result counts as pressed flat. Below, its spots
-# would exceed the hardness, and its area is the smallest that carries the load.
+# Area fraction of the nominal contact above which a sample without a result counts as pressed flat. Below it, the spots
+# would exceed the hardness, and the area of the sample is the smallest that carries the load.
 _HALF, _MOST = 0.5, 1.0 - 1e-9
 _LARGEST_BELOW_1, _LOG_CLOSED = 1.0 - 2.0**-53, math.log(1e-300)
 _POWER = 3.5  # exponent of the power mean of elastic and plastic area
@@ -53,7 +53,10 @@ _OF_FEW, _OF_FEW_SHAPED = 2.0, 6.0
 
 
 def grown_to(area: np.ndarray, factor: np.ndarray, nominal: np.ndarray) -> np.ndarray:
-    """Return an area [m2] multiplied by a factor; as it grows, it approaches the nominal area [m2] and never exceeds it."""
+    """Return an area [m2] multiplied by a factor, with saturation: the result never exceeds the nominal area [m2].
+
+    An area much smaller than the nominal area is multiplied by the factor exactly.
+    """
     share = area / nominal
     # log1p, because 1 - share loses a share of 1e-16 in round-off. A closed contact stays closed, and NaN stays NaN.
     log_open = np.where(share >= 1.0, _LOG_CLOSED, np.log1p(-np.minimum(share, _LARGEST_BELOW_1)))
@@ -139,7 +142,7 @@ def area_laws(sampled: SampledCase) -> list[AreaLaw]:
     """Return the area models that apply to a contact, with weights that sum to 1 at each point.
 
     A point is a contact at a load. Sets of models are tried in turn. A later set is used at the points where no model of an
-    earlier set applies; where one applies in part (see `_law`), the later set gets the remaining weight.
+    earlier set applies; where the weight of a model is reduced (see `_law`), the later set gets the remaining weight.
 
     Raises InputError or ArithmeticError if no model applies at some point, or if a model applies to some of several contacts
     only; the caller then divides them into smaller batches.
@@ -233,7 +236,7 @@ def _law(sampled: SampledCase, choice: Choice, weight: float) -> AreaLaw:
 
 
 def _solved(sampled: SampledCase, choice: Choice) -> tuple[Points, Mapping[str, np.ndarray]]:
-    """Return the points of the nominal contacts, and the results of one model there by name.
+    """Return the points (nominal contacts at a load), and the results of one model at these points by name.
 
     Raises InputError or ArithmeticError if the model refuses a contact.
     """

@@ -40,8 +40,8 @@ def friction_table(contact: Any, *, load: Any = None, level: float = 0.5) -> "xa
 
     Notes
     -----
-    Stiffness and separation are those of the asperities of Zhao, Maietta and Chang (2000) under the load alone, for the nominal
-    contact. Each contact spot has Mindlin's stiffness 8 G* a.
+    Stiffness and separation are computed for the nominal contact under the load alone, by the asperity law of Zhao, Maietta and
+    Chang (2000). Each contact spot has Mindlin's stiffness 8 G* a.
     """
     if not 0.0 < level < 1.0:
         raise InputError("level", level, "a quantile above 0 and below 1, e.g. 0.05")

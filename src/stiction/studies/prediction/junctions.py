@@ -36,7 +36,9 @@ def grown(
 ) -> np.ndarray:
     """Return the factor (n, m), at least 1, by which the area of contact spots grows under shear, for n samples at m loads.
 
-    Parameters ---------- level : numpy.ndarray, shape (n,)
+    Parameters
+    ----------
+    level : numpy.ndarray, shape (n,)
         Quantile level, 0 to 1, that selects one of three assumptions by their prior weights GROWTH: no growth, growth without
         hardening (von Mises), or Tabor's hardened junctions.
     pressure : numpy.ndarray, shape (n, m)
@@ -77,7 +79,9 @@ def squeezed(
 ) -> np.ndarray:
     """Return the factor (n, m), at least 1, by which the pressure of spots on a thin soft film exceeds that on a thick film.
 
-    Parameters ---------- level : numpy.ndarray, shape (n,)
+    Parameters
+    ----------
+    level : numpy.ndarray, shape (n,)
         Quantile level, 0 to 1: the exponent of the largest possible factor. 0 gives no increase, 1 the largest one.
     pressure, radius : numpy.ndarray, shape (n, m)
         Mean pressure [Pa] and radius [m] of contact spots, for n samples at m loads.

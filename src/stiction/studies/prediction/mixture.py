@@ -175,7 +175,8 @@ class Mixture:
 
         inputs: index of the sampled input numbers of each sample (n,). area: contact area [m2] (n, m). A spot much narrower
         than the film is thick grows like a spot of a bulk body: the exponent is 1. A wide spot does not grow, because the body
-        below carries it: 0. For a state of the interface that was measured on films, and so includes growth, it is 0 too.
+        below carries it: the exponent is 0. It is also 0 for a state of the interface that was measured on films, because such
+        a state includes growth.
         """
         if (coating := self.sampled.drawn.coating) is None:
             return 1.0

@@ -46,7 +46,9 @@ def predict(
 ) -> "xarray.Dataset":
     """Predict the static friction of a contact, with an interval.
 
-    Parameters ---------- contact : Contact, Case, dict or path
+    Parameters
+    ----------
+    contact : Contact, Case, dict or path
         A contact, or a case as for `read_case`; its numbers may be arrays. The uncertain numbers of a case are sampled. Numbers
         of material presets are sampled within their ranges, unless the case switches that off.
     load : number, text with a unit, or a sequence of these, optional
@@ -57,7 +59,9 @@ def predict(
         CSV file of measured friction of this contact, with the columns `load [N],friction_coefficient`. Samples are then
         weighted by their agreement with the measured values.
 
-    Returns ------- xarray.Dataset
+    Returns
+    -------
+    xarray.Dataset
         Over `load` and the dimensions of array parameters: medians of `friction_coefficient`, `friction_force` [N] and
         `contact_area` [m^2]; `_low` and `_high` of each, the ends of the interval; and `friction_coefficient_samples` (sample,
         load). If the case states a weakening slip, also `friction_efficiency`, the force over the sum of strengths.

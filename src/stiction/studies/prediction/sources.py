@@ -10,7 +10,7 @@ from stiction.studies.prediction.mixture import Mixture
 
 
 def sources_of(mixture: Mixture) -> str:
-    """Return the bibliography keys of a prediction, separated by spaces, as the attribute `sources` of `solve`.
+    """Return the bibliography keys of a prediction as one text, separated by spaces.
 
     They are the sources of the area models with a weight, of the possible states of the interface, of junction growth, and of
     the laws of adhesion, menisci, contamination and ageing whose inputs the contact states.

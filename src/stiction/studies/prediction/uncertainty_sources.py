@@ -24,7 +24,7 @@ def main_sources(shares: dict[str, float], most: int = _MOST_SOURCES) -> list[tu
     """Return the main sources of uncertainty as pairs (name, share of the variance of ln mu), the largest first.
 
     shares: share of the variance by name of the source. The list has at most `most` sources. All but the largest must have a
-    share of at least 5 %. The last entry is "other", the rest to 100 %, unless it is below half a per cent.
+    share of at least 5 %. The last entry, "other", is the difference to 100 %; it is omitted below half a per cent.
     """
     ordered = sorted(shares.items(), key=lambda item: -item[1])
     named = [item for rank, item in enumerate(ordered[:most]) if not rank or item[1] >= _LEAST]

@@ -103,8 +103,8 @@ class _Friction:
     ) -> float:
         """Return the static friction coefficient of the contact with this surface.
 
-        seen: filtered map, whose spectral moments theories of the whole surface use. to_solve: map that models of a map solve.
-        found, heights: asperities of the surface and their height distribution, which all other models use. options: options of
+        seen: filtered map; theories of the whole surface use its spectral moments. to_solve: map for models that solve a map.
+        found, heights: asperities of the surface and their height distribution, for all other models. options: options of
         asperity methods, by method.
         """
         assert self.contact is not None
@@ -254,7 +254,8 @@ def _to_solve(surface: HeightMap, seen: HeightMap, cutoff: float) -> HeightMap:
 def thinned(surface: HeightMap, cutoff: float, points_per_cutoff: float) -> HeightMap:
     """Return every k-th point of a map along each axis, with the largest k that leaves enough points.
 
-    Enough are at least `points_per_cutoff` (2 or more) points in a cutoff wavelength [m]. Raises InputError for less than 2.
+    A cutoff wavelength [m] must contain at least `points_per_cutoff` points. Raises InputError if `points_per_cutoff` is below
+    2.
     """
     if not points_per_cutoff >= 2.0:
         raise InputError("points_per_cutoff", points_per_cutoff, "2 or more points per cutoff wavelength")

@@ -64,7 +64,7 @@ class _Steps:
 def numbers_of(case: Case) -> dict[str, list[Uncertain]]:
     """Return, by name, every number above 0 of the contact as an uncertain number whose samples are steps of its logarithm.
 
-    Numbers that are sampled together in the case share one name and are changed together. Swept numbers, and roughness
+    Numbers that are sampled together in the case share one name and are changed together. Array parameters, and roughness
     parameters measured from scans, are left out.
     """
     together = {one.path: one for one in case.uncertain}
