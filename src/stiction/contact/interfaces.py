@@ -33,14 +33,14 @@ class Interface(Input):
     """Describe the state of an interface, such as "oxidised metal", by distributions of its shear strength.
 
     The shear strength is tau_0 + alpha p at the pressure p, tau_0 and alpha being lognormally distributed.
-    interfacial_shear_strength, shear_strength, strength_over_shear_modulus: median of tau_0 in Pa, over the hardness, or over
-    the shear modulus of the softer touching body or film; exactly one is stated. pressure_coefficient: median of alpha; None if
-    the strength does not depend on pressure. pressure_limit: mean pressure of contact spots [Pa] above which the interface
-    fails; None if unknown. range: 5 and 95 % quantiles of a number, by name; a number without a range is
-    exact. source, grade: of each number, by name, with grades as in data_files.GRADES. pairs: prior weight of the state for a
-    pair of material classes, such as "metal, ceramic" or "polymer, any"; with weight 0 only the user can choose it. only_with:
-    names of materials; at least one body must be one of them. of_film: whether pairs of weight 0 require a film.
-    not_for: uses that must be avoided, in words.
+    interfacial_shear_strength, shear_strength, strength_over_shear_modulus: median of tau_0 in Pa, relative to the hardness, or
+    relative to the shear modulus of the softer touching body or film; exactly one is stated. pressure_coefficient: median of
+    alpha; None if the strength does not depend on pressure. pressure_limit: mean pressure of contact spots [Pa] above which the
+    interface fails; None if unknown. range: 5 and 95 % quantiles of a number, by name; a number without a range is exact.
+    source, grade: of each number, by name, with grades as in data_files.GRADES. pairs: prior weight of the state for a pair of
+    material classes, such as "metal, ceramic" or "polymer, any"; with weight 0 only the user can choose it. only_with: names of
+    materials; at least one body must be one of them. of_film: whether pairs of weight 0 require a film. not_for: uses that must
+    be avoided, in words.
 
     The strength of the bodies does not cap these values. Raises InputError for contradicting numbers.
     """
@@ -237,7 +237,7 @@ class InterfaceLimit(TypedDict):
 
 
 class InterfaceRow(TypedDict):
-    """Describe one interface state, as `interfaces` returns it: its numbers (the last two may be None) and its uses."""
+    """Describe one interface state, as `interfaces` returns it; pressure_coefficient and pressure_limit may be None."""
 
     name: str
     strength: InterfaceNumber

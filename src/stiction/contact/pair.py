@@ -91,7 +91,7 @@ def _before(keys: tuple[tuple[Any, Any], ...]) -> Any:
     """Return whether a first body comes before a second one in the order that some keys define, elementwise for arrays.
 
     keys: pairs (number of the first body, number of the second body). The first pair with different numbers decides: the body
-    with the smaller number comes before. If all are equal, the first body does.
+    with the smaller number comes first. If all pairs are equal, the first body comes first.
     """
     (mine, other), *rest = keys
     equal = mine == other

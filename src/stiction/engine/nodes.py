@@ -79,8 +79,8 @@ class Evaluated(NamedTuple):
     """Store the values of a law at integration nodes, in r rows of at most LONGEST nodes.
 
     owner (r,): index of the sum to which the row is added. counts (r,): number of nodes. weights (r, LONGEST): integration
-    weights. states (r, 6 LONGEST): displacement, its derivative by the coordinate, load, area, slip-limited and yield-limited
-    resistance, LONGEST places for each.
+    weights. states (r, 6 LONGEST): displacement, its derivative with respect to the coordinate, load, area, slip-limited and
+    yield-limited resistance, LONGEST places for each.
     """
 
     owner: np.ndarray
@@ -143,8 +143,8 @@ def displacements(regime: Regime, laws: Laws) -> np.ndarray:
 def values_at(along: Callable, table: np.ndarray, u: np.ndarray, values: int = 6) -> np.ndarray:
     """Return the values (n, values, k) of n laws (parameter sets) at the coordinates u (n, k).
 
-    along: formula of the law; the first 4 or all 6 of its values are returned: displacement, its derivative by u, load, area,
-    slip-limited and yield-limited resistance. table (n, p): parameters.
+    along: formula of the law; the first 4 or all 6 of its values are returned: displacement, its derivative with respect to u,
+    load, area, slip-limited and yield-limited resistance. table (n, p): parameters.
     """
     evaluate, result = evaluating(along, table.shape[1], values), np.empty((len(u), values, u.shape[1]))
     out, eight = np.empty((min(len(u), _BLOCK), values * LONGEST)), np.empty((min(len(u), _BLOCK), 8))

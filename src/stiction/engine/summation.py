@@ -101,9 +101,10 @@ def scattered(
 
 
 class Scattered:
-    """Sum regimes at pairs of a law and a separation; calculations that do not depend on the separations are done once.
+    """Sum regimes over asperity heights, at pairs of a law and a separation.
 
     regimes: smooth parts of an asperity law, each for n laws (parameter sets). heights: distribution of the heights.
+    Calculations that do not depend on the separations are done once.
     """
 
     def __init__(self, regimes: Sequence[Regime], heights: Heights):

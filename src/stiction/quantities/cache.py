@@ -44,9 +44,9 @@ def keep_file(path: Path, write: Callable[[BinaryIO], object], most: int) -> Non
     - write: function that writes the content to an open binary file
     - most: largest total size [bytes] of the files with this suffix; the least recently used files are deleted first
 
-    Files unused for 90 days are deleted too; the modification time counts, which readers of the cache renew. The file is
-    written completely or not at all. If it cannot be written, for instance because the disk is full, the user gets a notice and
-    no error.
+    Files unused for 90 days are deleted too. Their age is taken from the modification time, which every use of a file renews.
+    The file is written completely or not at all. If it cannot be written, for instance because the disk is full, the user gets
+    a notice and no error.
     """
     part = path.with_suffix(f".{uuid.uuid4().hex}")
     try:

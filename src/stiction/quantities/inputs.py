@@ -104,7 +104,7 @@ def plain_number(entry: Any, where: str) -> float:
 
 
 def require_callable(callback: Any, field: str) -> None:
-    """Raise an InputError unless `callback`, which is to report progress, is callable; field: its name, for the error."""
+    """Raise an InputError unless a progress callback is callable; field: name of the argument, for the error."""
     if not callable(callback):
         raise InputError(field, callback, "a function, or None")
 
@@ -126,7 +126,7 @@ def require_names(table: Mapping, where: str = "") -> None:
 
 
 class Input(BaseModel):
-    """Provide the base class of input records: immutable, with an InputError for an unknown field or a bad value."""
+    """Provide the base class of input records, which are immutable and raise InputError for unknown fields and bad values."""
 
     model_config = ConfigDict(frozen=True, extra="forbid", arbitrary_types_allowed=True)
     instead: ClassVar[str] = ""  # what the user may state in place of a missing number, for the error
@@ -271,7 +271,7 @@ class Input(BaseModel):
 
 
 def _unlabelled(value: Any) -> Any:
-    """Return the value of a field without coordinates: an array as an xarray.Variable, a record with its arrays changed so.
+    """Return the value of a field without coordinates: an array, or each array in a record, becomes an xarray.Variable.
 
     Any other value is returned unchanged.
     """

@@ -110,7 +110,7 @@ def values_in_words(values, where: str, count: int | None = None) -> InWords:
 
 
 def reason_of(error: InputError) -> str:
-    """Return in words why an InputError makes a model unusable: the input is missing, or its value is out of range."""
+    """Return the reason why an InputError makes a model unusable, as text: a missing input or a value out of range."""
     if error.value is None:
         return f"{error.field} is not given: {error.allowed}"
     name, value = error.field.rpartition(".")[2], error.value
@@ -321,7 +321,10 @@ def _from_labelled(array, quantity: Quantity):
 
 
 def _from_numbers(value, quantity: Quantity):
-    """Return a number as a float, an array or list (whose entries may have units) as floats; refuse other types."""
+    """Return a number as a float, and an array or list as an array of floats; entries of a list may have units.
+
+    Raises InputError for other types.
+    """
     if isinstance(value, list | tuple):
         return np.array([_single(entry, quantity) for entry in value], dtype=float)
     if isinstance(value, Real | Decimal) and not isinstance(value, bool):

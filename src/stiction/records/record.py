@@ -26,7 +26,7 @@ from stiction.records.sources import Source
 class Record:
     """Describe one model or law: its sources, its claims and its inputs. A subclass for each kind of law adds the formulas.
 
-    - kind: name of the kind, such as "film"; room: subpackage of stiction with a folder of this name, in which the records are
+    - kind: name of the kind, such as "film"; room: subpackage of stiction whose folder of this name contains the records
     - keyword: argument of `st.solve` that selects a record of this kind, "" if none does
     - key: name of the record, such as "greenwood_williamson_1966"; title: a phrase that describes it
     - grade: a key of GRADES; sources: origin of each equation; verified: what its numbers were checked against

@@ -94,8 +94,8 @@ class FilmLaw(Record):
       asperity law and tangential law of film and substrate (laws.joining.Law)
     - wants: trait that the asperity law must have -> why
     - own_asperity: whether the film law has its own asperity law and ignores the one in `law`
-    - one_body: whether film and substrate count as one body with the film's surface. If the film states a work of adhesion,
-      the work of adhesion of the bodies is then unused, and so are the groups in the field `takes` of the other laws
+    - one_body: whether film and substrate count as one body with the film's surface. The groups in the field `takes` of the
+      other laws are then unused, and so is the work of adhesion of the bodies if the film states its own
     - solved_as_one: whether its elastic asperity is a sphere on a layered solid; tangential laws with `layered` then suit it
       too
     - bares_substrate: whether the substrate can be exposed. A tangential law of the interface then shears only the part of the
@@ -223,7 +223,7 @@ class Addition(Record):
 
     @classmethod
     def allowed(cls, model: RoughSurface, tangential: TangentialLaw | None, film: FilmLaw | None) -> str:
-        """Return what is allowed in place of a law of this kind, as text for an error, if none can be added; "" if one can.
+        """Return "" if a law of this kind can be added to the other laws; otherwise the allowed values, as text for an error.
 
         model, tangential, film: the other laws of the contact; None for no tangential law or no film law.
         """
@@ -259,7 +259,7 @@ class Addition(Record):
 
 @dataclass(frozen=True, kw_only=True)
 class Criterion(Record):
-    """Describe a ratio whose value below or above 1 tells two kinds of behaviour of a rough contact apart.
+    """Describe a ratio that distinguishes two kinds of behaviour of a rough contact: one below the value 1, one above it.
 
     - ratio(groups): the ratio (n,) for n contacts, whose dimensionless groups have the spectral moments of the surface
     - below, above: sentence on the contact if the ratio is below 1, or above 1, such as elastic or plastic

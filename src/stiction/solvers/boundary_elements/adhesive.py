@@ -91,10 +91,11 @@ def solve_adhesive(
 ) -> list[AdhesiveContact]:  # fmt: skip
     """Solve the adhesive contact of a periodic map with a flat face at a series of loads, and return one contact per load.
 
-    heights: (rows, columns) [m]. size: (y, x) of the map [m]. modulus: effective modulus E* [Pa] of the bodies without a film;
-    infinite if both are rigid. loads [N]: solved in the order given, each starting from the previous solution; negative loads
-    pull. work: work of adhesion [J/m2], > 0. reach: range of attraction [m], > 0. film: elastic film on one body, or None.
-    Raises InputError for unusable arguments, and if both the substrate of the film and the counterbody are rigid.
+    heights: (rows, columns) [m]. size: (y, x) of the map [m]. modulus: contact modulus E* [Pa] of both bodies or, with a film,
+    of the uncoated body alone; infinite if this body is rigid. loads [N]: solved in the order given, each starting from the
+    previous solution; negative loads pull. work: work of adhesion [J/m2], > 0. reach: range of attraction [m], > 0. film:
+    elastic film on one body, or None. Raises InputError for unusable arguments, and if both the substrate of the film and the
+    counterbody are rigid.
     """
     loads = [float(load) for load in loads]
     if not loads or not np.isfinite(loads).all():
@@ -175,9 +176,9 @@ def adhesive_state(
 ) -> AdhesiveState:  # fmt: skip
     """Solve the adhesive contact of a periodic map at one load [N], and return its state.
 
-    heights: (rows, columns) [m]. size: (y, x) of the map [m]. modulus: effective modulus E* [Pa]. work: work of adhesion
-    [J/m2]. reach: range of attraction [m]. film: elastic film on one body, or None. finer: whether to refine a grid that is too
-    coarse for the contact edge. Raises InputError for an unusable map.
+    heights: (rows, columns) [m]. size: (y, x) of the map [m]. modulus: contact modulus E* [Pa] of both bodies or, with a film,
+    of the uncoated body alone. work: work of adhesion [J/m2]. reach: range of attraction [m]. film: elastic film on one body,
+    or None. finer: whether to refine a grid that is too coarse for the contact edge. Raises InputError for an unusable map.
     """
     if not math.isfinite(load):
         raise InputError("load", load, "finite, in N")

@@ -137,9 +137,9 @@ def _away(y, el, k, *_):
 class Compliance:
     """Describe the normal compliance of two bodies in contact, each with or without a film.
 
-    modulus: contact modulus E* of the bodies without films [Pa], infinite if they are rigid. film, counter_film: film on the
-    first and on the second body, each with its own half-space below, or None. Raises InputError unless the modulus is > 0, and
-    finite if there is no film.
+    modulus: contact modulus E* [Pa] of the uncoated bodies: of both, or of the only one without a film. It is infinite if both
+    bodies have films, or if the uncoated bodies are rigid. film, counter_film: film on the first and on the second body, each
+    with its own half-space below, or None. Raises InputError unless the modulus is > 0, and finite if there is no film.
     """
 
     modulus: float
@@ -159,7 +159,7 @@ class Compliance:
     def near(self) -> float:
         """Return the compliance at short wavelengths, times half the wavenumber [1/Pa].
 
-        It is 1/E* of the two materials at the surface, films where there are films.
+        It is 1/E* of the two surface materials; the surface material of a coated body is its film.
         """
         return 1.0 / self.modulus + sum(1.0 / film.plane_strain for film in self.films)
 
@@ -167,7 +167,7 @@ class Compliance:
     def far(self) -> float:
         """Return the compliance at long wavelengths, times half the wavenumber [1/Pa].
 
-        It is 1/E* of the bodies below the films, or 0 if these are rigid.
+        It is 1/E* of both bodies with their films removed, and 0 if both are then rigid.
         """
         return 1.0 / self.modulus + sum(film.far for film in self.films)
 

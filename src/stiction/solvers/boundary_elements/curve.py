@@ -43,8 +43,8 @@ class MapCurve:
 def curve_of_map(surface: HeightMap, bodies: Bodies, pressures: Sequence[float], *, sampled: bool = False) -> MapCurve:
     """Solve the contact of a map at nominal pressures [Pa], or read it from the cache on disk.
 
-    bodies: elastic constants, hardness and liquid. sampled: whether to skip points of the map that the accuracy does not need.
-    Raises InputError as `solve_map` does.
+    bodies: elastic constants, hardness and liquid. sampled: whether to skip points of the map that are not needed for the
+    accuracy. Raises InputError as `solve_map` does.
     """
     nominal = surface.size[0] * surface.size[1]
 

@@ -125,7 +125,7 @@ class DescentSearch:
     def _direction(self) -> np.ndarray:
         """Return the next search direction (rows, columns), preconditioned and conjugate to the last one.
 
-        The factor of the last direction is the one of Polak & Ribiere. After a failed step the direction is the preconditioned
+        The last direction is weighted by the rule of Polak & Ribiere. After a failed step the direction is the preconditioned
         negative gradient.
         """
         force = np.where(self._free, -self._slope, 0.0)

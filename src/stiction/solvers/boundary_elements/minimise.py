@@ -307,8 +307,8 @@ class _Search:
     def _turn(self) -> float:
         """Compute the next search direction by conjugate gradients; return the slope of the energy along it.
 
-        The direction has zero sum over the points with a pressure between 0 and the hardness, and is zero elsewhere. The factor
-        of the last direction is the one of Polak & Ribiere, or 0 where that is negative.
+        The direction has zero sum over the points with a pressure between 0 and the hardness, and is zero elsewhere. The last
+        direction is weighted by the rule of Polak & Ribiere, with a weight of at least 0.
         """
         gradient, before, last, xp = self._spare, self._gradient, self._direction, namespace(self._gap)
         for rows in blocks(gradient):

@@ -126,17 +126,18 @@ def solve_map(
 ) -> MapContacts:  # fmt: skip
     """Solve the contact of a map with a rigid flat face at every load, and return the contacts.
 
-    heights: (rows, columns) [m], finite, not all equal. size: (y, x) [m]. modulus: effective modulus E* [Pa] of the bodies
-    without films; infinite for rigid bodies. loads: [N], > 0, in any order. periodic: True if the map is one period of an
-    endless surface; otherwise it is a window that its mirror images continue. film, counter_film: elastic film on the first and
-    the second body, or None. hardness: largest pressure [Pa]; None for elastic bodies. menisci: liquid between the faces in
-    equilibrium with its vapour; None for dry faces.
+    heights: (rows, columns) [m], finite, not all equal. size: (y, x) [m]. modulus: contact modulus E* [Pa] of the uncoated
+    bodies: of both, or of the only one without a film; infinite if both have films or the uncoated bodies are rigid. loads:
+    [N], > 0, in any order. periodic: True if the map is one period of an endless surface; otherwise it is a window that its
+    mirror images continue. film, counter_film: elastic film on the first and the second body, or None. hardness: largest
+    pressure [Pa]; None for elastic bodies. menisci: liquid between the faces in equilibrium with its vapour; None for dry
+    faces.
 
     Further keywords: free: whether nothing presses outside of a map that is not periodic (default False). tolerance: largest
-    accepted residual. most_steps: largest number of steps. keep_maps: whether pressure maps are stored (True). stiffness:
-    whether it is computed (True). progress: called with a `Progress` before every step. done: called with each contact. device:
-    array library that solves the map instead of NumPy, optionally with one of its devices, such as "torch:cuda". Results are
-    NumPy arrays in the order of the loads.
+    accepted residual. most_steps: largest number of steps. keep_maps: whether pressure maps are stored (default True).
+    stiffness: whether the contact stiffness is computed (default True). progress: called with a `Progress` before every step.
+    done: called with each solved contact. device: array library that solves the map instead of NumPy, optionally with one of
+    its devices, such as "torch:cuda". Results are NumPy arrays in the order of the loads.
 
     A load that did not converge has a warning `not_converged`. After a keyboard interrupt the solved loads are returned. Raises
     InputError for unusable arguments, a load that the hardness cannot carry, or too little memory.
@@ -304,7 +305,8 @@ def _between(coarse: np.ndarray, axis: int, periodic: bool) -> np.ndarray:
 def _contact(request: _Request, problem: Problem, wetted: Condensed) -> MapContact:
     """Return the MapContact of one solved load.
 
-    wetted: the solution, whose pressure includes the suction of the liquid; the pressure between the solids is smaller by it.
+    wetted: the solution. Its pressure includes the suction of the liquid, which is subtracted to get the pressure between
+    solids.
     """
     suction = 0.0 if request.menisci is None else request.menisci.pressure
     solids = wetted.found.pressure if request.menisci is None else _of_solids(wetted.found.pressure, suction)

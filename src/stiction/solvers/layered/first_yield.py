@@ -45,7 +45,7 @@ Forms = tuple[np.ndarray, ...]
 class Yield(NamedTuple):
     """Store where a coated body first yields, and how high the stress there is, at mean pressure 1 and a given traction.
 
-    excess: von Mises stress at this place, divided by the ratio of the yield stresses of the material there and of the body.
+    excess: von Mises stress at this place, times the yield stress of the body over the yield stress of the material there.
     where: "film", "interface" (either side) or "body". x: position ahead of the axis, in the direction of the traction. z:
     depth below the surface. x and z are divided by the contact radius.
     """
@@ -104,10 +104,11 @@ def norms(stresses: Stresses, angles: np.ndarray) -> np.ndarray:
 def table_of_norms(pair: tuple[Layer, ...], bodies: tuple[CoatedBody, ...]) -> np.ndarray:
     """Return ln of the largest von Mises stress in film and body: (2, PLACES, ANGLES).
 
-    pair, bodies: layers and elastic constants of the coated bodies; with two, the larger value counts. PLACES: contact sizes (p
+    pair, bodies: layers and elastic constants of the coated bodies; of two bodies, the larger value is taken. PLACES: contact
+    sizes (p
     - 1)/(p + 1), p = (a/t)^(1/2), with the contact radius a and the film thickness t. ANGLES: arctan(q/s) for mean traction q
-    and mean pressure s, s^2 + q^2 = 1. The value of the body is multiplied by 1 + (t/a)^2, which stays finite for contacts much
-    smaller than the film.
+    and mean pressure s, s^2 + q^2 = 1. The stress in the body is multiplied by 1 + (t/a)^2 before the logarithm is taken, so
+    that the table stays finite for small contacts.
     """
     whole = np.stack([_table(pair, body) for body in bodies]).max(axis=0)
     with np.errstate(divide="ignore"):
@@ -152,7 +153,7 @@ def _of_film(forms: Forms, angles: np.ndarray) -> np.ndarray:
 
 
 def _fields(stresses: Stresses) -> list[tuple[Radial, np.ndarray, np.ndarray]]:
-    """Return for film and body: stresses on a search grid, and the radii and depths of the grid over the contact radius."""
+    """Return, for film and body, the stresses on a search grid, and the grid's radii and depths over the contact radius."""
     t = stresses.thickness
     film_r, film_z = _RADII, t * np.minimum(_IN_FILM, 1.0) if t < 1.4 else _thick(t)
     body_r = _WIDE * max(1.0, t) if t > 0.3 else _RADII

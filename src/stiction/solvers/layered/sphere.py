@@ -104,7 +104,7 @@ def pressure(pair: Pair, radius: float) -> np.ndarray:
 
 
 def spherical_waves(radius: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return nodes for integrals over wavenumbers, and the transforms of the polynomials of the pressure there.
+    """Return nodes for integrals over wavenumbers, and at them the transforms of the polynomials that represent the pressure.
 
     The arrays are the wavenumbers k a (m,), the integration weights times 2/pi (m,), and the transforms (n, m) of n orthonormal
     even polynomials on 0 to 1. radius: contact radius a over the thickness of one film.
@@ -150,7 +150,7 @@ def _solve(pair: Pair, radius: float) -> tuple[np.ndarray, ...]:
 
 
 def right_sides(size: int) -> np.ndarray:
-    """Return the coefficients (size, 2) of the displacements 1 and s^2."""
+    """Return the coefficients (size, 2) of the displacements 1 and s^2 in orthonormal even polynomials."""
     sides = np.zeros((size, 2))
     sides[0, 0], sides[:2, 1] = 1.0, (1.0 / 3.0, 2.0 / (3.0 * 5.0**0.5))
     return sides

@@ -85,8 +85,8 @@ class Stresses:
         """Return a function (name, order) -> (n, m) that transforms the amplitude of a stress component to depths and radii.
 
         name: of the amplitude f. The transform of order n is the integral of f k P(k) J_n(k r) over the wavenumber k, with the
-        pressure's transform P(k). r (m,), z (n,): radii and depths over the contact radius. function, across: stress function
-        and antiplane stresses at a depth.
+        pressure's transform P(k). r (m,), z (n,): radii and depths over the contact radius. function, across: functions that
+        return the stress function and the antiplane stresses of all waves at a depth.
         """
         F = np.stack([function(self._waves, depth / self.thickness) for depth in z], axis=2)  # (3, 2, n, waves)
         amplitudes = _amplitudes(F, nu)
@@ -169,9 +169,9 @@ def _assembled(of: Callable[[str, int], np.ndarray]) -> Radial:
 def _dragged(of: Callable[[str, int], np.ndarray]) -> tuple[np.ndarray, ...]:
     """Return the stresses (rr, tt, zz, rz, rt, tz) under a traction from transforms of orders 0 to 3.
 
-    of: function (name of the amplitude, order of the Bessel function) -> transform at depths and radii. With the angle psi
-    between wave and radius, and J0 to J3 at k r: <cos^2 cos(kr cos)>, <sin^2 cos> are (J0 -+ J2)/2, <cos^3 sin(kr cos)> (3 J1 -
-    J3)/4 and <cos sin^2 sin> (J1 + J3)/4.
+    of: function (name of the amplitude, order of the Bessel function) -> transform at depths and radii. With psi the angle
+    between wave and radius, c = cos(psi), s = sin(psi), and J0 to J3 at k r, the averages over psi are <c^2 cos(k r c)> = (J0 -
+    J2)/2, <s^2 cos(k r c)> = (J0 + J2)/2, <c^3 sin(k r c)> = (3 J1 - J3)/4 and <c s^2 sin(k r c)> = (J1 + J3)/4.
     """
     along, both = {}, {}
     for name in ("dragged_xx", "dragged_yy"):

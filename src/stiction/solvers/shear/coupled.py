@@ -144,13 +144,14 @@ def press_and_shear(
     shift: Sequence[float] = (0.0, 0.0), *, weakening: Weakening | None = None, tolerance: float = 1e-5,
     most: int = _MOST_STEPS,
 ) -> CoupledState:  # fmt: skip
-    """Solve pressure and traction of a map at a rigid shift, starting from the state of the step before.
+    """Solve pressure and traction of a map at a rigid shift, starting from the state after the previous step.
 
     operator: tangential compliance. coupling: displacements that couple pressure and shear. shift: (x, y) [m], measured from
     first contact. press: returns the pressure for a given normal displacement due to shear. strength: returns the shear
     strength for a given pressure [Pa]. weakening: how strength falls with slip; None for constant strength. tolerance: largest
-    relative change of the pressure in the last turn. most: largest number of steps of the traction solver. Points without
-    contact move with the faces, so that their slip starts anew when they touch.
+    relative change of the pressure in the last turn (one solution of the pressure and one of the traction). most: largest
+    number of steps of the traction solver. Points without contact move with the faces, so that their slip starts anew when they
+    touch.
     """
     start, before, strengths = state, state.pressure, _Strengths()
     rigid = np.asarray(shift, dtype=float)[:, None, None] - state.slip
@@ -188,8 +189,8 @@ class _Strengths:
         """Return the strengths to use in this turn [Pa] (rows, columns).
 
         wanted: strengths that the pressure of this turn gives [Pa], (rows, columns). The result differs from them after three
-        turns, at points that have begun or ceased to touch since: such a point follows only in part, and after a second change
-        not at all.
+        turns, at points that have begun or ceased to touch since: such a point makes only 30 % of the change, and after a
+        second change none.
         """
         self._turn += 1
         touching = wanted > 0.0

@@ -295,7 +295,7 @@ def _weakened(
 
 
 def after_step(state: State, step: SlipStep, touching: np.ndarray, apart: np.ndarray | float = 0.0) -> dict[str, Any]:
-    """Return all attributes of the state after a step but the shift, by name.
+    """Return name -> value of all attributes, except the shift, of the state after a step.
 
     state: the state before the step. step: result of the step. touching: mask (rows, columns) of points in contact. apart: slip
     of the points without contact in this step [m].

@@ -66,7 +66,7 @@ def peel_map(
     """Shear an adhesive periodic map by tangential forces [N], in rising order, until it peels.
 
     Returns the contact at each force; if the contact peels, the list ends with that state. heights: (rows, columns) [m]. size:
-    (y, x) [m]. modulus: effective modulus E* [Pa]. load: normal load [N]. work: work of adhesion [J/m2]. reach: range of
+    (y, x) [m]. modulus: contact modulus E* [Pa]. load: normal load [N]. work: work of adhesion [J/m2]. reach: range of
     attraction [m]. compliance: of the bodies under shear. mode_mixity: a key of MODE_MIXITIES; None if shear does not change
     adhesion. zeta: fraction of the shear energy that opens the edge, 0 to 1. The grid is not refined, unlike in
     `solve_adhesive`. Raises InputError for values out of bounds.
