@@ -43,8 +43,8 @@ from stiction.records.sources import Source
 def film_alone(w, hardness, pull):
     """Return displacement w, dw/du = 1, load and contact area of an asperity that touches only the plastic film; u is w itself.
 
-    The area is 2 w over pi R sigma; the load is hardness times this area, minus `pull`. w is over sigma. hardness: film
-    hardness over the substrate's, times the hardness group eta. pull: adhesive force, in the unit of the load.
+    The area is 2 w. The load is hardness times the area, minus `pull`. hardness: film hardness over the substrate's, times the
+    hardness group eta. pull: adhesive force. Units: w in sigma, load and pull in K R^(1/2) sigma^(3/2), area in pi R sigma.
     """
     return w, 1.0, 2.0 * hardness * w - pull, 2.0 * w
 
@@ -56,8 +56,8 @@ def _rim(normal: Callable, coordinate: Callable, parameters: int) -> tuple[Any, 
         """Return displacement, its derivative by u, load and area of the ring of film around the contact with the substrate.
 
         The area of the ring is 2 pi R omega, with the displacement omega, minus the contact area of the substrate. u:
-        coordinate of the substrate's segment. row: parameters of this segment, film thickness over sigma, film hardness and
-        adhesive force, in the units of load over area and of load.
+        coordinate of the substrate's segment. row: parameters of this segment; film thickness in units of sigma; film hardness,
+        in the unit of load over area; adhesive force, in the unit of load.
         """
         w, stretch, _, inner = normal(u, *row[:parameters])
         tau, hardness, pull = row[parameters:]
@@ -72,11 +72,11 @@ def _rim(normal: Callable, coordinate: Callable, parameters: int) -> tuple[Any, 
 
 
 def plastic_film(groups: Groups, law, pull: np.ndarray) -> list[Regime]:
-    """Return the regimes (smooth parts: film alone, rim of the film, substrate) of a surface with a plastic film.
+    """Return the regimes (film alone, rim of film around a contact, substrate) of a surface with a plastic film.
 
-    They are in the units of the substrate. groups: dimensionless groups of n coated contacts. law: asperity law and tangential
-    law of the substrate (a joining.Law). pull (n,): adhesive force on each touching asperity. The film resists shear only if
-    the tangential law describes the interface.
+    Forces are in the units of the substrate. groups: dimensionless groups of n coated contacts. law: asperity law and
+    tangential law of the substrate (a joining.Law). pull (n,): adhesive force on each touching asperity. The film resists shear
+    only if the tangential law describes the interface.
     """
     laws = len(groups)
     tau = np.broadcast_to(np.asarray(groups.tau, dtype=float), laws)

@@ -56,8 +56,8 @@ RIM_PRESSURE = ("film_hardness", "substrate_hardness")
 def rim(w, pressure, tau):
     """Return displacement w, dw/du = 1, load and area of the ring of film around the contact with the substrate; u is w itself.
 
-    After the film is penetrated, at w = tau, both load and area are constant. tau: film thickness over sigma. pressure: on the
-    film, over the substrate's hardness, times the hardness group eta.
+    The film is penetrated from w = tau on, and load and area of the ring are then constant. tau: film thickness in units of
+    sigma. pressure: pressure on the film over the substrate's hardness, times the hardness group eta.
     """
     return w, 1.0, 2.0 * pressure * tau, 2.0 * tau
 

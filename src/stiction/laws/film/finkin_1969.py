@@ -59,16 +59,16 @@ BOUNDS = {
 def normal(w, stiffness, power, widening):
     """Return displacement w, dw/du = 1, load stiffness w^power and contact area widening w; the coordinate u is w itself.
 
-    w is over sigma, the load over K R^(1/2) sigma^(3/2), the area over pi R sigma. power: 2 or 3.
+    power: 2 or 3. Units: w in sigma, load in K R^(1/2) sigma^(3/2), area in pi R sigma.
     """
     return w, 1.0, stiffness * w * w * (w if power == 3.0 else 1.0), widening * w
 
 
 def stiffness(groups: Groups, bound: str) -> np.ndarray:
-    """Return the load of one asperity over w^power (n,), with the displacement w over sigma and the power 2 or 3 of this bound.
+    """Return the load of one asperity divided by w^power (n,), with the displacement w and the power 2 or 3 of this bound.
 
-    bound: key of BOUNDS. The load is in units of K R^(1/2) sigma^(3/2). It uses the film's modulus M = E'_f
-    (1 - nu)^2/(1 - 2 nu) if the bound is "compressible", else G = E'_f (1 - nu)/2, with E'_f = E_f/(1 - nu^2).
+    bound: key of BOUNDS. Units: w in sigma, load in K R^(1/2) sigma^(3/2). The load uses the film's modulus M = E'_f (1 -
+    nu)^2/(1 - 2 nu) if the bound is "compressible", else G = E'_f (1 - nu)/2, with E'_f = E_f/(1 - nu^2).
     """
     resolved = groups.resolved()
     nu, film = resolved.layer_nu, 0.75 * resolved.film_modulus
@@ -82,7 +82,7 @@ def regimes(groups: Groups, law, bound: str) -> list[Regime]:
     """Return the regimes of a surface with a thin elastic layer on a rigid substrate.
 
     groups: dimensionless groups of n coated contacts. law: only its tangential law is used, which must describe the interface.
-    bound: key of BOUNDS. Asperities with a contact radius below the film thickness have a regime of their own.
+    bound: key of BOUNDS. There are two regimes: contact radii below the film thickness, and wider ones (in_half_space=False).
     """
     laws = len(groups)
     _, power, widening = BOUNDS[bound]

@@ -41,9 +41,9 @@ def fading_rates(
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return the two rates (n,) at which the influence of the film on the hardness fades with depth (S5.13, S5.14).
 
-    They are the factors of w and of w^2 in the exponent, with the displacement w over sigma: (c/tau, 0) for the exponent
-    m = 1, (0, c/tau^2) for m = 2. n_E, n_H, n_Y: modulus, hardness and yield stress of the film over the substrate's. tau:
-    film thickness over sigma. m_soft, m_hard: m for n_H < 1 and for n_H > 1, 1 or 2 (sources disagree). Raises InputError for
+    They are the factors of w and of w^2 in the exponent, with the displacement w in units of sigma: (c/tau, 0) for the exponent
+    m = 1, (0, c/tau^2) for m = 2. n_E, n_H, n_Y: modulus, hardness and yield stress of the film over the substrate's. tau: film
+    thickness in units of sigma. m_soft, m_hard: m for n_H < 1 and for n_H > 1, 1 or 2 (sources disagree). Raises InputError for
     another m.
     """
     for name, exponent in (("m_soft", m_soft), ("m_hard", m_hard)):
@@ -72,13 +72,13 @@ def graded_regimes(
     """Return the regimes of a graded film on one body against a rigid body, in the units of the substrate.
 
     A regime is the part of the asperity law in which the asperity is elastic or plastic and counts as film or as substrate
-    (PARTS). An asperity counts as film while its displacement over sigma is below tau, and as plastic if its elastic mean
+    (PARTS). An asperity counts as film while its displacement is below the film thickness, and as plastic if its elastic mean
     pressure exceeds the hardness at its depth.
 
-    substrate, film: groups with the Poisson's ratio, K beta and hardness over yield stress of each; adhesion indices are taken
-    from `substrate` and scaled by n_E, n_H and n_g. n_E, n_H, n_g (n,): modulus, hardness and work of adhesion of the film
-    over the substrate's. tau, film_aspect (n,): film thickness t over sigma and over sqrt(R sigma), 0 to infinity. exponents:
-    m of (S5.13), 1 or 2, for a film that is softer and for one that is harder than the substrate.
+    substrate, film: groups with the Poisson's ratio, K beta and hardness over yield stress of substrate and film; the adhesion
+    indices of `substrate` are used, scaled by n_E, n_H and n_g. n_E, n_H, n_g (n,): modulus, hardness and work of adhesion of
+    the film over the substrate's. tau, film_aspect (n,): film thickness in units of sigma and of sqrt(R sigma), 0 to infinity.
+    exponents: m of (S5.13), 1 or 2, for a film that is softer and for one that is harder than the substrate.
     """
     laws = len(substrate.theta)
     n_E, n_H, tau, film_aspect, n_g = (
@@ -115,7 +115,7 @@ def _film_regimes(
 def bare_regimes_with_transition(asperity: Groups) -> list[Regime]:
     """Return the elastic and the plastic regime of a bare surface whose asperities become plastic gradually.
 
-    asperity: dimensionless groups of n contacts. The transition replaces the load jump of (S2.9).
+    asperity: dimensionless groups of n contacts. The gradual transition replaces the load jump of (S2.9).
     """
     ones, never = np.ones(len(asperity.theta)), np.full(len(asperity.theta), np.inf)
     bodies = TwoBodies.against_rigid(ones, asperity.nu, asperity.nu)
@@ -126,9 +126,9 @@ def bare_regimes_with_transition(asperity: Groups) -> list[Regime]:
 def _parameters(substrate, film, film_k, bodies, n_H, film_aspect, n_g, rates) -> np.ndarray:
     """Return the parameters (n, PARAMETERS) of asperities on graded films, in the order in which `graded_law.along` takes them.
 
-    substrate, film: groups of each. film_k: hardness over yield stress of the film. bodies: elastic constants. n_H, n_g:
-    hardness and work of adhesion of the film over the substrate's. film_aspect: film thickness over sqrt(R sigma); if both
-    bodies are coated, each has half of it. rates: fading of the hardness, from `fading_rates`.
+    substrate, film: groups of substrate and film. film_k: hardness over yield stress of the film. bodies: elastic constants.
+    n_H, n_g: hardness and work of adhesion of the film over the substrate's. film_aspect: film thickness in units of sqrt(R
+    sigma); if both bodies are coated, each has half of it. rates: from `fading_rates`.
     """
     first, second, share, films, nu, nu_first, nu_second = bodies.columns()
     columns = (
@@ -157,8 +157,8 @@ def _parameters(substrate, film, film_k, bodies, n_H, film_aspect, n_g, rates) -
 def _regimes(parameters, tau, parts) -> list[Regime]:
     """Return one regime for each part of the law of asperities on graded films, in the order of `parts`.
 
-    parameters: (n, PARAMETERS) of the law. tau (n,): film thickness over sigma. parts: state and body of each part, such as
-    ("elastic", "film").
+    parameters: (n, PARAMETERS) of the law. tau (n,): film thickness in units of sigma. parts: state and body of each part, such
+    as ("elastic", "film").
     """
     edges, part, levels, branch = find_kinks(parameters, tau)
     columns = (*parameters.T, *levels.T)

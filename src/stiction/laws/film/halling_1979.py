@@ -62,9 +62,9 @@ def _formulas(modulus_key: str, hardness_key: str) -> tuple[Any, Any, Any]:
 
     @formula
     def stiffened(u, row):
-        """Return the factor of Hertz's load: modulus of film and bodies together over the bare bodies' modulus.
+        """Return the ratio of the load to Hertz's load: modulus of film and bodies together over the bare bodies' modulus.
 
-        u: contact radius over sqrt(R sigma). row: the parameters of `_formulas`.
+        u: contact radius in units of sqrt(R sigma). row: the parameters of `_formulas`.
         """
         xi = row[4] / u
         first, second, share, films, nu, nu_first, nu_second = row[BODIES:ELASTIC]
@@ -74,9 +74,9 @@ def _formulas(modulus_key: str, hardness_key: str) -> tuple[Any, Any, Any]:
 
     @formula
     def hardened(w, row):
-        """Return the hardness of film and substrate together at the displacement w over sigma, in the unit of load over area.
+        """Return the hardness of film and substrate together at the displacement w, in the unit of load over area.
 
-        row: the parameters of `_formulas`.
+        w: in units of sigma. row: the parameters of `_formulas`.
         """
         n_H, eta, tau, constant, exponent = row[2], row[3], row[5], row[6], row[7]
         return eta * hardness(n_H, w / tau, constant, exponent)
@@ -85,7 +85,8 @@ def _formulas(modulus_key: str, hardness_key: str) -> tuple[Any, Any, Any]:
     def elastic(u, *row):
         """Return displacement w, dw/du, load and contact area of the elastic asperity at the coordinate u = sqrt(w).
 
-        u is also the contact radius over sqrt(R sigma). row: the parameters of `_formulas` and the displacement at yield.
+        u is also the contact radius in units of sqrt(R sigma). row: the parameters of `_formulas` and the displacement at
+        yield.
         """
         w = u * u
         return w, 2.0 * u, stiffened(u, row) * w * u, w
@@ -105,7 +106,7 @@ def _formulas(modulus_key: str, hardness_key: str) -> tuple[Any, Any, Any]:
 
 @cache
 def _onset(flows: Any) -> Any:
-    """Return a kernel that finds the coordinate u = sqrt(w) at which asperities become plastic; w: displacement over sigma.
+    """Return a kernel that finds the coordinate u = sqrt(w) at which asperities become plastic; w: displacement.
 
     flows(u, row): formula that returns whether the mean pressure has reached the hardness.
     """
@@ -120,10 +121,10 @@ def _onset(flows: Any) -> Any:
     def onset(table, out):
         """Fill `out` (n,) with the smallest u = sqrt(w) at which the mean pressure reaches the hardness.
 
-        w: displacement over sigma. table (n, p): parameters of each contact. At this u, kappa u = eta chi, with the equivalent
-        modulus kappa and the effective hardness chi over those of the substrate, and the hardness group eta. The root is
-        bracketed by the largest modulus with the smallest hardness and the reverse. The bracket is scanned in steps, then
-        bisected.
+        w: displacement in units of sigma. table (n, p): parameters of each contact. At this u, kappa u = eta chi, with the
+        equivalent modulus kappa and the effective hardness chi over those of the substrate, and the hardness group eta. The
+        root lies between the values of eta chi/kappa for the largest modulus with the smallest hardness and for the reverse.
+        This bracket is scanned in steps, then bisected.
         """
         for i in range(out.size):
             row = unpack(table[i], ELASTIC)
@@ -152,10 +153,11 @@ def _between(low: np.ndarray, high: np.ndarray, inside: np.ndarray) -> np.ndarra
 
 
 def segments(groups: Groups, modulus: str, hardness: str, soft_film_exponent: str) -> list[tuple[NormalSegment, str]]:
-    """Return the segments of the elastic and of the plastic asperity, each with the name of the body that it counts for.
+    """Return four pairs (segment, body): asperities that are elastic or plastic and count as "film" or as "substrate".
 
-    Up to a displacement equal to the film thickness the name is "film", beyond it "substrate". modulus, hardness: keys of the
-    composite laws. soft_film_exponent: exponent m for a soft film, "1" or "2"; a hard film has 3 - m.
+    An asperity counts as film up to a displacement equal to the film thickness, and as substrate beyond it. groups:
+    dimensionless groups of n coated contacts. modulus, hardness: keys of the composite laws. soft_film_exponent: exponent m for
+    a soft film, "1" or "2"; a hard film has 3 - m.
     """
     laws = len(groups)
     tau = np.broadcast_to(groups.tau, laws)

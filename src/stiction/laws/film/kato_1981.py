@@ -85,9 +85,10 @@ def tan_excess(x):
 def squeezed(u, *row):
     """Return displacement w, dw/du, load and contact area while only the film flows, at the coordinate u: w = tau sin(u)^2.
 
-    With lengths over sqrt(R sigma), the contact radius a is sqrt(2 tau) sin(u), and b = sqrt(2 tau) cos(u). row: tau, film
-    thickness over sigma; hill = 4 k_f sqrt(R/sigma), with the shear stress k_f on the film; bound = m = more/hill; edge = H_f
-    and more = H - H_f, hardness of the film and of the substrate minus the film's. Stresses are in the unit of load over area.
+    With lengths in units of sqrt(R sigma), the contact radius a is sqrt(2 tau) sin(u), and b = sqrt(2 tau) cos(u). row: tau,
+    film thickness in units of sigma; hill = 4 k_f sqrt(R/sigma), with the shear stress k_f on the film; bound = m = more/hill;
+    edge = H_f, the film's hardness; more = H - H_f, the substrate's hardness minus the film's. Stresses are in the unit of load
+    over area.
     """
     tau, hill, _, edge, _ = row
     sine = math.sin(u)
@@ -99,8 +100,8 @@ def squeezed(u, *row):
 def bounded(u, *row):
     """Return displacement w, dw/du, load and contact area while the substrate limits the pressure in the centre.
 
-    The coordinate u gives w = tau sin(u)^2. Within the radius c = b tan(u - m b) the pressure is the substrate's hardness,
-    with b = sqrt(2 tau) cos(u) and lengths over sqrt(R sigma). row: tau, hill, bound = m, edge and more, as in `squeezed`.
+    The coordinate u gives w = tau sin(u)^2. Within the radius c = b tan(u - m b) the pressure is the substrate's hardness, with
+    b = sqrt(2 tau) cos(u) and lengths in units of sqrt(R sigma). row: tau, hill, bound = m, edge and more, as in `squeezed`.
     """
     tau, hill, bound, edge, _ = row
     width, sine, cosine = math.sqrt(2.0 * tau), math.sin(u), math.cos(u)
@@ -122,7 +123,7 @@ def pressed_through(v, *row):
     """Return displacement w, dw/dv, load and contact area beyond the film thickness, at the coordinate v: w = tau + v^2.
 
     Within the radius c = g coth(y) the pressure is the substrate's hardness, with g = sqrt(2) v, y = arsinh(v/sqrt(tau)) + m g
-    and lengths over sqrt(R sigma). row: tau, hill, bound = m, edge and more, as in `squeezed`.
+    and lengths in units of sqrt(R sigma). row: tau, hill, bound = m, edge and more, as in `squeezed`.
     """
     tau, hill, bound, edge, more = row
     if v == math.inf:
@@ -142,11 +143,10 @@ def depth_beyond(w, *row):
 
 
 def parameters(groups: Groups) -> tuple[np.ndarray, ...]:
-    """Return the five parameters (n,) of the formulas: tau, hill, bound, edge and more.
+    """Return the five parameters (n,) of the formulas: tau, hill, bound, edge and more, as in `squeezed`.
 
-    They are the film thickness over sigma; 4 sqrt(R/sigma) times the shear stress on the film; `more` over `hill`; the
-    hardness of the film; and the hardness of the substrate minus the film's. Stresses are in the unit of load over area. A
-    film harder than its substrate counts as equally hard. groups: dimensionless groups of n coated contacts.
+    A film harder than its substrate counts as equally hard, and a film of zero thickness as extremely thin. groups:
+    dimensionless groups of n coated contacts.
     """
     laws = len(groups)
     n_H, aspect = np.broadcast_to(np.minimum(groups.n_H, 1.0), laws), np.broadcast_to(groups.film_aspect, laws)
@@ -160,7 +160,7 @@ def parameters(groups: Groups) -> tuple[np.ndarray, ...]:
 def onset(tau: np.ndarray, bound: np.ndarray) -> np.ndarray:
     """Return the coordinate u (n,), an angle, from which on the substrate limits the pressure: u = bound sqrt(2 tau) cos u.
 
-    tau: film thickness over sigma. bound: parameter m of the formulas. Newton's method starts above the root, where the
+    tau: film thickness in units of sigma. bound: parameter m of the formulas. Newton's method starts above the root, where the
     function is convex, so that no step passes it.
     """
     steep = bound * np.sqrt(2.0 * tau)
@@ -171,10 +171,10 @@ def onset(tau: np.ndarray, bound: np.ndarray) -> np.ndarray:
 
 
 def segments(groups: Groups) -> list[tuple[NormalSegment, str]]:
-    """Return the segments of an asperity on a squeezed film, each with the name of the body that limits the pressure.
+    """Return three pairs (segment, body) of an asperity on a squeezed film; the body is the one that limits the pressure.
 
-    With growing displacement the film is squeezed ("film"), then the substrate limits the pressure in the centre
-    ("substrate"), then the film is pressed through ("substrate"). groups: dimensionless groups of n coated contacts.
+    With growing displacement the film is squeezed ("film"), then the substrate limits the pressure in the centre ("substrate"),
+    then the film is pressed through ("substrate"). groups: dimensionless groups of n coated contacts.
     """
     row = parameters(groups)
     tau, _, bound, _, _ = row

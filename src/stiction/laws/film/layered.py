@@ -83,8 +83,8 @@ def _first(unloading: bool) -> Any:
 def elastic(groups: Groups, law: Law) -> NormalSegment:
     """Return the segment of the elastic asperity on a bonded film, with the adhesion (none, DMT or JKR) of the asperity law.
 
-    groups: dimensionless groups of n coated contacts with all defaults filled in, from `Groups.resolved`. law: asperity law
-    and options; only its kind of adhesion and the option "branch" are used.
+    groups: dimensionless groups of n coated contacts with all defaults filled in, from `Groups.resolved`. law: asperity law and
+    options; only its kind of adhesion and the option "branch" are used.
     """
     laws, traits = len(groups), law.asperity.traits
     lowest = 0.0
@@ -109,7 +109,7 @@ def regimes(groups: Groups, law: Law, hardness: str, soft_film_exponent: str) ->
     """Return the regimes of a surface with a bonded film, in the units of the substrate; all load counts as the film's.
 
     groups: dimensionless groups of n coated contacts. law: asperity law and tangential law. hardness: key of the composite law
-    for the hardness. soft_film_exponent: its exponent for a soft film, "1" or "2".
+    for the hardness. soft_film_exponent: exponent of that law for a soft film, "1" or "2".
     """
     resolved = groups.resolved()
     record: Any = composites_of("hardness")[hardness]

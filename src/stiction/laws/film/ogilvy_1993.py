@@ -26,7 +26,7 @@ from stiction.records.sources import Source
 
 
 def regimes(groups: Groups, law) -> list[Regime]:
-    """Return the regimes of the bare substrate; the film only decides the shear strength.
+    """Return the regimes of the bare substrate, because this film changes only the shear strength.
 
     law: asperity law of the substrate, and a tangential law of the interface, which uses the shear strength of the film.
     groups: dimensionless groups of n coated contacts; modulus, hardness and thickness of the film are not used.

@@ -52,8 +52,8 @@ _adhesion, _load = jkr.adhesion, jkr.load
 def normal(u, theta):
     """Return displacement x = u^4, dx/du, JKR's load and contact area of an elastic asperity by the printed eq (1).
 
-    The print uses x = a^2/(R sigma), with the contact radius a, as the displacement over sigma. theta: elastic adhesion index.
-    The load is over K R^(1/2) sigma^(3/2), the area x over pi R sigma.
+    The print uses x = a^2/(R sigma), with the contact radius a, as the displacement in units of sigma. theta: elastic adhesion
+    index. Units: load in K R^(1/2) sigma^(3/2), area in pi R sigma.
     """
     x = u * u * u * u
     return x, 4.0 * u * u * u, _load(u, _adhesion(theta)), x
@@ -78,7 +78,7 @@ LAW = Law(
 
 
 def bare_regimes(groups: Groups) -> list[Regime]:
-    """Return the elastic and the plastic regime of a surface without film, by the printed equations of the 2015 paper.
+    """Return the elastic and the plastic regime of a surface without film, by the equations of soft_coating_2015 as printed.
 
     groups: dimensionless groups of n contacts.
     """
@@ -86,10 +86,10 @@ def bare_regimes(groups: Groups) -> list[Regime]:
 
 
 def _film_weights(segment: NormalSegment) -> tuple[Weights, Weights]:
-    """Return two `Weights`, for x < tau and x > tau, for load, area and friction of a film segment, as the paper prints them.
+    """Return two `Weights` for a segment of the film, as printed: for displacements below and above the film thickness.
 
-    x: displacement over sigma. tau: film thickness over sigma. Beyond tau the printed equations keep the elastic load and drop
-    the plastic load (departures D5, D9).
+    Beyond the film thickness the printed equations keep the elastic load without its friction, and drop the plastic load
+    (departures D5, D9).
     """
     return Weights(friction=_GRIP), Weights(friction=0.0) if segment.state == "elastic" else Weights(load=0.0)
 
@@ -97,9 +97,9 @@ def _film_weights(segment: NormalSegment) -> tuple[Weights, Weights]:
 def regimes(groups: Groups, law: Law) -> list[Regime]:
     """Return the regimes of a coated surface by the equations as printed; `law`, the corrected law, is not used.
 
-    groups: dimensionless groups of n coated contacts. An integral whose limits cross is empty (D9). In the film only
-    asperities with a displacement below the film thickness resist shear (D10). The contact area, which the paper does not
-    define, is the film's.
+    groups: dimensionless groups of n coated contacts. An integral whose lower limit exceeds the upper one is empty (D9). In the
+    film only asperities with a displacement below the film thickness resist shear (D10). The contact area, which the paper does
+    not define, is the film's.
     """
     tau = groups.tau
     film_part = film_regimes(LAW, groups, tau, _film_weights)

@@ -59,7 +59,7 @@ _THINNEST = 1e-200  # replaces a film thickness of 0, over sigma
 def shared(u, stiffness):
     """Return displacement w, dw/du, load and contact area while film and substrate share the load, at u = sqrt(w).
 
-    w is over sigma, the area 2 w over pi R sigma. The mean pressure is (stiffness/2) u, in the unit of load over area.
+    The mean pressure is (stiffness/2) u, in the unit of load over area; the area is 2 w. Units: w in sigma, area in pi R sigma.
     """
     w = u * u
     return w, 2.0 * u, stiffness * w * u, 2.0 * w
@@ -68,7 +68,7 @@ def shared(u, stiffness):
 def rise(groups: Groups) -> np.ndarray:
     """Return the factor q (n,) in the mean pressure q n_H sqrt(w/tau) eta while film and substrate carry the load together.
 
-    The pressure is in the unit of load over area. w: displacement over sigma. tau: film thickness over sigma. n_H: hardness of
+    The pressure is in the unit of load over area. w, tau: displacement and film thickness in units of sigma. n_H: hardness of
     the film over the hardness H of the substrate. eta: hardness group. With the film's shear strength tau_0, q follows from the
     friction constant C: C over K sqrt(R sigma) is 2 eta (tau_0/H)^3/(q n_H)^2. Without C, q is 1.
     """

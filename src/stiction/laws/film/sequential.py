@@ -44,9 +44,9 @@ from stiction.records.sources import Source
 
 @formula
 def at_rest(w, load, slip_limited, yield_limited):
-    """Return displacement w, dw/du = 1, load, area 0 and both resistances of a film that no longer deforms; u is w itself.
+    """Return displacement w, dw/du = 1, load, 0 and both resistances of a film that no longer deforms; u is w itself.
 
-    load, slip_limited, yield_limited: the constant load and resistances.
+    The 0 is the contact area, which other regimes count. load, slip_limited, yield_limited: the constant load and resistances.
     """
     return w, 1.0, load, 0.0, slip_limited, yield_limited
 
@@ -55,9 +55,10 @@ def regimes(groups: Groups, law: Law, film_shear: str) -> list[Regime]:
     """Return the regimes of a surface with a film that deforms alone up to its thickness, in the units of the substrate.
 
     groups: dimensionless groups of n coated contacts. law: asperity law and tangential law of film and substrate. The area is
-    the film's at the full displacement, because the outer contact is always on the film. A tangential law of the interface
-    uses this area and the whole load. Beyond the film thickness, any other tangential law gives the film's resistance at
-    w = tau plus the substrate's (film_shear "added"), or the smaller of the film's and the substrate's ("in_series").
+    the film's at the full displacement, because the outer contact is always on the film. A tangential law of the interface uses
+    this area and the whole load. Beyond the film thickness, any other tangential law gives the film's resistance at a
+    displacement equal to the thickness plus the substrate's (film_shear "added"), or the smaller of the film's and the
+    substrate's ("in_series").
     """
     tau, n_E = groups.tau, groups.n_E
     before, after = Weights(unit=n_E), Weights(unit=n_E, load=0.0, friction=0.0)
@@ -77,7 +78,7 @@ def _values_at_thickness(law: Law, groups: Groups) -> np.ndarray:
     """Return load, slip-limited and yield-limited resistance (3, n) of the film at a displacement equal to its thickness.
 
     The film keeps these values at larger displacements. With a tangential law of the interface, the resistance proportional to
-    the area is left out; `regimes` adds it with the area.
+    the area is left out; it follows from the area elsewhere.
     """
     film, weights = groups.film(), Weights(unit=groups.n_E, area=0.0 if law.interfacial else 1.0)
     at_thickness = np.zeros((3, len(groups)))

@@ -1,9 +1,9 @@
 """Find the kinks of the law of a graded film (modulus and hardness depend on depth), which are the edges of its regimes.
 
 Each kind of kink is a zero of a function of the coordinate u, a signal (`graded_signals`). A signal is smooth, except for a
-kink where the asperity begins to flow plastically. All signals are sampled together. Sign changes are refined in their
-bracket, and near misses of zero are searched for a pair of zeros. Where the load would fall although it is compressive, the
-asperity keeps its load until the law reaches it again (S5.19); this plateau adds two edges.
+kink where the asperity begins to flow plastically. All signals are sampled together. Each sign change brackets a zero, which is
+then refined. Where a signal comes close to zero without a sign change, a pair of zeros is searched. Where the load would fall
+although it is compressive, the asperity keeps its load until the law reaches it again (S5.19); this plateau adds two edges.
 """
 
 import math
@@ -35,14 +35,14 @@ PLATEAUS = 3
 BRANCHES = 4  # coordinates at which the yield resistance ends like a square root
 CAPACITY = 40  # largest number of edges
 FAR = 79  # number of cells of the scan that are equal in ln u
-SPARE = 8  # room for samples that are inserted at kinks
+SPARE = 8  # number of samples that can be inserted at kinks
 INNER = 16  # number of samples of the load's slope on a segment
 # Kinks at larger displacements are not searched, because no asperity is pressed that far.
 _DEEPEST = 10.0  # largest u, a displacement of 10^4 sigma
 # Cells near the start are equal in ln(u - start): relative distances of the first and the last, number per factor e.
 _NEAREST, _APART, _DENSE = 1e-9, 0.2, 4.0
 NEAR = math.ceil(_DENSE * math.log(_APART / _NEAREST))
-_FELT = 0.5  # a signal below this is searched for zeros even if the parabola through the samples is far from zero
+_SMALL = 0.5  # a signal smaller than this is searched for zeros even if the parabola through the samples is far from zero
 _END = 1e8  # u, in place of infinity
 _FADING, _FADED = 8.0, 40.0  # exponents at which the film's weight in the hardness is small, and below rounding
 
@@ -51,7 +51,7 @@ _PLACES = np.clip((1.0 - np.cos(np.pi * np.linspace(0.0, 1.0, INNER))) / 2.0, 1e
 
 @formula
 def _add(out, count, u):
-    """Append the coordinate u to the first `count` edges in `out` unless it is full, and return the new number of edges."""
+    """Append the coordinate u to the first `count` edges in `out` unless `out` is full, and return the new number of edges."""
     if count < out.size:
         out[count] = u
         return count + 1
@@ -66,8 +66,8 @@ def _add_zeros(which, places, values, law, out, count):
     signal there. law: parameters of an asperity on a graded film. count: number of edges so far.
     """
     before = values[0]
-    # A branch point has an effect at a distance, and the balance has sharp turns. Other signals may be nearly constant.
-    small = _FELT if which in (REAL, BALANCE) else 0.0
+    # A branch point affects the integrand nearby, and the balance has sharp extrema. Other signals may be nearly constant.
+    small = _SMALL if which in (REAL, BALANCE) else 0.0
     for j in range(places.size - 1):
         current, following = values[j], values[j + 1]
         if (current > 0.0) != (following > 0.0):
@@ -87,8 +87,8 @@ def _add_zeros(which, places, values, law, out, count):
 def _sample_loads(law, edges, count, places, loads, slopes):
     """Sample load and slope at INNER coordinates in each segment between the first `count` edges.
 
-    law: parameters of an asperity on a graded film. places, loads, slopes: filled with the coordinates u, and with loads and
-    slopes from `load_before_plateaus`.
+    law: parameters of an asperity on a graded film. places, loads, slopes: arrays that are filled with the coordinates u, and
+    with loads and slopes from `load_before_plateaus`.
     """
     for segment in range(count - 1):
         low, high = edges[segment], edges[segment + 1]
@@ -122,7 +122,7 @@ def _summit(low, kink, high, at_high, law):
 
 @lazy_kernel(worth=100_000)
 def _descent(low, high, law):
-    """Return a coordinate at which the load falls between low and high, and the slope there; `high` and 0 if it never falls."""
+    """Return a coordinate between low and high at which the load falls, and the slope there, or (high, 0) if none is found."""
     for m in range(1, 64):
         u = low + (high - low) * m / 64.0
         slope = signal(NUMBERS[SLOPE], u, law, 0.0)
@@ -135,7 +135,7 @@ def _descent(low, high, law):
 def _first_flowing(part, count):
     """Return the index of the first segment in which the asperity flows plastically, or of the last edge if there is none.
 
-    part: material and state of each segment, from `_name_parts`; odd numbers are plastic. count: number of edges.
+    part: number for body and state of each segment, from `_name_parts`; odd numbers are plastic. count: number of edges.
     """
     first = 0
     while first < count - 1 and (part[first] < 0 or part[first] % 2 == 0):
@@ -158,8 +158,8 @@ def _add_plateaus(law, edges, count, part, levels, places, loads, slopes):
     """Append the ends of the load plateaus to the edges, and return the new number of edges.
 
     On a plateau the load of an asperity stays constant, because by the law it would fall. law: parameters of an asperity on a
-    graded film. The first `count` edges are sorted. part: material and state of each segment, from `_name_parts`. levels:
-    filled with the start and the load of each plateau. places, loads, slopes: work arrays.
+    graded film. The first `count` edges are sorted. part: number for body and state of each segment, from `_name_parts`.
+    levels: filled with the start and the load of each plateau. places, loads, slopes: work arrays.
     """
     out = edges[_first_flowing(part, count) : count]  # an elastic asperity's load cannot fall
     _sample_loads(law, out, out.size, places, loads, slopes)
@@ -202,11 +202,11 @@ def _add_plateaus(law, edges, count, part, levels, places, loads, slopes):
 
 @formula
 def _fixed_edges(law, tau, out):
-    """Fill the edges that are known in advance; return three coordinates and the number of edges.
+    """Fill `out` with the edges that are known in advance, and return three coordinates and the number of edges.
 
     The three are the start of the contact, the end of the range that `_scan` samples, and the coordinate at which the film is
-    pressed through, at the displacement tau over sigma. Further edges cut long segments. law: parameters of an asperity on a
-    graded film. out: filled with the edges.
+    pressed through. tau: displacement at which it is pressed through, in units of sigma. Further edges split long segments.
+    law: parameters of an asperity on a graded film.
     """
     pull, _, n_H, linear, square = law[:5]
     S, bodies = math.sqrt(6.0 * pull), law[ALONE:]
@@ -230,8 +230,8 @@ def _fixed_edges(law, tau, out):
 def _scan(start, top, law, places, values):
     """Sample all signals from the coordinate `start` to `top`, and return the number of samples.
 
-    Signals are functions of u whose zeros are kinks. places, values: filled with coordinates and signals. law: parameters of
-    an asperity on a graded film. The samples are dense near the start, because all features of a thin film are there.
+    Signals are functions of u whose zeros are kinks. places, values: filled with coordinates and signals. law: parameters of an
+    asperity on a graded film. Samples are dense near the start, because the effect of a thin film is limited to it.
     """
     pull, _, n_H, linear, square = law[:5]
     slope = contact(start, math.sqrt(6.0 * pull), law[ALONE:])[1]
@@ -259,8 +259,8 @@ def _sample(j, law, places, values):
 def _insert(kinks, law, places, values, size):
     """Add samples of all signals at the coordinates `kinks` until the arrays are full, and return the new number of samples.
 
-    At a kink of one signal the others may turn. places, values: coordinates u and values of the signals; the first `size`
-    entries are in use and in ascending order. law: parameters of an asperity on a graded film.
+    At a kink of one signal the others may have an extremum. places, values: coordinates u and values of the signals; the first
+    `size` entries are in use and in ascending order. law: parameters of an asperity on a graded film.
     """
     for u in kinks:
         position = size
@@ -293,11 +293,11 @@ def _fill(parameters, tau, edges, part, levels, branch):
         before = count
         count = _add_zeros(NUMBERS[REAL], scan[:size], samples[REAL], law, out, count)
         count = _add_branches(start, samples[REAL, 0], law, out, before, count, branch[i])
-        grips = size - 1  # first sample from which on all are fully plastic and resist nothing
-        while grips > 0 and samples[1, grips - 1] > 0.0:
-            grips -= 1
-        count = _add_zeros(NUMBERS[SQUEEZED], scan[: grips + 1], samples[SQUEEZED], law, out, count)
-        count = _add_zeros(NUMBERS[BALANCE], scan[: grips + 1], samples[BALANCE], law, out, count)
+        plastic = size - 1  # index of the first sample from which on the asperity is fully plastic and has no resistance
+        while plastic > 0 and samples[1, plastic - 1] > 0.0:
+            plastic -= 1
+        count = _add_zeros(NUMBERS[SQUEEZED], scan[: plastic + 1], samples[SQUEEZED], law, out, count)
+        count = _add_zeros(NUMBERS[BALANCE], scan[: plastic + 1], samples[BALANCE], law, out, count)
         for j in range(count):
             out[j] = min(max(out[j], start), top)
         sort_few(out[:count])
@@ -330,7 +330,7 @@ def _add_branches(start, at_start, law, out, first, count, branch):
             at_low, below = signal(NUMBERS[REAL], low, law, 0.0), 3.0 * below
         if at_low < 0.0:
             branch[0] = low - at_low * (high - low) / (at_high - at_low)  # an estimate is enough, because no segment is there
-        elif at_start < _FELT:  # at complex u near the real axis
+        elif at_start < _SMALL:  # at complex u near the real axis
             branch[0] = start
         known = 1
     for u in kinks[: branch.size - known]:
@@ -343,11 +343,11 @@ def _add_branches(start, at_start, law, out, first, count, branch):
 
 @formula
 def _name_parts(law, through, edges, count, part):
-    """Fill `part` with a number for the material and the state of every segment between the edges.
+    """Fill `part` with a number for body and state of every segment between the edges.
 
-    The numbers are 0 elastic film, 1 plastic film, 2 elastic substrate, 3 plastic substrate, -1 no segment. The endless
-    segment after the last edge is included. through: coordinate at which the film is pressed through. edges: the first `count`
-    are used. law: parameters of an asperity on a graded film.
+    The numbers are 0 elastic film, 1 plastic film, 2 elastic substrate, 3 plastic substrate, -1 no segment. The endless segment
+    after the last edge is included. through: coordinate at which the film is pressed through. edges: the first `count` are
+    used, the others are overwritten. law: parameters of an asperity on a graded film.
     """
     edges[count:] = _END
     part[:] = -1
@@ -359,14 +359,14 @@ def _name_parts(law, through, edges, count, part):
 
 
 def find_kinks(parameters: np.ndarray, tau: np.ndarray) -> tuple[np.ndarray, ...]:
-    """Return edges, parts, plateaus and branch points of asperities on graded films, for n contacts.
+    """Return edges, part numbers, plateaus and branch points of asperities on graded films, for n contacts.
 
-    parameters: (n, PARAMETERS) of the law. tau (n,): displacement over sigma at which the film is pressed through.
+    parameters: (n, PARAMETERS) of the law. tau (n,): displacement, in units of sigma, at which the film is pressed through.
 
-    The edges (n, CAPACITY) are coordinates u. The parts (n, CAPACITY - 1) are a number for material and state of each segment
-    between them: 0 elastic film, 1 plastic film, 2 elastic substrate, 3 plastic substrate, -1 no segment. The plateaus (n, 6)
-    are three pairs (start, level): from `start` on the load is at least `level`. The branch points (n, 4) are coordinates at
-    which the yield resistance ends like a square root.
+    The edges (n, CAPACITY) are coordinates u. The part numbers (n, CAPACITY - 1) state body and state of each segment between
+    them: 0 elastic film, 1 plastic film, 2 elastic substrate, 3 plastic substrate, -1 no segment. The plateaus (n, 6) are three
+    pairs (start, level): from `start` on the load is at least `level`. The branch points (n, 4) are coordinates at which the
+    yield resistance ends like a square root.
     """
     laws = len(parameters)
     edges, part = np.empty((laws, CAPACITY)), np.empty((laws, CAPACITY - 1), dtype=np.int8)
@@ -387,12 +387,12 @@ def _gather(edges, part, wanted, out):
 
 
 def gather(edges: np.ndarray, part: np.ndarray, wanted: int) -> np.ndarray:
-    """Return the edges (n, m) of a regime that consists of all segments of one material in one state.
+    """Return the edges (n, m) of a regime that consists of all segments of one body in one state.
 
-    edges (n, CAPACITY), part (n, CAPACITY - 1): edges, and for each segment between them its material and state as a number 0
-    to 3, from `find_kinks`. wanted: this number. Segments are listed from the largest coordinate down, as pairs (low, high).
-    Thus the gap between two of them is a pair of edges that does not increase, which the engine skips. Shorter rows are filled
-    with the first edge.
+    edges (n, CAPACITY): from `find_kinks`. part (n, CAPACITY - 1): number from 0 to 3 for body and state of each segment, also
+    from `find_kinks`. wanted: the number whose segments are returned. Segments are listed from the largest coordinate down, as
+    pairs (low, high). Thus the gap between two of them is a pair of edges that does not increase, which the engine skips.
+    Shorter rows are filled with the first edge.
     """
     most = int((part == wanted).sum(axis=1).max(initial=1))
     out = np.empty((len(edges), 2 * most))

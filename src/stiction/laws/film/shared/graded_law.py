@@ -5,7 +5,7 @@ This project's own composition (grade C) of published parts: the modulus of film
 plasticity of Zhao, Maietta & Chang 2000. Without a film the same law is the bare asperity without a jump at yield.
 
 The coordinate is u = x^(1/4), elastic or plastic; x = a^2/(R sigma), with the contact radius a that the elastic contact would
-have at this displacement. Displacements are over sigma, loads over K R^(1/2) sigma^(3/2), areas over pi R sigma, with
+have at this displacement. Units: displacements in sigma, loads in K R^(1/2) sigma^(3/2), areas in pi R sigma, with
 K = (4/3) E* of the substrate.
 """
 
@@ -24,11 +24,12 @@ ALONE, WHOLE = 11, 20  # number of parameters for adhesion and strength; togethe
 
 @formula
 def stiffness(u, bodies):
-    """Return K_eff/K_s, the modulus with film over that without; its derivative by ln u; and the film's weight.
+    """Return three numbers: K_eff/K_s, its derivative by ln u, and the film's weight in the modulus.
 
-    The modulus is (S5.11) at the contact radius a = sqrt(R sigma) u^2. The weight is averaged over the coated bodies. bodies:
-    two bounds on the result (unused here), sqrt(R sigma) over the film thickness on one body, then the first four fields of
-    `TwoBodies`, and for each body the mean of its Poisson's ratio and the film's.
+    K_eff/K_s is the contact modulus with the film over that without, (S5.11) at the contact radius a = sqrt(R sigma) u^2. The
+    weight is averaged over the coated bodies. bodies: two bounds on the result (unused here), sqrt(R sigma) over the film
+    thickness on one body, then the first four fields of `TwoBodies`, and for each body the mean of its Poisson's ratio and the
+    film's.
     """
     _, _, per_aspect, first, second, s, films, nu_first, nu_second = bodies
     share, slope = modulus_share(u * u * per_aspect, nu_first)
@@ -47,9 +48,9 @@ def stiffness(u, bodies):
 def contact(u, S, bodies):
     """Return w, dw/du, Q, d ln Q/d ln u and the film's weight in the modulus, for an elastic JKR contact on a graded film.
 
-    w: displacement over sigma. Q = sqrt(K_eff/K_s) u^3, with the modulus K_eff of film and substrate together (S5.11) and K_s
-    of the substrate. u: coordinate, with the contact radius sqrt(R sigma) u^2. S: sqrt(6 pi n_g/theta), strength of adhesion,
-    with the work of adhesion n_g of the film over the substrate's and the elastic adhesion index theta. bodies: as in
+    w: displacement in units of sigma. Q = sqrt(K_eff/K_s) u^3, with the modulus K_eff of film and substrate together (S5.11)
+    and K_s of the substrate. u: coordinate, with the contact radius sqrt(R sigma) u^2. S: sqrt(6 pi n_g/theta), strength of
+    adhesion, with the work of adhesion n_g of the film over the substrate's and the elastic adhesion index theta. bodies: as in
     `stiffness`.
     """
     ratio, rise, share = stiffness(u, bodies)
@@ -62,10 +63,10 @@ def contact(u, S, bodies):
 
 @formula
 def fading(w, linear, square):
-    """Return the film's weight in the hardness at the displacement w over sigma, exp(-c (w/tau)^m) (S5.13).
+    """Return the film's weight in the hardness at the displacement w in units of sigma, exp(-c (w/tau)^m) (S5.13).
 
-    For m = 1, linear = c/tau and square = 0; for m = 2, linear = 0 and square = c/tau^2. tau: film thickness over sigma. The
-    formula is continued to slightly negative w, because a branch point there affects the first contact.
+    For m = 1, linear = c/tau and square = 0; for m = 2, linear = 0 and square = c/tau^2. tau: film thickness in units of sigma.
+    The formula is continued to slightly negative w, because a branch point there affects the first contact.
     """
     return exponential(min(-w * (linear + square * w), 4.0))
 
@@ -75,9 +76,9 @@ def along(u, *row):
     """Return displacement w, dw/du, load, contact area, slip-limited and yield-limited force of an asperity on a graded film.
 
     u: coordinate, with the contact radius sqrt(R sigma) u^2 of the elastic contact. row: pull = pi n_g/theta; eta of the
-    substrate; n_H; linear and square of `fading`; nu_s, nu_c, K_beta_s, K_beta_c of substrate and film; yield_s, yield_c,
-    yield stress over pi H_s of both; parameters of `stiffness`; three plateaus (start, level): from u = `start` on the load is
-    at least `level`.
+    substrate; n_H; linear and square of `fading`; nu_s, nu_c, K_beta_s, K_beta_c of substrate and film; yield_s, yield_c, yield
+    stress of substrate and film over pi H_s; parameters of `stiffness`; three plateaus (start, level): from u = `start` on the
+    load is at least `level`. Units: as in this module.
     """
     pull, eta, n_H, linear, square, nu_s, nu_c, K_beta_s, K_beta_c, yield_s, yield_c = row[:ALONE]
     (
@@ -108,7 +109,7 @@ def along(u, *row):
 
 @formula
 def depth_coordinate(w, S, bodies):
-    """Return the coordinate u of an elastic JKR contact on a graded film at the displacement w >= 0 over sigma.
+    """Return the coordinate u of an elastic JKR contact on a graded film at the displacement w >= 0 in units of sigma.
 
     S, bodies: as in `contact`. Newton's method is bracketed; the displacement grows with u.
     """
@@ -134,9 +135,9 @@ def depth_coordinate(w, S, bodies):
 
 @formula
 def coordinate(w, *row):
-    """Return the coordinate u of an asperity on a graded film at the displacement w over sigma, or 0 for w <= 0.
+    """Return the coordinate u of an asperity on a graded film at the displacement w in units of sigma, or 0 for w <= 0.
 
-    row: parameters, as in `along`, whose displacement it inverts.
+    It is the inverse of the displacement in `along`. row: parameters, as in `along`.
     """
     if not w > 0.0:
         return 0.0

@@ -20,9 +20,9 @@ NEARER = 0.3  # a near miss is searched if the parabola through it comes closer 
 def signals(u, law):
     """Return five numbers at the coordinate u whose sign changes are kinks of the law of a graded film.
 
-    They are zero where: the asperity first yields; it is fully plastic; the yield resistance stops being real in tension (a
-    branch point, S3.9); the yield resistance vanishes in compression (S3.10); slip and yield resistance are equal (S3.11, over
-    the strength). law: parameters of an asperity on a graded film.
+    In this order they are zero where the asperity first yields; where it becomes fully plastic; where the yield resistance
+    stops being real in tension (a branch point, S3.9); where the yield resistance vanishes in compression (S3.10); and where
+    slip and yield resistance are equal (S3.11, divided by the strength). law: parameters of an asperity on a graded film.
     """
     pull, eta, n_H, linear, square, nu_s, nu_c, Kb_s, Kb_c, yield_s, yield_c = law[:ALONE]
     S = math.sqrt(6.0 * pull)
@@ -45,10 +45,10 @@ def signals(u, law):
 
 @formula
 def load_before_plateaus(u, law):
-    """Return the load without plateaus, its derivative by ln u, and the elastic mean pressure over the hardness.
+    """Return the load without plateaus, its scaled derivative by ln u, and the elastic mean pressure over the hardness.
 
-    The derivative is over hardness times contact area, so that it is of the order of one. u: coordinate. law: parameters of an
-    asperity on a graded film.
+    The derivative is divided by hardness times contact area, so that it is of the order of one. u: coordinate. law: parameters
+    of an asperity on a graded film.
     """
     pull, eta, n_H, linear, square = law[:5]
     S = math.sqrt(6.0 * pull)
@@ -78,10 +78,11 @@ NUMBERS = np.arange(7)
 
 @lazy_kernel(worth=100_000)
 def signal(which, u, law, level):
-    """Return function number `which` of an asperity on a graded film at the coordinate u; the caller searches its zeros.
+    """Return the value of function number `which` of an asperity on a graded film at the coordinate u.
 
-    which: below SLOPE, an index into `signals`; SLOPE, the slope of the load, as in `load_before_plateaus`; ABOVE, the load
-    minus `level`, which only this function uses. law: parameters of an asperity on a graded film.
+    The callers search zeros of the function. which: below SLOPE, an index into `signals`; SLOPE, the slope of the load, as in
+    `load_before_plateaus`; ABOVE, the load minus `level`. level: used with ABOVE only. law: parameters of an asperity on a
+    graded film.
     """
     if which < SLOPE:
         return signals(u, law)[which]
@@ -124,8 +125,8 @@ def beyond_zero(which, left, at_left, u, at_u, right, at_right, law):
     """Search for a sign change of a function between two places at which it has the same sign.
 
     which, law: as in `signal`. left, u, right: coordinates in ascending order; at_left, at_u, at_right: values there, almost
-    zero at u. The search fits parabolas through three points. Returns a place and the value there: of opposite sign or, if
-    none is found, closest to zero.
+    zero at u. The search fits parabolas through three points. Returns a coordinate and the value there. The value has the
+    opposite sign or, if no such coordinate is found, is the closest to zero.
     """
     for turn in range(25):
         p, q = (u - left) * (at_u - at_right), (u - right) * (at_u - at_left)
@@ -157,10 +158,10 @@ def beyond_zero(which, left, at_left, u, at_u, right, at_right, law):
 
 @formula
 def comes_near(before, current, following, small):
-    """Return whether a function, sampled at three places with the same sign, has an extremum close to zero.
+    """Return whether a function, sampled at three places with the same sign, has an extremum close to zero between them.
 
-    before, current, following: the three samples. The middle one must be below `small` in size, or the parabola through all
-    three must come much closer to zero than the samples.
+    before, current, following: the three samples. The middle one must be smaller than `small` in absolute value, or the
+    parabola through all three must come much closer to zero than the samples.
     """
     rise, bend = following - before, following - 2.0 * current + before
     turns = (current - before) * (following - current) < 0.0 and bend * current > 0.0 and before * current > 0.0

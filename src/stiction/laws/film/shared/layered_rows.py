@@ -28,10 +28,11 @@ def rows(groups: Groups, pull: np.ndarray) -> tuple[np.ndarray, ...]:
 
 
 def coefficients(groups: Groups) -> np.ndarray:
-    """Return the coefficients (n, CURVES, TERMS) of the curves of spheres on films; each pair of materials is computed once.
+    """Return the coefficients (n, CURVES, TERMS) of the curves of spheres on films.
 
     The curves state effective moduli and displacement against contact radius over film thickness; the first is the modulus E_P
-    of the load. groups: dimensionless groups of n coated contacts with all defaults filled in.
+    of the load. Each pair of materials is computed once. groups: dimensionless groups of n coated contacts with all defaults
+    filled in.
     """
     columns = columns_of(groups)
     if (columns == columns[:, :1]).all():
@@ -68,15 +69,16 @@ def _films(n_E: float, bodies: float, first: float, nu: float, nu_first: float, 
 def edge_pull(groups: Groups) -> np.ndarray:
     """Return the strength of adhesion (n,) of JKR's contact on the film, s = (2/3) sqrt(6 pi n_g/theta).
 
-    n_g: work of adhesion of the film over the substrate's. theta: elastic adhesion index of the substrate.
+    n_g: work of adhesion of the film over the substrate's. theta: elastic adhesion index of the substrate. groups:
+    dimensionless groups of n coated contacts.
     """
     return 2.0 / 3.0 * np.sqrt(6.0 * math.pi * groups.n_g / groups.theta)
 
 
 def outer_pull(groups: Groups) -> np.ndarray:
-    """Return DMT's adhesive force (n,) on the film, 2 pi n_g/theta, which acts on elastic and plastic asperities.
+    """Return DMT's adhesive force (n,) on the film, 2 pi n_g/theta, in units of K R^(1/2) sigma^(3/2).
 
-    It is over K R^(1/2) sigma^(3/2). n_g: work of adhesion of the film over the substrate's. theta: elastic adhesion index of
-    the substrate.
+    It acts on elastic and plastic asperities. n_g: work of adhesion of the film over the substrate's. theta: elastic adhesion
+    index of the substrate. groups: dimensionless groups of n coated contacts.
     """
     return 2.0 * math.pi * groups.n_g / groups.theta

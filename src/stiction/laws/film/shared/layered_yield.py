@@ -29,11 +29,11 @@ _ROUNDS = 6
 
 
 class Hardness:
-    """Store the hardness chi of film and substrate together as a function of the displacement, for n contacts.
+    """Hold the hardness chi of film and substrate together as a function of the displacement, for n contacts.
 
-    chi is over the substrate's hardness. `value` is the formula, `row` its parameters (n,): film hardness over the
-    substrate's, film thickness over sigma, constant, exponent. `depths` (n, m) are displacements over sigma at which an
-    integral is split.
+    chi is the ratio to the substrate's hardness. `value` is the formula, `row` its parameters (n,): film hardness over the
+    substrate's, film thickness in units of sigma, constant, exponent. `depths` (n, m) are displacements in units of sigma at
+    which an integral is split.
     """
 
     def __init__(self, record: Composite, groups: Groups, soft_film_exponent: float):
@@ -56,9 +56,9 @@ class Hardness:
 
 @cache
 def _onset(along: Any, hardness: Any, parameters: int) -> Any:
-    """Return a kernel that finds where an asperity on a film yields.
+    """Return a kernel that finds where an asperity on a film first yields.
 
-    There the mean pressure first equals a given constant times the hardness. along: formula of the elastic asperity, with
+    It yields where its mean pressure equals a given constant times the hardness. along: formula of the elastic asperity, with
     `parameters` parameters. hardness: formula of the hardness.
     """
     edge = along is edged
@@ -67,8 +67,8 @@ def _onset(along: Any, hardness: Any, parameters: int) -> Any:
     def excess(u, arguments):
         """Return the load at the coordinate u minus the load at which a contact of the same area would yield.
 
-        It is negative before yield. arguments: parameters of the asperity, mean pressure at yield for the substrate's
-        hardness, parameters of the hardness.
+        It is negative before yield. arguments: parameters of the asperity, mean pressure at which a body of the substrate's
+        hardness would yield, parameters of the hardness.
         """
         row, pressure, (n_H, tau, constant, exponent) = arguments
         _, _, load, area = along(u, *row)
@@ -79,10 +79,10 @@ def _onset(along: Any, hardness: Any, parameters: int) -> Any:
 
     @lazy_kernel(worth=300)
     def find(table, pressure, of_hardness, out):
-        """Fill out[i] with coordinate u, modulus, hardness, z, and displacement over sigma at first yield of contact i.
+        """Fill out[i] with coordinate u, modulus, hardness, z, and displacement in units of sigma at first yield of contact i.
 
         The displacement leaves out the stretch by adhesion. Modulus and hardness are those of film and substrate together over
-        the substrate's. z weighs Poisson's ratio: -1 is the film's, 1 the substrate's. table: parameters of the elastic
+        the substrate's. z states Poisson's ratio: -1 is the film's, 1 the substrate's. table: parameters of the elastic
         asperities. pressure: eta times the mean pressure at yield over the hardness. of_hardness: parameters of `Hardness`.
         """
         for i in range(pressure.size):
@@ -110,8 +110,9 @@ def _onset(along: Any, hardness: Any, parameters: int) -> Any:
 def felt(groups: Groups, modulus: np.ndarray, hardness: np.ndarray, place: np.ndarray) -> Groups:
     """Return the dimensionless groups (n,) of the uniform half-space that replaces film and substrate at first yield.
 
-    groups: of n coated contacts. modulus, hardness (n,): those of the half-space over the bare bodies'. place (n,): -1 for
-    Poisson's ratio of the film, 1 for the substrate's, linear in between. The work of adhesion is the film's.
+    groups: dimensionless groups of n coated contacts. modulus, hardness (n,): modulus of the half-space over the bare bodies',
+    and its hardness over the substrate's. place (n,): -1 for Poisson's ratio of the film, 1 for the substrate's, linear in
+    between. The work of adhesion is the film's.
     """
     theta, lam, tabor, eta = groups.theta, groups.lam, groups.tabor_parameter, groups.hardness_group
     return groups.substrate().with_changes(
@@ -129,8 +130,8 @@ def cut_at_yield(
     """Return the elastic segment of an asperity on a film up to yield, and a list of the plastic segments that follow.
 
     elastic: the segment without yield. law: asperity law. groups: dimensionless groups of n coated contacts with all defaults
-    filled in. hardness: of film and substrate together. pull (n,): adhesive force on a plastic asperity. The list is empty if
-    the asperity law has no yield.
+    filled in. hardness: hardness of film and substrate together. pull (n,): adhesive force on a plastic asperity. If the
+    asperity law has no yield, `elastic` is returned whole with an empty list.
     """
     ones = np.ones(len(groups))
     segments = law.segments(felt(groups, groups.n_E, hardness.n_H, -ones))
@@ -154,7 +155,7 @@ def cut_at_yield(
 def _pressure_at_yield(segments: list[NormalSegment], own: Groups) -> np.ndarray:
     """Return the mean pressure over the hardness (n,) at the end of the last elastic segment.
 
-    segments: of an asperity law. own: groups of the half-space for which the segments were computed.
+    segments: segments of an asperity law. own: groups of the half-space for which the segments were computed.
     """
     last = _last_elastic(segments)
     _, _, load, area = normal_states(last, last.edges[:, -1]).T
@@ -168,8 +169,8 @@ def _last_elastic(segments: list[NormalSegment]) -> NormalSegment:
 def _following(elastic, segments, at_yield, hardness: Hardness, pull) -> list[NormalSegment]:
     """Return the plastic segments of an asperity law, shifted to the point at which the asperity on a film yields.
 
-    elastic: its segment up to yield. segments: those of the asperity law on the uniform half-space at yield. at_yield (n, 5):
-    the numbers that the kernel of `_onset` finds. pull (n,): adhesive force on a plastic asperity.
+    elastic: segment of the asperity on the film up to yield. segments: those of the asperity law on the uniform half-space at
+    yield. at_yield (n, 5): the numbers that the kernel of `_onset` finds. pull (n,): adhesive force on a plastic asperity.
     """
     first, last = _last_elastic(segments), elastic.edges[:, -1]
     w, _, load, area = normal_states(elastic, last).T
@@ -189,7 +190,7 @@ def _following(elastic, segments, at_yield, hardness: Hardness, pull) -> list[No
 
 
 def _places(segment: NormalSegment, w: np.ndarray) -> np.ndarray:
-    """Return the coordinates (n, m) of a segment at the displacements w (n, m) over sigma, limited to its ends."""
+    """Return the coordinates (n, m) of a segment at the displacements w (n, m), limited to its ends; w: in units of sigma."""
     out, edges = np.empty(w.shape), np.ascontiguousarray(segment.edges)
     fill = _filling(segment.normal, segment.coordinate, len(segment.parameters))
     fill(np.ascontiguousarray(w), columns(segment.parameters, len(w)), edges, out)

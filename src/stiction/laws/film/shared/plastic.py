@@ -13,8 +13,8 @@ from stiction.laws.segment import NormalSegment, displaced, edges_at
 def normal(w, pressure):
     """Return displacement w, dw/du = 1, load p A and contact area A = 2 w of a plastic asperity; the coordinate u is w itself.
 
-    w is over sigma, the load over K R^(1/2) sigma^(3/2), the area over pi R sigma. pressure: p, the mean pressure over the
-    hardness of the substrate, times the hardness group eta.
+    pressure: p, the mean pressure over the hardness of the substrate, times the hardness group eta. Units: w in sigma, load in
+    K R^(1/2) sigma^(3/2), area in pi R sigma.
     """
     return w, 1.0, 2.0 * pressure * w, 2.0 * w
 
@@ -22,7 +22,7 @@ def normal(w, pressure):
 def at_pressure(pressure: np.ndarray, low: np.ndarray | float, high: np.ndarray | float) -> NormalSegment:
     """Return the segment of a plastic asperity with a constant mean pressure, between the displacements low and high.
 
-    pressure (n,): mean pressure over the hardness of the substrate, times the hardness group eta. low, high: over sigma,
+    pressure (n,): mean pressure over the hardness of the substrate, times the hardness group eta. low, high: in units of sigma,
     numbers or arrays (n,).
     """
     return NormalSegment(normal, displaced, (pressure,), edges_at(low, high), "plastic")

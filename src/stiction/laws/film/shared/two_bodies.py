@@ -6,7 +6,7 @@ then
 
     1 / (s/g_1 + (1 - s)/g_2),    g_i = E'_i,coated/E'_i,    s = E*_bare/E'_1.
 
-This is the group n_E for a film of infinite thickness, whichever bodies are coated, and g_1 if the other body is rigid
+For a film of infinite thickness this ratio is the group n_E, whichever bodies are coated. It is g_1 if the other body is rigid
 (s = 1).
 """
 
@@ -20,11 +20,11 @@ from stiction.engine.compiled import formula
 
 @dataclass(frozen=True)
 class TwoBodies:
-    """Store the elastic constants of n contacts in which one body or both are coated, as arrays (n,).
+    """Hold the elastic constants of n contacts in which one body or both are coated, as arrays (n,).
 
     first, second: film modulus over the modulus of each body, E'_f/E'_i with E' = E/(1 - nu^2); `second` has no meaning if the
-    second body is bare. share: fraction of the compliance of both bare bodies that the first, coated body has. films: number
-    of coated bodies, 1 or 2. nu, nu_first, nu_second: Poisson's ratio of the film and of the bodies.
+    second body is bare. share: fraction of the compliance of both bare bodies that belongs to the first body, which is coated.
+    films: number of coated bodies, 1 or 2. nu, nu_first, nu_second: Poisson's ratio of the film and of the bodies.
     """
 
     first: np.ndarray
@@ -82,7 +82,7 @@ class TwoBodies:
 
     @property
     def film_over_bodies(self) -> np.ndarray:
-        """Return the film modulus over the modulus of the coated body (n,), or of both bodies in series if both are coated."""
+        """Return the film modulus over the modulus of the coated body or bodies (n,); two coated bodies act in series."""
         both = in_series(self.first, self._second(), self.share)
         return np.where(self.films == 2.0, both, self.first)
 
@@ -93,9 +93,9 @@ class TwoBodies:
 
 @formula
 def in_series(first, second, share):
-    """Return the contact modulus of coated bodies over the one of the bare bodies.
+    """Return the ratio of the contact modulus with films to the contact modulus of the bare bodies.
 
     first, second: factors by which films multiply the moduli of the two bodies. share: fraction of the compliance of both bare
-    bodies that the first body has.
+    bodies that belongs to the first body.
     """
     return first * second / (share * second + (1.0 - share) * first)

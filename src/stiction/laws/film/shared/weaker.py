@@ -1,4 +1,4 @@
-"""Find the weaker of two tangential resistances: of a film that is pressed through and of its substrate, sheared in series."""
+"""Find the weaker of two tangential resistances, those of a film that is pressed through and of its substrate, in series."""
 
 from collections.abc import Callable
 from functools import cache
@@ -21,7 +21,7 @@ def _weaker(substrate: Callable, film: Callable, back: Callable, of_substrate: i
     """Return two formulas: the response with the weaker of two resistances, and the film's resistance minus the substrate's.
 
     substrate, film: formulas `along` of both regimes, with of_substrate and of_film parameters. back: formula for the
-    coordinate of the film at a displacement. The response of the first formula has no load and no area.
+    coordinate of the film at a displacement. The response of the first formula has zero load and area.
     """
     count = of_substrate + of_film
 
@@ -56,11 +56,11 @@ def _back(coordinate: Callable, of_substrate: int) -> Any:
 
 
 def weaker_regimes(law: Law, groups: Groups) -> list[Regime]:
-    """Return regimes that add only friction: the weaker of film and substrate, once the film is pressed through (w > tau).
+    """Return regimes that add only friction, by the weaker of film and substrate, where the film is pressed through (w > tau).
 
-    Their load and area are zero. The resistance is the smaller of the film's at the displacement w and the substrate's at
-    w - tau, in the units of the substrate. tau: film thickness over sigma. law: has a tangential law that does not describe
-    the interface. groups: dimensionless groups of n coated contacts.
+    Their load and area are zero. The resistance is the smaller of the film's at the displacement w and the substrate's at w -
+    tau, in the units of the substrate. w: displacement, tau: film thickness, both in units of sigma. law: asperity law, and a
+    tangential law that does not describe the interface. groups: dimensionless groups of n coated contacts.
     """
     film_groups, substrate = groups.film(), groups.substrate()
     tau = np.broadcast_to(np.asarray(groups.tau, dtype=float), len(groups))
@@ -83,9 +83,9 @@ def _shared(
 ) -> Regime:
     """Return the regime of one substrate segment below one film regime, with the weaker resistance of the two.
 
-    below: regime of the substrate; segment: its segment. above: regime of the film. tau (n,): film thickness over sigma.
-    first, last (n,): coordinates of the substrate segment between which film and substrate both carry. The edges of the
-    returned regime are the kinks of both, and the places at which the weaker of the two changes.
+    below: regime of the substrate; segment: its segment. above: regime of the film. tau (n,): film thickness in units of sigma.
+    first, last (n,): coordinates of the substrate segment between which both film and substrate resist. The edges of the
+    returned regime are the kinks of both, and the coordinates at which the weaker of the two changes.
     """
     inner = [_mapped(above, number, segment, tau) for number in range(above.edges.shape[1])]
     edges = np.sort(np.concatenate([below.edges, np.stack(inner, axis=1)], axis=1), axis=1)
@@ -113,7 +113,7 @@ def _branches(below: Regime, above: Regime, segment: NormalSegment, tau: np.ndar
     """Return substrate coordinates (n, b) of the branch points of film and substrate; None if neither has any.
 
     Near a branch point a resistance varies like a square root. A coordinate is -inf where a contact has no such point. below,
-    above: regimes of substrate and film. segment: segment of the substrate. tau (n,): film thickness over sigma.
+    above: regimes of substrate and film. segment: segment of the substrate. tau (n,): film thickness in units of sigma.
     """
     branches = [] if below.branch is None else [np.reshape(below.branch, (len(tau), -1))]
     for point in () if above.branch is None else np.reshape(above.branch, (len(tau), -1)).T:
@@ -126,8 +126,8 @@ def _branches(below: Regime, above: Regime, segment: NormalSegment, tau: np.ndar
 def _mapped(above: Regime, number: int, segment, tau: np.ndarray) -> np.ndarray:
     """Return one edge of the film's regime as a coordinate (n,) of the substrate segment.
 
-    above: regime of the film. number: index of the edge. segment: segment of the substrate. tau (n,): film thickness over
-    sigma, by which the displacement of the substrate is smaller.
+    above: regime of the film. number: index of the edge. segment: segment of the substrate. tau (n,): film thickness in units
+    of sigma, by which the displacement of the substrate is smaller.
     """
     edge = above.edges[:, number]
     finite = np.isfinite(edge)
