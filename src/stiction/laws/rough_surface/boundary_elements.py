@@ -65,7 +65,7 @@ if TYPE_CHECKING:
 def bodies_of(contact: Contact) -> Bodies:
     """Return elastic compliances and hardness of the bodies of a contact, for the solver of boundary elements.
 
-    Every input of the contact must be a single number.
+    Every input of the contact must be a single number, not an array.
     """
     coating = contact.coating
     if coating is None:
@@ -80,10 +80,10 @@ def bodies_of(contact: Contact) -> Bodies:
 
 
 def shear_compliance_of(contact: Contact) -> ShearCompliance:
-    """Return the elastic compliance under shear of the two bodies of a contact, for the solver.
+    """Return the elastic compliance of the two bodies of a contact under shear, for the solver of boundary elements.
 
-    Every input of the contact must be a single number. The order of the bodies of the contact does not matter: the solver
-    moves the body whose face pressure displaces more along x.
+    Every input of the contact must be a single number, not an array. The order of the bodies of the contact does not matter:
+    the solver moves the body whose face is displaced more along x by a pressure.
     """
     upper, lower = sorted(_elastic_bodies(contact), key=_displaced_by_pressure, reverse=True)
     return ShearCompliance((upper, lower))
@@ -129,8 +129,9 @@ def of_map(
 ) -> "MapCurve":  # fmt: skip
     """Return the solved contact of a map at nominal pressures [Pa], as a MapCurve.
 
-    surface: map that represents both faces. The options points, yielding, shear, adhesion and mode_mixity are those of the
-    model; `shear` is applied later. Raises InputError if the map or a pressure cannot be solved.
+    surface: map that represents the roughness of both faces. points, yielding, adhesion: options of the model. shear: not used,
+    because this option is applied later. mode_mixity: must be "none". Raises InputError if the map or a pressure cannot be
+    solved.
     """
     from stiction.solvers.boundary_elements.curve import curve_of_map  # slow to import, so only if a map is solved
 
@@ -153,7 +154,7 @@ def _sticking(
 ) -> "MapCurve":  # fmt: skip
     """Return the solved contact of a map with adhesion at nominal pressures [Pa], as a MapCurve.
 
-    The attraction decays over a finite range of the gap. bodies: elastic bodies of the contact, for the solver. adhesion:
+    The attraction decays with the gap over a finite range. bodies: elastic bodies of the contact, for the solver. adhesion:
     option "atomic_range" or "shortest_range", which sets the range.
     """
     from stiction.solvers.boundary_elements.adhesive_curve import adhesive_curve

@@ -36,11 +36,12 @@ _MOST_STEPS = 200
 
 
 def shifted_separation(h: np.ndarray, compliance: np.ndarray) -> np.ndarray:
-    """Return the separation x = h + compliance F_3/2(x): independent asperities at x carry the load of interacting ones at h.
+    """Return the separation x at which independent asperities carry the load that interacting asperities carry at h.
 
-    h, x: over sigma. compliance: displacement of the nominal area over sigma per unit of load. h, compliance: arrays of the
-    same shape. F_3/2: mean load of independent asperities. x - compliance F_3/2(x) grows with x and its slope decreases.
-    Newton's method from h therefore rises to the root without passing it.
+    It solves x = h + compliance F_3/2(x), with the mean load F_3/2 of independent asperities. h, x: in units of sigma.
+    compliance: displacement of the nominal area, in units of sigma, per unit of load. h and compliance are arrays of the same
+    shape. x - compliance F_3/2(x) grows with x and its slope decreases. Newton's method from h therefore rises to the root
+    without passing it.
     """
     x = h.astype(float)
     for _ in range(_MOST_STEPS):
@@ -55,27 +56,27 @@ def shifted_separation(h: np.ndarray, compliance: np.ndarray) -> np.ndarray:
 def curve(h: np.ndarray, groups: Groups) -> tuple[np.ndarray, np.ndarray]:
     """Return load and contact area (n, H) per asperity at H separations of n contacts.
 
-    h: separation over sigma from the flat to the mean height of the undeformed asperities, (H,) or (n, H). Loads are over
-    K R^(1/2) sigma^(3/2), areas over pi R sigma.
+    h: separation in units of sigma from the flat to the mean height of the undeformed asperities, (H,) or (n, H). Units: loads
+    in K R^(1/2) sigma^(3/2), areas in pi R sigma.
     """
     x = shifted_separation(*np.broadcast_arrays(h, _compliance(groups)))
     return truncated_mean(1.5, x), truncated_mean(1.0, x)
 
 
 def separation_near(load: np.ndarray, groups: Groups) -> np.ndarray:
-    """Return separations (n, H) over sigma at the loads (n, H), as starting values of a search.
+    """Return separations (n, H), in units of sigma, at the loads (n, H), as starting values of a search.
 
-    load: per asperity, over K R^(1/2) sigma^(3/2). The separations are those of independent asperities minus the displacement
-    of the nominal area.
+    load: per asperity, in units of K R^(1/2) sigma^(3/2). The separations are those of independent asperities minus the
+    displacement of the nominal area.
     """
     return lone_separation(load) - _compliance(groups) * load
 
 
 def _compliance(groups: Groups) -> np.ndarray:
-    """Return the sinking of the nominal area over sigma per unit of load per asperity, (n, 1).
+    """Return the displacement of the nominal area, in units of sigma, per unit of load per asperity, (n, 1).
 
     The unit of load is K R^(1/2) sigma^(3/2). F units of load per asperity are the mean pressure p = (4/3) N R sigma
-    sqrt(sigma/R) E* F, under which the nominal area A_n sinks by SINKING (p / E*) sqrt(A_n).
+    sqrt(sigma/R) E* F, under which the nominal area A_n is displaced by SINKING (p / E*) sqrt(A_n).
     """
     return (SINKING * 4.0 / 3.0 * groups.roughness_parameter * groups.sharpness * groups.nominal_width)[:, None]
 

@@ -44,16 +44,16 @@ def spheres() -> Shapes:
 def curve(h: np.ndarray, groups: Groups) -> tuple[np.ndarray, np.ndarray]:
     """Return load and contact area (n, H) per asperity at H separations of n contacts.
 
-    h: separation over sigma from the mean summit height, (H,) or (n, H). Loads are over K R^(1/2) sigma^(3/2), areas over
+    h: separation in units of sigma from the mean summit height, (H,) or (n, H). Units: loads in K R^(1/2) sigma^(3/2), areas in
     pi R sigma.
     """
     return summits.curve(h, groups.roughness_parameter, spheres)
 
 
 def separation_near(load: np.ndarray, groups: Groups) -> np.ndarray:
-    """Return approximate separations (n, H) over sigma at the loads (n, H), as starting values of a search.
+    """Return approximate separations (n, H), in units of sigma, at the loads (n, H), as starting values of a search.
 
-    load: per asperity, over K R^(1/2) sigma^(3/2).
+    load: per asperity, in units of K R^(1/2) sigma^(3/2).
     """
     return separation_of_summits(load, groups.roughness_parameter, spheres)
 

@@ -61,7 +61,7 @@ LARGEST_DENSITY = float(density_of_bandwidth(n_point.LARGEST_BANDWIDTH))
 
 
 def correlation_of(density: np.ndarray) -> np.ndarray:
-    """Return the correlation (n,) of neighbouring points of the sampled profiles that represent n surfaces.
+    """Return the correlation (n,) between neighbouring points of the sampled profiles that represent n surfaces.
 
     density: N R sigma of the surfaces, (n,). Raises InputError if no such profile exists, or if its correlation is not
     tabulated.
@@ -80,7 +80,7 @@ def correlation_of(density: np.ndarray) -> np.ndarray:
 def curve(h: np.ndarray, groups: Groups) -> tuple[np.ndarray, np.ndarray]:
     """Return load and contact area (n, H) per asperity at H separations of n contacts.
 
-    h: separation over sigma from the mean summit height, (H,) or (n, H). Loads are over K R^(1/2) sigma^(3/2), areas over
+    h: separation in units of sigma from the mean summit height, (H,) or (n, H). Units: loads in K R^(1/2) sigma^(3/2), areas in
     pi R sigma.
     """
     return _sums(h, groups.roughness_parameter)
@@ -99,10 +99,10 @@ def _sums(h: np.ndarray, density: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 
 def separation_near(load: np.ndarray, groups: Groups) -> np.ndarray:
-    """Return approximate separations (n, H) over sigma at the loads (n, H), as starting values of a search.
+    """Return approximate separations (n, H), in units of sigma, at the loads (n, H), as starting values of a search.
 
-    load: per asperity, over K R^(1/2) sigma^(3/2). The load of this model has a maximum; the separations are larger than the
-    separation at the maximum, so that the load rises on approach.
+    load: per asperity, in units of K R^(1/2) sigma^(3/2). The load of this model has a maximum; the separations are larger than
+    the separation at the maximum, so that the load rises on approach.
     """
     return _near()(load, np.log(groups.roughness_parameter))
 

@@ -36,9 +36,9 @@ from stiction.surfaces.theory.moments import reduced_pressure
 
 
 def area_at_load(load: np.ndarray, groups: Groups) -> np.ndarray:
-    """Return the contact area per asperity over pi R sigma (n, H) at H loads of n contacts.
+    """Return the contact area per asperity (n, H), in units of pi R sigma, at H loads of n contacts.
 
-    load: per asperity, over K R^(1/2) sigma^(3/2). The area is 0 under tension, and NaN for contacts that stick. Raises
+    load: per asperity, in units of K R^(1/2) sigma^(3/2). The area is 0 under tension, and NaN for contacts that stick. Raises
     InputError if all contacts stick.
     """
     ratio = stickiness(groups)[:, None]

@@ -42,9 +42,9 @@ def area_share(pressure: np.ndarray) -> np.ndarray:
 
 
 def area_at_load(load: np.ndarray, groups: Groups) -> np.ndarray:
-    """Return the contact area per asperity over pi R sigma (n, H) at H loads of n contacts; it is 0 under tension.
+    """Return the contact area per asperity (n, H), in units of pi R sigma, at H loads of n contacts; it is 0 under tension.
 
-    load: per asperity, over K R^(1/2) sigma^(3/2).
+    load: per asperity, in units of K R^(1/2) sigma^(3/2).
     """
     return area_per_asperity(load, groups, area_share)
 

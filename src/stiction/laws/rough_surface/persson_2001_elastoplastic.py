@@ -41,7 +41,7 @@ _APART, _TERMS = 13.0, 27
 
 
 def area_shares(share: np.ndarray, hardness: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the elastic and the plastic contact area over the nominal area.
+    """Return the elastic and the plastic contact area, each over the nominal area.
 
     share: nominal pressure over hardness, p0/H, an array; from 1 on the whole contact is plastic. hardness: H / (E* h'), same
     shape, with the contact modulus E* and the root mean square gradient h'. Source: Persson 2001 (Phys. Rev. Lett.); the sums
@@ -72,9 +72,9 @@ def hardness_over_slope(groups: Groups) -> np.ndarray:
 
 
 def area_at_load(load: np.ndarray, groups: Groups) -> np.ndarray:
-    """Return the contact area per asperity over pi R sigma (n, H) at H loads of n contacts; it is 0 under tension.
+    """Return the contact area per asperity (n, H), in units of pi R sigma, at H loads of n contacts; it is 0 under tension.
 
-    The area is the sum of elastic and plastic area. load: per asperity, over K R^(1/2) sigma^(3/2).
+    The area is the sum of elastic and plastic area. load: per asperity, in units of K R^(1/2) sigma^(3/2).
     """
     density = groups.roughness_parameter[:, None]
     pressure = reduced_pressure(np.maximum(load, 0.0), density)

@@ -37,10 +37,11 @@ if TYPE_CHECKING:
 
 
 def area_at_load(load: np.ndarray, groups: Groups, surface: "HeightMap | None" = None) -> np.ndarray:
-    """Return the nominal area per asperity over pi R sigma (n, H) for contacts in full contact, and NaN for all others.
+    """Return the nominal area per asperity (n, H), in units of pi R sigma, in full contact, and NaN for all other contacts.
 
-    load (n, H): only its shape is used. surface: map that represents both faces, from whose spectrum the elastic energy is
-    computed; None takes an upper bound from sigma, R and N. Raises InputError if no contact is in full contact.
+    load (n, H): only its shape is used. surface: map that represents the roughness of both faces, from whose spectrum the
+    elastic energy of full contact is computed; None takes an upper bound from sigma, R and N. Raises InputError if no contact
+    is in full contact.
     """
     ratio = elastic_over_adhesion(groups, surface)
     if not (ratio < 1.0).any():

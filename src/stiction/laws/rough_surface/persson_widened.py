@@ -47,9 +47,9 @@ WAYS = {
 
 
 def area_at_load(load: np.ndarray, groups: Groups) -> np.ndarray:
-    """Return the contact area per asperity over pi R sigma (n, H) at H loads of n contacts, from the moments of the surface.
+    """Return the contact area per asperity (n, H) at H loads of n contacts, from the spectral moments of the surface.
 
-    load: per asperity, over K R^(1/2) sigma^(3/2). The area is 0 under tension.
+    Units: load per asperity in K R^(1/2) sigma^(3/2), area in pi R sigma. The area is 0 under tension.
     """
     density = groups.roughness_parameter[:, None]
     pressure = reduced_pressure(np.maximum(load, 0.0), density)
@@ -58,9 +58,10 @@ def area_at_load(load: np.ndarray, groups: Groups) -> np.ndarray:
 
 
 def area_on_map(load: np.ndarray, groups: Groups, surface: "HeightMap") -> np.ndarray:
-    """Return the contact area per asperity over pi R sigma (n, H) at H loads of n contacts, from a map.
+    """Return the contact area per asperity (n, H) at H loads of n contacts, from a map.
 
-    load: per asperity, over K R^(1/2) sigma^(3/2). surface: map that represents both faces, the same for all contacts.
+    Units: load per asperity in K R^(1/2) sigma^(3/2), area in pi R sigma. surface: map that represents the roughness of both
+    faces, the same for all contacts.
     """
     density = groups.roughness_parameter[:, None]
     slope = groups.sharpness[:, None] * slope_of(density)
@@ -76,7 +77,7 @@ def area_on_map(load: np.ndarray, groups: Groups, surface: "HeightMap") -> np.nd
 def way(surface: "HeightMap | None") -> str:
     """Return how the contact area is computed, as a key of WAYS.
 
-    surface: map that represents both faces, or None for a surface given by its moments.
+    surface: map that represents the roughness of both faces, or None for a surface given by its moments.
     """
     if surface is None:
         return "moments"

@@ -75,10 +75,10 @@ STIFF = 5.0  # film modulus over the bodies' from which on this law is inaccurat
 
 
 class Waves(NamedTuple):
-    """Store a spectrum: wavenumbers of its waves, and their fractions of the mean square gradient.
+    """Hold a spectrum: the wavenumbers of its waves, and the fraction of the mean square gradient that each wave has.
 
-    wavevector: (n, m) for n surfaces, or (m,), in the inverse unit of the film thickness. share: same shape, sum 1 over the
-    waves.
+    wavevector: wavenumbers, (n, m) for n surfaces, or (m,), in the inverse unit of the film thickness. share: the fractions,
+    same shape; their sum over the waves is 1.
     """
 
     wavevector: np.ndarray
@@ -86,11 +86,11 @@ class Waves(NamedTuple):
 
 
 def waves_of_moments(density: np.ndarray) -> Waves:
-    """Return the spectra of self-affine surfaces with the spectral moments that belong to density = N R sigma (n,).
+    """Return the spectra of self-affine surfaces that have the spectral moments of density = N R sigma (n,).
 
-    Wavenumbers are over 1/sqrt(R sigma), from k_l to k_s = z k_l. With the Hurst exponent H and M_n, the integral of k^(n + 1)
-    k^(-2 - 2 H) between them, Nayak's alpha = (3/2) M_0 M_4/M_2^2 gives z, and m4/m2 = (3/4) M_4/M_2 = 6 pi sqrt(3) N gives
-    k_s (Nayak 1971).
+    Wavenumbers are in units of 1/sqrt(R sigma), from k_l to k_s = z k_l. With the Hurst exponent H and M_n, the integral of
+    k^(n + 1) k^(-2 - 2 H) between them, Nayak's alpha = (3/2) M_0 M_4/M_2^2 gives z, and m4/m2 = (3/4) M_4/M_2 = 6 pi sqrt(3) N
+    gives k_s (Nayak 1971).
     """
     log_ratio = np.interp(np.log(bandwidth(density)), _log_bandwidths(), np.log(_RATIOS))[:, None]
     log_k = 0.5 * (_NODES - 1.0) * log_ratio  # ln k/k_s
@@ -123,7 +123,7 @@ def thickness_over_wave(groups: Groups) -> np.ndarray:
 
 
 def sphere_modulus(curve: np.ndarray, n_E: np.ndarray, a_over_t: np.ndarray) -> np.ndarray:
-    """Return the effective modulus E_P for a sphere on a film, over the modulus of the bodies without film, (n, ...).
+    """Return the effective modulus E_P for a sphere on a film (n, ...), as a ratio to the modulus of the bodies without film.
 
     curve: coefficients (n, TERMS) of the curve of E_P. n_E (n,): film modulus over the modulus of the bodies without film.
     a_over_t (n, ...): contact radius over film thickness.
@@ -180,10 +180,10 @@ def area_of_waves(
 
 
 def _interpolated(function: Callable[[np.ndarray], np.ndarray], low: np.ndarray, high: np.ndarray) -> Callable:
-    """Return a function that approximates the positive `function` between the limits low and high (n, 1).
+    """Return a function that approximates the positive function `function` between the limits low and high (n, 1).
 
-    It interpolates the logarithm of the function by Chebyshev polynomials, one for each row, and clips its argument (n, H) to
-    the limits. Returns `function` itself if the polynomials are not accurate to round-off.
+    It interpolates the logarithm of `function` by Chebyshev polynomials, one for each row, and clips its argument (n, H) to the
+    limits. Returns `function` itself if the polynomials are not accurate to round-off.
     """
     middle, half = 0.5 * (high + low), np.maximum(0.5 * (high - low), 1.0)
     angles = (np.arange(_POINTS) + 0.5) * math.pi / _POINTS
@@ -195,7 +195,7 @@ def _interpolated(function: Callable[[np.ndarray], np.ndarray], low: np.ndarray,
 
 
 def area_at_load(load: np.ndarray, groups: Groups) -> np.ndarray:
-    """Return the contact area per asperity over pi R sigma (n, H) at dimensionless loads per asperity; 0 under tension."""
+    """Return the area per asperity (n, H), in pi R sigma, at loads (n, H) in K R^(1/2) sigma^(3/2); it is 0 under tension."""
     resolved = groups.resolved()
     require_gaussian(resolved.roughness_parameter)
     parts = [_area(load[rows], resolved[rows]) for rows in blocks(len(load), _PER_POINT * load.shape[1])]
@@ -224,8 +224,8 @@ def _flowing(elastic: np.ndarray, pressure: np.ndarray, groups: Groups) -> np.nd
     """Return the contact area over the nominal area (n, H) after plastic flow has limited the contact pressure.
 
     elastic (n, H): the area without this limit. pressure (n, H): nominal pressure over E* h'. The limit is the film hardness,
-    or the pressure that the body below carries through the film if it is less. It depends on the mean size of a contact spot,
-    which follows from the number of asperities that touch at this area.
+    or the pressure that the body below carries through the film if that pressure is lower. It depends on the mean size of a
+    contact spot, which follows from the number of asperities that touch at this area.
     """
     from stiction.surfaces.theory.widened_area import with_hardness  # slow to import
 
@@ -243,16 +243,16 @@ def _flowing(elastic: np.ndarray, pressure: np.ndarray, groups: Groups) -> np.nd
 
 
 def _thickness(groups: Groups) -> np.ndarray:
-    """Return the thickness of one film, half of the whole if both bodies are coated, over sqrt(R sigma) (n,)."""
+    """Return the thickness of one film in units of sqrt(R sigma) (n,); it is half of the whole if both bodies are coated."""
     return np.broadcast_to(groups.film_aspect / groups.films, len(groups))
 
 
 def area_on_map(load: np.ndarray, groups: Groups, surface: "HeightMap") -> np.ndarray:
-    """Return the contact area per asperity over pi R sigma (n, H) at H loads of n coated contacts, from a map of both faces.
+    """Return the contact area per asperity (n, H) at H loads of n coated contacts, from a map of both faces.
 
-    load: per asperity, over K R^(1/2) sigma^(3/2). The elastic contact of the map with its film is solved at a few loads.
-    Between and beyond them, the area law is used with the spectrum and the bare contact area of the map. All contacts have the
-    same map.
+    Units: load per asperity in K R^(1/2) sigma^(3/2), area in pi R sigma. The elastic contact of the map with its film is
+    solved at a few loads. Between and beyond them, the area law is used with the spectrum and the bare contact area of the map.
+    All contacts have the same map.
     """
     resolved, density = groups.resolved(), groups.roughness_parameter[:, None]
     pressure = reduced_pressure(np.maximum(load, 0.0), density)
@@ -264,7 +264,7 @@ def area_on_map(load: np.ndarray, groups: Groups, surface: "HeightMap") -> np.nd
 
 
 def waves_of_map(surface: "HeightMap", groups: Groups) -> Waves:
-    """Return the spectrum of a map for one contact; wavenumbers are over 1/sqrt(R sigma), from the moments of the map."""
+    """Return the spectrum of a map for one contact; wavenumbers have the unit 1/sqrt(R sigma), from the moments of the map."""
     from stiction.surfaces.spectrum import power_spectrum, radial_average  # slow to import
 
     spectrum = radial_average(power_spectrum(surface, "none" if surface.periodic else "hann"))
@@ -333,10 +333,10 @@ def _elastic_on_map(pressure: np.ndarray, groups: Groups, surface: "HeightMap", 
 
 
 def _bare_curve(surface: "HeightMap", pressure: np.ndarray, slope: float, n_E: float) -> Callable[[np.ndarray], np.ndarray]:
-    """Return a function that gives the bare contact area of a map over its nominal area, against the pressure over E* h'.
+    """Return a function that gives the bare contact area of a map over its nominal area at pressures over E* h'.
 
     It interpolates a formula from the slopes of the map, over all pressures that films with the modulus ratio n_E may need.
-    pressure: pressures with the film. slope: root mean square gradient h'.
+    pressure: pressures with the film, over E* h'. slope: root mean square gradient h'.
     """
     from scipy.interpolate import PchipInterpolator
 

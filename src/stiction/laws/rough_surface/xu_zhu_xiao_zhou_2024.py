@@ -39,10 +39,10 @@ _STEPS = 12
 def area_share(pressure: np.ndarray) -> np.ndarray:
     """Return the contact area over the nominal area at the reduced pressures p / (E* h') >= 0.
 
-    pressure: array of any shape; p: nominal pressure, E*: contact modulus, h': root mean square gradient. With
-    q = p / sqrt(2 V), V the variance of the pressure, the area is erf(q), where q^2 [gamma + (1 - gamma) erf(q)] = 2 p^2 and p
-    is over E* h'. This is solved by Newton's method in ln q, in which the logarithm of the left side has a slope from 2 to 3.
-    Source: Xu et al. 2024, the published program.
+    pressure: array of any shape; p: nominal pressure, E*: contact modulus, h': root mean square gradient. With q = p / sqrt(2
+    V) and the variance V of the pressure, the area is erf(q), where q^2 [gamma + (1 - gamma) erf(q)] = 2 p^2 and p is in units
+    of E* h'. Newton's method solves this in ln q, in which the logarithm of the left side has a slope from 2 to 3. Source: Xu
+    et al. 2024, the published program.
     """
     x = np.clip(pressure, 1e-150, 1e150)
     wanted = 2.0 * np.log(math.sqrt(2.0) * x)
@@ -57,9 +57,9 @@ def area_share(pressure: np.ndarray) -> np.ndarray:
 
 
 def area_at_load(load: np.ndarray, groups: Groups) -> np.ndarray:
-    """Return the contact area per asperity over pi R sigma (n, H) at H loads of n contacts; it is 0 under tension.
+    """Return the contact area per asperity (n, H), in units of pi R sigma, at H loads of n contacts; it is 0 under tension.
 
-    load: per asperity, over K R^(1/2) sigma^(3/2).
+    load: per asperity, in units of K R^(1/2) sigma^(3/2).
     """
     return area_per_asperity(load, groups, area_share)
 

@@ -36,7 +36,7 @@ GAMMA = 0.45
 
 
 def rate(share: np.ndarray) -> np.ndarray:
-    """Return dV/dV_c, the growth of the variance of the pressure with finer roughness, over its growth in full contact.
+    """Return dV/dV_c, the rate at which finer roughness adds to the variance of the pressure, over that in full contact.
 
     share: contact area over nominal area, an array of any shape. Source: Yang & Persson 2008, as restated by Xu et al. 2024.
     """
@@ -44,9 +44,9 @@ def rate(share: np.ndarray) -> np.ndarray:
 
 
 def area_at_load(load: np.ndarray, groups: Groups) -> np.ndarray:
-    """Return the contact area per asperity over pi R sigma (n, H) at H loads of n contacts; it is 0 under tension.
+    """Return the contact area per asperity (n, H), in units of pi R sigma, at H loads of n contacts; it is 0 under tension.
 
-    load: per asperity, over K R^(1/2) sigma^(3/2).
+    load: per asperity, in units of K R^(1/2) sigma^(3/2).
     """
     return area_per_asperity(load, groups, lambda pressure: area_share(pressure, rate))
 

@@ -37,7 +37,7 @@ _PANELS, _NODES, _STEPS = 120, 16, 8
 
 @dataclass(frozen=True)
 class _Table:
-    """Store a table of ln q and of J(q), the integral of 1/(t^3 S(erf t)) over t from q to infinity.
+    """Hold a table of ln q and of J(q), the integral of 1/(t^3 S(erf t)) over t from q to infinity.
 
     S: function of a theory. q: nominal pressure over sqrt(2) times the standard deviation of the pressure; it grows from light
     to full contact.
@@ -51,8 +51,8 @@ def area_share(pressure: np.ndarray, rate: Rate) -> np.ndarray:
     """Return the contact area over the nominal area at the reduced pressures p / (E* h') >= 0.
 
     pressure: array of any shape; p: nominal pressure, E*: contact modulus, h': root mean square gradient. rate: the function
-    S(A/A0) = dV/dV_c of arrays, with the variance V of the pressure and V_c in full contact; S > 0 and S(1) = 1. Pass the same
-    function object each time, because its table is cached.
+    S(A/A_n) = dV/dV_c of arrays, with the contact area A, the nominal area A_n, the variance V of the pressure and its value
+    V_c in full contact; S > 0 and S(1) = 1. Pass the same function object each time, because its table is cached.
     """
     table = _table(rate)
     goal = np.asarray(pressure, dtype=float)
@@ -100,10 +100,10 @@ def _table(rate: Rate) -> _Table:
 
 
 def area_per_asperity(load: np.ndarray, groups: Groups, share: Callable[[np.ndarray], np.ndarray]) -> np.ndarray:
-    """Return the contact area per asperity over pi R sigma (n, H) at H loads of n contacts; it is 0 under tension.
+    """Return the contact area per asperity (n, H), in units of pi R sigma, at H loads of n contacts; it is 0 under tension.
 
-    load: per asperity, over K R^(1/2) sigma^(3/2). share: function that returns contact area over nominal area at the reduced
-    pressures p / (E* h').
+    load: per asperity, in units of K R^(1/2) sigma^(3/2). share: function that returns contact area over nominal area at the
+    reduced pressures p / (E* h'), with the contact modulus E* and the root mean square gradient h'.
     """
     density = groups.roughness_parameter[:, None]
     return share(reduced_pressure(np.maximum(load, 0.0), density)) / (math.pi * density)
