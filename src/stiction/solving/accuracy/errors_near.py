@@ -1,7 +1,7 @@
-"""Average the errors of a model over solved surfaces, weighted by their distance from a contact.
+"""Average the errors of a model over benchmark surfaces, weighted by their distance from a contact.
 
-A surface at distance d has the weight exp(-d^2/2). Where a surface was solved, or the model has a result, only on one side of
-the pressure or hardness of the contact, the weight fades out, so that the average has no jumps.
+A surface at distance d has the weight exp(-d^2/2). A surface loses weight gradually if its solution, or the result of the
+model, exists only on one side of the contact's pressure or hardness. The average therefore has no jumps.
 """
 
 import math
@@ -27,9 +27,9 @@ from stiction.solving.accuracy.solved_set import SolvedSet
 ELASTIC = 3.0  # hardness over E* h' above which no point flows plastically (h': rms slope)
 LEVELS = (0.05, 0.25, 0.5, 0.75, 0.95)  # probabilities of the stored quantiles
 NORMAL_SCORES = (-1.6449, -0.6745, 0.0, 0.6745, 1.6449)  # quantiles of the standard normal distribution at LEVELS
-# Errors below the lightest solved pressure p are extrapolated with their slope between p and _SLOPE p, down to p/_FARTHEST. So
-# far surfaces were solved to check this (truth/light.csv): the error changes as extrapolated on smooth plateaus and skewed
-# surfaces, and by a third of that on plateaus that are rough again.
+# Errors below the lightest solved pressure p are extrapolated with their slope between p and _SLOPE p, down to p/_FARTHEST.
+# Some surfaces were solved down to that pressure as a check (truth/light.csv): on smooth plateaus and skewed surfaces the error
+# changes as extrapolated, and on plateaus that are rough again by a third of that.
 _SLOPE, _FARTHEST = 5.0, 16.0
 _STEEP = 0.3  # slope of ln(area/load) by ln(pressure) above which a surface counts as having smooth plateaus
 _FLOWS = 0.1  # hardness over E* h' at which a surface counts as half elastic and half plastic
@@ -39,13 +39,14 @@ _COUNTED = 0.1  # weight over that of the nearest surface from which a surface c
 
 
 class ErrorsNear(NamedTuple):
-    """Store the measured errors ln(A/solved A) of a model's contact area A, at k points (a contact at a load each).
+    """Store the errors of a model's contact area at k points, averaged over similar benchmark surfaces.
 
-    levels: quantiles (k, 5) at the probabilities LEVELS over the nearby solved surfaces. relative: root mean square of A/solved
-    A - 1. middle: mean of the error over nearby surfaces of the stated kind, or over Gaussian surfaces if neither map nor kind
-    is stated. distance: distance of the nearest surface. coverage: fraction of the total weight on surfaces where the model has
-    a result. surfaces: number of surfaces with a noticeable weight. nearest: a function for each point that returns in words
-    how the nearest surface differs, "" if it hardly does. All arrays but levels are (k,).
+    A point is one contact at one load. The error is ln(A/A_ref), with A the area by the model and A_ref by the reference
+    solution. levels (k, 5): quantiles of the error at the probabilities LEVELS. relative: root mean square of A/A_ref - 1.
+    middle: mean of the error over surfaces of the stated kind, or over Gaussian surfaces if neither map nor kind is stated.
+    distance: distance of the nearest surface. coverage: fraction of the total weight on surfaces for which the model has a
+    result. surfaces: number of surfaces with a noticeable weight. nearest: for each point a function that describes how the
+    nearest surface differs, or returns "" if it hardly does. All arrays but levels are (k,).
     """
 
     levels: np.ndarray
@@ -58,12 +59,12 @@ class ErrorsNear(NamedTuple):
 
 
 class _Table(NamedTuple):
-    """Store values of solved surfaces, for interpolation along ln of the pressure between the p solved pressures.
+    """Store values of s benchmark surfaces, for interpolation in ln(pressure) between p pressures.
 
-    The arrays have the shape (h, p - 1, s) for h hardnesses and s surfaces. start, rise: value of each surface at the lower end
-    of each pressure interval, and its change over the interval; a value known at one end only is used for the whole interval.
-    weight, fall: weight at the lower end, and its change over the interval; the weight is 1 at an end whose value is known,
-    else 0. hard (h,): the hardnesses, ascending.
+    The arrays start, rise, weight and fall have the shape (h, p - 1, s) for h hardnesses. start, rise: value of each surface at
+    the lower end of each pressure interval, and its change over the interval; a value known at one end only is used for the
+    whole interval. weight, fall: weight at the lower end, and its change over the interval; the weight is 1 at an end whose
+    value is known, else 0. hard (h,): the hardnesses, ascending.
     """
 
     hard: np.ndarray
@@ -74,9 +75,9 @@ class _Table(NamedTuple):
 
     @classmethod
     def of(cls, known: SolvedSet, values: np.ndarray) -> "_Table":
-        """Return the table of values (s, h, p) of solved surfaces at h hardnesses and p pressures, NaN where unknown.
+        """Build the table from values (s, h, p) of s benchmark surfaces at h hardnesses and p pressures, NaN where unknown.
 
-        known: the benchmark set of solved surfaces.
+        known: the benchmark set, which holds the hardnesses.
         """
         hard = np.minimum(known["hardnesses"], ELASTIC)
         order = np.argsort(hard)
@@ -88,9 +89,9 @@ class _Table(NamedTuple):
         return cls(hard[order], start, rise, 1.0 * at_left, 1.0 * at_right - at_left)
 
     def at(self, known: SolvedSet, pressure: np.ndarray, hardness: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Return interpolated values (k, s) of all surfaces at k pressures and hardnesses, and their weights (k, s), 0 to 1.
+        """Interpolate to k pressures and hardnesses; return values (k, s) of all surfaces, and their weights (k, s), 0 to 1.
 
-        pressure, hardness (k,): divided by E* h', with h' the rms slope.
+        pressure, hardness (k,): divided by E* h', with the contact modulus E* and the rms slope h'.
         """
         upper, part = _interval(self.hard, np.minimum(hardness, ELASTIC))
         (low, of_low), (high, of_high) = (self._at_hardness(known, pressure, place) for place in (upper - 1, upper))
@@ -108,10 +109,10 @@ class _Table(NamedTuple):
 
 
 def _interval(grid: np.ndarray, place: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return in which interval of an ascending grid each of k numbers lies: index of its upper end (k,), and position (k, 1).
+    """Find the interval of an ascending grid that contains each of k numbers: index of its upper end (k,), position (k, 1).
 
-    The position in the interval runs from 0 to 1, linearly in the logarithm of the number `place`; numbers outside the grid are
-    at its ends.
+    place (k,): the numbers. The position runs from 0 at the lower end to 1 at the upper end, linearly in the logarithm of the
+    number. Numbers outside the grid are moved to its ends.
     """
     upper = np.clip(np.searchsorted(grid, place), 1, len(grid) - 1)
     part = np.log(place / grid[upper - 1]) / np.log(grid[upper] / grid[upper - 1])
@@ -120,7 +121,7 @@ def _interval(grid: np.ndarray, place: np.ndarray) -> tuple[np.ndarray, np.ndarr
 
 @cache
 def _tables(known: SolvedSet, column: str) -> tuple[_Table, _Table]:
-    """Return two tables for a model: its errors, and the solved areas of the surfaces on which it has any result.
+    """Return two tables for a model: its errors, and the reference areas of the surfaces on which it has any result.
 
     known: the benchmark set. column: "model|asperity method", a column of the set.
     """
@@ -131,11 +132,11 @@ def _tables(known: SolvedSet, column: str) -> tuple[_Table, _Table]:
 
 
 def bare_errors(known: SolvedSet, column: str, place: ContactFeatures, anywhere: bool) -> ErrorsNear | None:
-    """Return the errors of a model at k points, from nearby surfaces without a film; None if the model was not measured.
+    """Return the errors of a model at k points, averaged over similar benchmark surfaces without a film.
 
-    known: the benchmark set. column: "model|asperity method", a column of the set. place: features of the contact at k points.
-    anywhere: True for a solution of the map, which is equally accurate on any surface; then only the pressure decides how near
-    a solved surface is.
+    The result is None if the set does not contain the model. known: the benchmark set. column: "model|asperity method", a
+    column of the set. place: features of the contact at k points. anywhere: True for a model that solves the map, which is
+    equally accurate on any surface; then only the pressure decides how near a benchmark surface is.
     """
     errors = known.errors(column)
     if errors is None:
@@ -145,9 +146,9 @@ def bare_errors(known: SolvedSet, column: str, place: ContactFeatures, anywhere:
 
 
 def _in_blocks(place: ContactFeatures, surfaces: int, errors_of: Callable[[slice], ErrorsNear]) -> ErrorsNear:
-    """Compute the errors near blocks of points and join them, so that the memory stays bounded.
+    """Compute the errors for blocks of points one after the other and join them, to limit the memory.
 
-    place: features of the contact at all points. surfaces: number of solved surfaces. errors_of: function that returns the
+    place: features of the contact at all points. surfaces: number of benchmark surfaces. errors_of: function that returns the
     errors for a slice of the points.
     """
     parts = [errors_of(rows) for rows in blocks(place.pressure.size, _TABLES * surfaces)]
@@ -155,10 +156,11 @@ def _in_blocks(place: ContactFeatures, surfaces: int, errors_of: Callable[[slice
 
 
 def _bare_errors(known: SolvedSet, errors: _Table, areas: _Table, place: ContactFeatures, anywhere: bool) -> ErrorsNear:
-    """Return the errors of a model near each of k points, on surfaces without a film.
+    """Return the errors of a model at k points, averaged over similar benchmark surfaces without a film.
 
-    errors: errors ln(A/solved A) of the model's area A. areas: solved areas of the surfaces on which it has any result. place:
-    features of the contact at k points. anywhere: whether only the pressure decides how near a solved surface is.
+    errors: table of the errors ln(A/A_ref) of the model's area A. areas: table of the reference areas A_ref of the surfaces on
+    which the model has any result. place: features of the contact at k points. anywhere: whether only the pressure decides how
+    near a benchmark surface is.
     """
     positive = (place.pressure > 0.0) & (place.hardness > 0.0)
     pressure, hardness = np.where(positive, place.pressure, 1.0), np.where(positive, place.hardness, 1.0)
@@ -167,7 +169,7 @@ def _bare_errors(known: SolvedSet, errors: _Table, areas: _Table, place: Contact
     times = np.maximum(of_pressure.theirs[:, 0] / of_pressure.ours, 1.0)
     found, real = _at_lighter_load(known, errors, found, times, inside, solved_hardness)
     softer = np.divide(hardness, solved_hardness, out=np.ones(hardness.shape), where=hardness < solved_hardness)
-    found = found * softer[:, None]  # softer than all solved surfaces: every area tends to load over hardness
+    found = found * softer[:, None]  # softer than all benchmark surfaces: every area tends to load over hardness
     _, asked = areas.at(known, inside, solved_hardness)
     of_kind = known.of_kind(None if anywhere else place.kind)
     apart = [*([] if anywhere else differences(known, place)), of_pressure]
@@ -176,20 +178,18 @@ def _bare_errors(known: SolvedSet, errors: _Table, areas: _Table, place: Contact
 
 
 def film_errors_near(known: SolvedSet, errors: np.ndarray, place: ContactFeatures, like: np.ndarray) -> ErrorsNear:
-    """Return the errors of a model near each of k points, on solved surfaces with a film.
+    """Return the errors of a model at k points, averaged over similar benchmark surfaces with a film.
 
-    known: the benchmark set. errors: array (coated surfaces, films, loads) of ln(A/solved A). place: features of the contact at
-    k points. like: mask (k,) of the points whose film is of the kind that the benchmark set contains.
+    known: the benchmark set. errors: array (coated surfaces, films, loads) of ln(A/A_ref), with A the area by the model and
+    A_ref by the reference solution. place: features of the contact at k points. like: mask (k,) of the points whose film is of
+    the kind that the benchmark set contains; the others get NaN.
     """
     surfaces = math.prod(errors.shape[:2])
     return _in_blocks(place, surfaces, lambda rows: _film_errors(known, errors, place.some(rows), like[rows]))
 
 
 def _film_errors(known: SolvedSet, errors: np.ndarray, place: ContactFeatures, like: np.ndarray) -> ErrorsNear:
-    """Return the errors of a model near each of k points, on solved surfaces with a film.
-
-    The arguments are those of `film_errors_near`, for one block of points.
-    """
+    """Return the errors of `film_errors_near` for one block of points; the arguments are the same."""
     positive = place.pressure > 0.0
     place = replace(place, pressure=np.where(positive, place.pressure, 1.0))
     loads = known["film_loads"]
@@ -207,11 +207,10 @@ def _film_errors(known: SolvedSet, errors: np.ndarray, place: ContactFeatures, l
 
 
 def quantiles(values: np.ndarray, weights: np.ndarray) -> np.ndarray:
-    """Return the quantiles (k, 5) at the probabilities LEVELS of weighted values (k, s), in each of k rows.
+    """Return the weighted quantiles (k, 5) of each row of values (k, s), at the probabilities LEVELS.
 
-    Each quantile is averaged over probabilities within 0.03 of its own. Without this average, a quantile of few values jumps
-    from one value to the next when a weight changes a little. Values of weight 0 do not count; each row has a value with a
-    positive weight.
+    weights (k, s): at least one in each row must be positive. Each quantile is averaged over probabilities within 0.03 of its
+    own. Without this average, a quantile of few values jumps from one value to the next when a weight changes a little.
     """
     order = np.argsort(values, axis=1)
     values, weights = (np.take_along_axis(table, order, axis=1) for table in (values, weights))
@@ -230,14 +229,14 @@ def quantiles(values: np.ndarray, weights: np.ndarray) -> np.ndarray:
 def _at_lighter_load(
     known: SolvedSet, errors: _Table, found: np.ndarray, times: np.ndarray, lightest: np.ndarray, hardness: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Extrapolate errors (k, s) below the lightest solved pressure; return them with the weight (k, s) of each surface.
+    """Extrapolate errors (k, s) to loads lighter than all solved ones; return them with a weight (k, s) of each surface.
 
-    errors: table of the errors. found (k, s): errors at the lightest solved pressures `lightest` (k,). times (k,): these over
-    the pressure of the contact, 1 or more. hardness (k,): of the contact; both are over E* h'. On elastic surfaces the error
-    continues linearly in ln of the pressure. On surfaces that flow it decreases with the square root of the pressure, because
-    the finest roughness of a plateau flows too. A surface whose error changes fast has smooth plateaus, while real plateaus are
-    rough and carry light loads: such a surface loses weight as the load decreases. Both rules are judgements of the authors
-    (grade C).
+    errors: table of the errors. found (k, s): errors at the lightest solved pressures. times (k,): lightest solved pressure
+    over the pressure of the contact, 1 or more. lightest, hardness (k,): lightest solved pressure, and hardness of the contact,
+    both over E* h'. On elastic surfaces the error continues linearly in ln of the pressure. On surfaces that flow plastically
+    it decreases with the square root of the pressure, because the finest roughness of a plateau flows too. A surface whose
+    error changes fast has smooth plateaus, whereas real plateaus are rough; such a surface therefore loses weight as the load
+    decreases. Both rules are judgements of the authors (grade C).
     """
     if not (times > 1.0).any():
         return found, np.ones(found.shape)
@@ -253,11 +252,11 @@ def _at_lighter_load(
 def _averaged(
     found: np.ndarray, there: np.ndarray, asked: np.ndarray, apart: list[Difference], presumed: np.ndarray
 ) -> ErrorsNear:
-    """Return statistics of errors (k, s) over s surfaces, for each of k points (a contact at a load).
+    """Return statistics of errors (k, s) over s surfaces, for each of k points (one contact at one load).
 
-    found: the errors. there, asked: weights (k, s), 0 to 1, of the surfaces where the model has a result, and of all solved
-    surfaces; asked is 0 everywhere for points without a result. apart: differences that add up to the squared distances.
-    presumed: mask (s,) of the surfaces of the stated or assumed kind, over which `ErrorsNear.middle` is averaged.
+    found: the errors. there, asked: weights (k, s), 0 to 1, of the surfaces for which the model has a result, and of all
+    benchmark surfaces; asked is 0 in the rows of points that get no error. apart: differences that add up to the squared
+    distances. presumed: mask (s,) of the surfaces of the stated or assumed kind, over which `ErrorsNear.middle` is averaged.
     """
     distances = squared_distance(apart)
     squared = np.where(asked > 0.0, distances.reshape(len(distances), -1), np.inf)
@@ -283,12 +282,12 @@ def _averaged(
 
 
 def no_words() -> str:
-    """Return an empty text, for a point whose nearest solved surface hardly differs."""
+    """Return an empty text, for a point whose nearest benchmark surface hardly differs."""
     return ""
 
 
 def _weights(squared: np.ndarray, some: np.ndarray) -> np.ndarray:
-    """Return the weights exp(-d^2/2) (k, s) of solved surfaces, divided by the weight of the nearest one.
+    """Return the weights exp(-d^2/2) (k, s) of benchmark surfaces, divided by the weight of the nearest one.
 
     squared: squared distances d^2 (k, s). some: mask (k, s) of the surfaces that count; the others have weight 0.
     """

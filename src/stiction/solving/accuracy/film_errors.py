@@ -1,8 +1,8 @@
-"""Look up the measured error of a film law near a contact, and return it as data, in words and as errors near points.
+"""Look up the measured error of a film law for a contact; return it as data, as text, or as errors at points.
 
-The errors were measured on elastic contacts without adhesion: one sphere against the exact solution, and rough surfaces against
-layered boundary elements (`solving/accuracy/film_tables`). They are looked up by the ratio of film modulus to substrate
-modulus, and by the mean contact radius, or the shortest wavelength, over the film thickness.
+The errors were measured on elastic contacts without adhesion: on one sphere against the exact solution, and on rough surfaces
+against layered boundary elements (`solving/accuracy/film_tables`). They are looked up by two ratios: film modulus over
+substrate modulus, and mean contact radius, or shortest wavelength, over film thickness.
 """
 
 import json
@@ -30,13 +30,13 @@ _FLOWS = "unknown for films that flow plastically: no reference solution contain
 
 
 def film_errors(problem: Problem, results: Mapping[str, np.ndarray]) -> list[dict[str, Any]]:
-    """Return the measured errors of the film law near normalised results, as a list of dictionaries.
+    """Return the measured errors of the film law at normalised results, as a list of dictionaries.
 
     results: arrays by name, with the dimensions of the contacts first. Keys of a dictionary: law; against: the reference
-    solution; error: lowest and highest relative error of the area at a given load; load_error: the same of the load at a given
-    approach; rms: root mean square of the error of ln(area) on rough surfaces; near: range of each parameter used to look up;
-    outside: parameters beyond the measured range; why_not: the reason if no error is known. The list is empty for a contact
-    without a film.
+    solution; error: lowest and highest relative error of the area at a given load; load_error: lowest and highest relative
+    error of the load at a given approach; rms: root mean square of the error of ln(area) on rough surfaces; near: range of each
+    parameter by which the error was looked up; outside: parameters beyond the measured range; why_not: the reason if no error
+    is known. The list is empty for a contact without a film law.
     """
     law = problem.chosen.film or (problem.record if problem.record.on_film else None)
     if law is None:
@@ -68,8 +68,8 @@ def _of_maps(problem: Problem, law: str) -> dict[str, Any]:
 def _row(head: dict, ranges: Mapping, given: Mapping[str, np.ndarray], ratio: np.ndarray, nothing: str) -> dict[str, Any]:
     """Return one dictionary of `film_errors`.
 
-    head: its law and reference. ranges: measured range of each parameter. given: values of these parameters, by name. ratio:
-    computed area over exact area. nothing: the reason to state if no error is known and no parameter is out of range.
+    head: the entries law and against. ranges: measured range of each parameter. given: values of these parameters, by name.
+    ratio: computed area over exact area. nothing: the reason to state if no error is known and no parameter is out of range.
     """
     row, outside = head | {"near": {name: _ends(values) for name, values in given.items()}}, _outside(ranges, given)
     if np.isnan(ratio).all():
@@ -78,9 +78,9 @@ def _row(head: dict, ranges: Mapping, given: Mapping[str, np.ndarray], ratio: np
 
 
 def _on_maps(problem: Problem, law: str) -> tuple[MapFilmErrors | None, dict[str, np.ndarray]]:
-    """Return the errors of a film law on solved maps, None if unknown, and the parameters by which they were looked up.
+    """Return the errors of a film law on rough surfaces, and the parameters by which they were looked up, by name.
 
-    law: key of the film law.
+    law: key of the film law. The errors are None if they are unknown.
     """
     groups = problem.groups.resolved()
     if groups.roughness_parameter is None or groups.film_aspect is None:
@@ -100,7 +100,7 @@ _WORDS = {
 
 
 def _outside(ranges: Mapping[str, tuple[float, float]], given: Mapping[str, np.ndarray]) -> str:
-    """Describe the parameters that leave their measured range, with that range; "" if none does.
+    """Describe the parameters with values outside their measured range; return "" if there is none.
 
     ranges, given: measured range and values of each parameter, by name.
     """
@@ -115,12 +115,11 @@ def _outside(ranges: Mapping[str, tuple[float, float]], given: Mapping[str, np.n
 
 
 def on_solved_maps(problem: Problem, points: int) -> ErrorsNear | None:
-    """Return the errors of the area law for films on solved maps with similar films; None for other models.
+    """Return the errors of the area law for films, measured on rough surfaces with similar films; None for other models.
 
-    points: number of loads of each contact, all of which get the same errors. Other models are measured on surfaces without a
-    film. Source: truth/films.csv. A film thinner or thicker than the solved ones gets the errors at the end of the solved
-    range: there the law approaches the law of the bare body, or of the film alone. A modulus outside the solved range increases
-    the distance.
+    points: number of loads of each contact; all of them get the same errors. Source: truth/films.csv. A film thinner or thicker
+    than the measured ones gets the errors at the end of the measured range, because there the law approaches the law of the
+    bare body, or of the film alone. A modulus outside the measured range increases the distance.
     """
     groups = problem.groups.resolved()
     if not problem.record.on_film or groups.roughness_parameter is None or groups.film_aspect is None:
@@ -143,12 +142,13 @@ def on_solved_maps(problem: Problem, points: int) -> ErrorsNear | None:
 
 
 def on_other_kinds(problem: Problem, place: ContactFeatures, found: ErrorsNear, area: np.ndarray) -> ErrorsNear:
-    """Return the errors of the area law for films on surfaces that need not be Gaussian, for a contact without a map.
+    """Return the errors of the area law for films on a surface that may not be Gaussian, for a contact without a map.
 
     place: features of the contact at k points. found: errors of the law on Gaussian surfaces. area: normalised contact area.
-    Other kinds of surface widen the errors as they widen those of the law for bare surfaces, and a stated kind shifts them. The
-    errors of bare surfaces are read at the pressure with the same elastic area (Persson 2001), and at the hardness at which the
-    same fraction of this area flows. The additional errors that a film causes are read from the benchmark surfaces with films.
+    Two further errors widen them. The first is the error of the law for bare surfaces on all kinds of surface, read at the
+    pressure with the same elastic area (Persson 2001), and at the hardness at which the same fraction of this area flows. The
+    second is the additional error due to a film, from the benchmark surfaces with films; it is omitted for the kind "gaussian".
+    If the kind is known, both also shift the mean.
     """
     from stiction.surfaces.theory.widened_area import MEETING
 
@@ -189,10 +189,11 @@ def _pressure_of(share: np.ndarray) -> np.ndarray:
 
 @cache
 def _beyond_bare(known: SolvedSet) -> np.ndarray | None:
-    """Return by how much errors of the area law for films exceed those of the law for bare surfaces, on benchmark surfaces.
+    """Return the errors of the area law for films minus those of the law for bare surfaces, on benchmark surfaces with films.
 
-    The differences of ln(A/solved A) are (coated surfaces, films, loads). The law for bare surfaces is read at the pressure
-    with the same area. The result is None if the set has no such errors.
+    Errors are ln(A/A_ref), with A the area by the law and A_ref by the reference solution; the array is (coated surfaces,
+    films, loads). The law for bare surfaces is read at the pressure with the same area. The result is None if the set has no
+    such errors.
     """
     errors, bare = known.film_errors(_ON_FILM), known.errors(_BARE)
     if errors is None or bare is None:
@@ -205,10 +206,10 @@ def _beyond_bare(known: SolvedSet) -> np.ndarray | None:
 
 
 def shares_on_film(problem: Problem, place: ContactFeatures, area: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the area fraction that the film law gives without plastic flow, and the pressure over the flow pressure.
+    """Return two fractions (k,): real over nominal area without plastic flow, and nominal pressure over flow pressure.
 
-    Both are (k,). place: features of the contact at k points. area: normalised contact area. The law computes the area fraction
-    as a power mean of the two.
+    The film law computes the area fraction as a power mean of the two. place: features of the contact at k points. area:
+    normalised contact area.
     """
     from stiction.laws.rough_surface.rough_on_film import elastic_share  # only coated contacts need this
     from stiction.surfaces.theory.widened_area import MEETING
@@ -220,10 +221,10 @@ def shares_on_film(problem: Problem, place: ContactFeatures, area: np.ndarray) -
 
 
 def a_over_t(problem: Problem, results: Mapping[str, np.ndarray]) -> np.ndarray | None:
-    """Return the mean contact radius over the thickness of one film (n, m).
+    """Return the mean contact radius of an asperity over the thickness of one film (n, m), for n contacts at m points.
 
-    results: normalised arrays by name. The result is None for a bare contact or a model without single asperities, and 0 if the
-    film thickness over the asperity size is unknown, which counts as infinite.
+    results: normalised arrays by name. The result is None for a bare contact or a model without single asperities. It is 0 if
+    the film thickness over the asperity size is unknown, because such a film counts as infinitely thick.
     """
     groups = problem.groups.resolved()
     if "touching_asperities" not in results or groups.film_aspect is None:
@@ -235,7 +236,7 @@ def a_over_t(problem: Problem, results: Mapping[str, np.ndarray]) -> np.ndarray 
 
 
 def _over_radius(problem: Problem) -> np.ndarray:
-    """Return the film thickness over the asperity radius (n, 1), computed from other groups.
+    """Return the film thickness over the asperity radius (n, 1), computed from two other dimensionless groups.
 
     With thickness t, radius R and rms height sigma it is (t/sqrt(R sigma))^2 over t/sigma. If unknown, the value 1 is returned,
     which is far outside the measured range.
@@ -250,7 +251,7 @@ def _ends(values: np.ndarray) -> list[float]:
 
 
 def as_attributes(problem: Problem, results: Mapping[str, np.ndarray]) -> dict[str, str]:
-    """Return the measured errors of the film law as an attribute of a result, in JSON text, which a netCDF file can store."""
+    """Return the measured errors of the film law as one attribute of a result, a JSON text that a netCDF file can store."""
     return {"measured_film_error": json.dumps(film_errors(problem, results))}
 
 

@@ -1,8 +1,9 @@
 """Read tables of the measured errors of elastic film laws, by film modulus and film thickness.
 
-`python truth/film_laws.py` makes two tables. One compares each law on a sphere with the exact solution of a sphere on a film.
-The other compares sums over asperities, and the area law of a film, with layered boundary elements on rough surfaces. Both
-tables hold ratios, which are interpolated in double-logarithmic scale. Films that flow plastically are not included.
+`python truth/film_laws.py` makes two tables. The first compares each law on a sphere with the exact solution of a sphere on a
+film. The second compares sums over asperities, and the area law of a film, with layered boundary elements on rough surfaces.
+Both tables hold ratios of a result to the reference. The first table is interpolated in double-logarithmic scale, the second is
+looked up by ranges of the parameters. Films that flow plastically are not included.
 """
 
 import csv
@@ -38,9 +39,9 @@ class SphereFilmErrors(NamedTuple):
 
 
 class MapFilmErrors(NamedTuple):
-    """Store the errors of a film law on solved maps, as arrays of one shape.
+    """Store the errors of a film law on rough surfaces, as arrays of one shape.
 
-    The error is the ratio of the contact area to the solved area at the same load. mean: its geometric mean over the maps. rms:
+    The error is the contact area over the reference area at the same load. mean: its geometric mean over the surfaces. rms:
     root mean square of its logarithm. Both are NaN outside the measured range.
     """
 
@@ -84,11 +85,11 @@ def on_maps(law: str, options: Mapping[str, str], n_E: np.ndarray, thickness: np
 
 
 def summary(law: str) -> list[dict[str, Any]]:
-    """Return the errors of a film law on a sphere, as a list of dictionaries, one for each set of options.
+    """Return the errors of a film law on a sphere, as one dictionary for each set of options.
 
-    Each holds the options, a few values of n_E and a/t (film modulus ratio, contact radius over thickness), and tables (n_E,
-    a/t) of the relative error of the area at a given load and of the load at a given approach. The list is empty if the law was
-    not measured.
+    A dictionary holds the options, a few values of n_E and a_over_t (film modulus ratio, contact radius over thickness), and
+    two tables (n_E, a_over_t): relative error of the area at a given load, and of the load at a given approach. The list is
+    empty if the law was not measured.
     """
     found = []
     for key, options in _sphere():
@@ -105,7 +106,7 @@ def summary(law: str) -> list[dict[str, Any]]:
 def _of(table: Mapping, law: str, options: Mapping[str, str]):
     """Return the table entry of a film law with these options; None if there is none.
 
-    table: entries by (key of the law, "option value" or "").
+    table: entries by (key of the law, text "option value", or "" for any options).
     """
     for (key, chosen), rows in table.items():
         name, _, value = chosen.partition(" ")
@@ -116,9 +117,10 @@ def _of(table: Mapping, law: str, options: Mapping[str, str]):
 
 @cache
 def _sphere() -> dict[tuple[str, str], Any]:
-    """Return an interpolator for each (law, options): ln of the error ratios of area and load over ln of n_E, a/t and t/R.
+    """Return an interpolator of the errors on a sphere for each (law, options).
 
-    n_E: film modulus over substrate modulus. a: contact radius, t: film thickness, R: sphere radius.
+    It takes ln of n_E, a/t and t/R, and returns ln of the ratios to the exact area and load. n_E: film modulus over substrate
+    modulus. a: contact radius, t: film thickness, R: sphere radius.
     """
     from scipy.interpolate import RegularGridInterpolator
 
@@ -140,7 +142,7 @@ def _maps() -> dict[tuple[str, str], list[list[float]]]:
 def _numbers(path: Path, columns: Sequence[str]) -> dict[tuple[str, str], list[list[float]]]:
     """Read a CSV file of errors; return the numbers of its rows for each (law, options).
 
-    columns: names of the columns; those after the first two are numbers, and an empty field counts as 1.
+    columns: names of all columns. Those after the first two are numbers; an empty field counts as 1.
     """
     found: dict[tuple[str, str], list[list[float]]] = {}
     with path.open(encoding="utf-8") as file:

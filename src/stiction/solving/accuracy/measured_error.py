@@ -1,18 +1,20 @@
-"""Estimate the error of a model at a contact from its errors on similar surfaces whose contact was solved.
+"""Estimate the error of a model at a contact from its errors on similar benchmark surfaces.
 
-The benchmark set (docs/explanation/truth.md) holds the solved contact area of many surfaces, and the area by every model and
-asperity method, at a range of mean pressures, hardnesses and films. The errors of each surface are interpolated to the pressure
-and hardness of the contact, both over E* h' (h': rms slope), and then averaged over the surfaces with the weight exp(-d^2/2).
-The distance d counts differences in Nayak's alpha and, for a map, in skewness, lay and the slope of its top. For a contact
-given by numbers the kind of surface is not known: its mean error is computed over Gaussian surfaces, for which models are
-ranked, and its interval over all kinds: skewed, worn, with a lay, with two wave bands. If the kind is stated, mean and interval
-are computed over surfaces of that kind.
+The benchmark set (docs/explanation/truth.md) holds many surfaces. For each it holds the contact area by a reference solution,
+and by every model and asperity method, at a range of mean pressures, hardnesses and films. The errors on each surface are
+interpolated to the pressure and hardness of the contact, both over E* h' (E*: contact modulus, h': rms slope). They are then
+averaged over the surfaces with the weight exp(-d^2/2). The distance d counts differences in Nayak's alpha and, for a map, in
+skewness, lay and the slope of its highest parts.
+
+For a contact given by numbers the kind of surface is unknown. Its mean error is then computed over Gaussian surfaces, for which
+models are ranked. Its interval is computed over all kinds: skewed, worn, with a lay, with two wave bands. If the kind is
+stated, mean and interval are computed over surfaces of that kind.
 
 Friction of an interface is its shear strength times the area, so it has the error of the area. The error is smaller if the
 strength rises with pressure, and unknown if the stated strength exceeds the strength of the bodies. The set has no adhesion.
 
-A solution on the map itself has a discretisation error. If the map is a window of a larger surface, it is one sample of it, and
-has the error of this sample too.
+A solution on the map itself has a discretisation error. If the map is a window of a larger surface, it also has a sampling
+error.
 """
 
 import json
@@ -38,7 +40,7 @@ if TYPE_CHECKING:
     from stiction.solvers.boundary_elements.map_area import MapArea
     from stiction.surfaces.heightmap import HeightMap
 
-FAR = 2.0  # distance beyond which a solved surface says nothing about a contact
+FAR = 2.0  # distance beyond which a benchmark surface says nothing about a contact
 _MOST_ADHESION = 0.1  # largest adhesion over load for which errors are used, because the set has no adhesion
 _FULL = 1.0  # pull over load where the load is 0
 _LEAST_SHARE = 0.8  # least part of the compliance of the coated body, because in the set the other body is rigid
@@ -56,17 +58,18 @@ _SUM = "greenwood_williamson_1966"
 
 @dataclass(frozen=True)
 class MeasuredErrors:
-    """Store the measured errors of a model's contact area A at k points (contacts at a load); arrays (k,) unless stated.
+    """Store the measured errors of a model's contact area at k points (one contact at one load); arrays are (k,) unless stated.
 
-    levels: quantiles (k, 5) at the probabilities errors_near.LEVELS of ln(A/solved A) over the nearest surfaces, however far
-    they are; NaN where nothing was measured. relative: root mean square of A/solved A - 1 over these surfaces. area: mean of
-    ln(A/solved A) over surfaces of the stated kind, or over Gaussian surfaces if neither map nor kind is known. friction: error
-    of ln mu due to the area, for laws of the interface. distance: distance of the nearest solved surface. surfaces: number of
-    surfaces that count. trust: 1 for a near surface, 0 where nothing was measured, continuous between. sample: standard error
-    of ln A because the map is one window of a larger surface, for models that solve the map. column: model and asperity method.
-    why_not: why no error is known at some points, "" if all are known. nearest: a function for each point that returns in words
-    how the nearest surface differs, "" if it hardly does. kind_known: whether the map or the user gives the kind of surface.
-    kind: the stated kind, for a contact without a map.
+    The error is ln(A/A_ref), with A the area by the model and A_ref by the reference solution. column: model and asperity
+    method. area: mean of the error over benchmark surfaces of the stated kind, or over Gaussian surfaces if neither map nor
+    kind is known. levels (k, 5): quantiles of the error at the probabilities errors_near.LEVELS over the nearest surfaces,
+    however far they are; NaN where nothing was measured. relative: root mean square of A/A_ref - 1 over these surfaces.
+    friction: error of ln(mu) due to the area, for laws of the interface. distance: distance of the nearest surface. surfaces:
+    number of surfaces with a noticeable weight. trust: 1 for a near surface, 0 where nothing was measured, continuous between.
+    sample: standard error of ln(A) because the map is one window of a larger surface, for models that solve the map. why_not:
+    why no error is known at some points, "" if all are known. nearest: for each point a function that describes how the nearest
+    surface differs, or returns "" if it hardly does. kind_known: whether the map or the user gives the kind of surface. kind:
+    the stated kind, for a contact without a map.
     """
 
     column: str
@@ -85,12 +88,12 @@ class MeasuredErrors:
 
     @property
     def low(self) -> np.ndarray:
-        """Return the 5 % quantile of the area error ln(A/solved A) at each point; NaN where no similar surface was solved."""
+        """Return the 5 % quantile of the error ln(A/A_ref) at each point; NaN where no benchmark surface is similar."""
         return np.where(np.isfinite(self.area), self.levels[:, 0], np.nan)
 
     @property
     def high(self) -> np.ndarray:
-        """Return the 95 % quantile of the area error ln(A/solved A) at each point; NaN where no similar surface was solved."""
+        """Return the 95 % quantile of the error ln(A/A_ref) at each point; NaN where no benchmark surface is similar."""
         return np.where(np.isfinite(self.area), self.levels[:, -1], np.nan)
 
     @property
@@ -99,11 +102,12 @@ class MeasuredErrors:
         return bool(np.isfinite(self.area).any())
 
     def as_data(self) -> dict[str, Any]:
-        """Return the relative errors as data for JSON, by name.
+        """Return the errors as data for JSON, by name.
 
-        The data are the mean error of area and of mu, the 5 % and 95 % quantiles and the root mean square of the area error,
-        the standard error of the sample, and the distance. Each is a list over the points, None where nothing was measured; all
-        are empty if no surface was compared with any point.
+        Lists over the points, None where nothing was measured: mean relative error of area and of mu, 5 % and 95 % quantiles
+        and root mean square of the relative area error, standard error of the sample, distance, and number of surfaces. These
+        lists are empty if no point has a benchmark surface. Single values: the name of the model in the benchmark set, the kind
+        of surface and whether it is known, and why no error is known.
         """
         some = slice(None) if np.isfinite(self.distance).any() else slice(0)
         return {
@@ -171,8 +175,8 @@ def column_of(problem: Problem) -> str:
 def measured_errors(problem: Problem, results: Mapping[str, np.ndarray], most_points: float = _MOST_POINTS) -> MeasuredErrors:
     """Return the measured errors of a model at the points of normalised results.
 
-    results: arrays by name, with the dimensions of the contacts first. The errors have one dimension, over all contacts and
-    points. most_points: no errors are looked up if there are more points.
+    results: arrays by name, with the dimensions of the contacts first. The errors are flat arrays over all contacts and points.
+    most_points: no errors are looked up if there are more points.
     """
     load, area = (np.asarray(results[name]).reshape(len(problem.groups), -1) for name in ("load", "contact_area"))
     column = column_of(problem)
@@ -204,7 +208,7 @@ def measured_errors(problem: Problem, results: Mapping[str, np.ndarray], most_po
 
 
 def _of_solution(problem: MapProblem, load: np.ndarray, area: np.ndarray, most_points: float) -> MeasuredErrors:
-    """Return the errors of a solution on the map itself: the discretisation error and the error of the sample.
+    """Return the errors of a solution on the map itself: the discretisation error and the sampling error.
 
     load, area: normalised (1, m).
     """
@@ -226,8 +230,8 @@ def _share(problem: Problem, area: np.ndarray) -> np.ndarray:
 def _own_error(surface: "HeightMap", share: np.ndarray, every_point: bool = False) -> np.ndarray:
     """Return the standard deviation (k,) of ln of a contact area that was solved on a map, due to the point spacing.
 
-    It depends on the number of points in contact, or on the formula used in place of the solution. share: area fraction (k,).
-    every_point: whether all points of the map are solved, or only a sample.
+    It depends on the number of points in contact. For a map too large to be solved, it is the error of the formula that
+    replaces the solution. share: area fraction (k,). every_point: whether all points of the map are solved, or only a sample.
     """
     area = _map_area(surface)
     if not area.solvable and not every_point:
@@ -262,7 +266,7 @@ def _sample_error(surface: "HeightMap", place: ContactFeatures, most_points: flo
 
 
 def _near(problem: Problem, column: str, place: ContactFeatures, points: int, area: np.ndarray) -> ErrorsNear | None:
-    """Return the errors measured near each point of the contacts; None for a model that was not measured.
+    """Return the errors of the model at each point of the contacts; None for a model that was not measured.
 
     column: "model|asperity method". place: features of the contact at all points. points: number of loads of each contact.
     area: normalised contact area.
@@ -275,10 +279,11 @@ def _near(problem: Problem, column: str, place: ContactFeatures, points: int, ar
 
 
 def _on_other_maps(problem: Problem, place: ContactFeatures, points: int, area: np.ndarray) -> ErrorsNear | None:
-    """Return the errors of an area law for films, measured on maps with films; None if it was not measured.
+    """Return the errors of an area law for films, measured on rough surfaces with films; None if it was not measured.
 
-    Source: truth/films.csv. The errors are zero for a closed form whose own map is solvable. Without a map they are wider, as
-    the surface may not be Gaussian like the maps; a stated kind shifts them. points: loads per contact.
+    Source: truth/films.csv. If the law solves the contact's own map, the errors are 0, because the discretisation error is
+    added later. Without a map they are wider, because the surface may not be Gaussian; a stated kind shifts them. points: loads
+    per contact.
     """
     found = on_solved_maps(problem, points)
     surface = problem.map if isinstance(problem, ClosedFormProblem) else None
@@ -294,7 +299,7 @@ def _map_area(surface: "HeightMap") -> "MapArea":
 
 
 def _none_but_own(found: ErrorsNear) -> ErrorsNear:
-    """Return errors of zero at distance zero, for a solution of the map; its discretisation error is added later.
+    """Return errors of zero at distance zero, for a model that solves the map; its discretisation error is added later.
 
     found: errors, from which the shapes and the other fields are copied.
     """
@@ -310,9 +315,11 @@ def _unknown(column: str, points: int, why: str) -> MeasuredErrors:
 
 
 def _far(distance: np.ndarray, nearest: np.ndarray) -> str:
-    """Return why no error is known: unlike films, a nearest surface that is too different (and how), or an unreachable load.
+    """Return the reason, as text, why no error is known at some points.
 
-    distance (k,): of the nearest solved surface at k points. nearest: for each point a function that returns the difference.
+    The reason is a film that the benchmark set does not contain, a nearest surface that is too different (with the difference),
+    or a load that the model cannot carry. distance (k,): distance of the nearest benchmark surface at k points. nearest: for
+    each point a function that describes the difference.
     """
     at = int(np.argmin(distance))
     if math.isinf(distance[at]):
@@ -331,7 +338,7 @@ def _why_not(problem: Problem, column: str, points: int, most_points: float) -> 
 
 
 def _adhesion(problem: Problem, results: Mapping[str, np.ndarray]) -> tuple[float, str]:
-    """Return how well solved surfaces without adhesion represent the contact, from 1 to 0, and the reason if they do not.
+    """Return how far errors measured without adhesion apply to the contact, from 1 (fully) to 0, and the reason if they do not.
 
     The reason is "" if adhesion and the pull of menisci are small compared with the load.
     """
@@ -355,7 +362,7 @@ def _largest(share: np.ndarray | None) -> float:
 
 
 def _on_film(known: SolvedSet, column: str, place: ContactFeatures, problem: Problem) -> ErrorsNear | None:
-    """Return the model's errors on benchmark surfaces with a film near each point; None if it was not measured there.
+    """Return the errors of a model on benchmark surfaces with a film, at each point; None if it was not measured there.
 
     On these surfaces one body has an elastic film and the other is rigid.
     """
@@ -374,8 +381,8 @@ def _on_film(known: SolvedSet, column: str, place: ContactFeatures, problem: Pro
 def _of_friction(problem: Problem, results: Mapping[str, np.ndarray], error: np.ndarray) -> np.ndarray:
     """Return the error (k,) of ln mu that follows from the error of the area, for laws mu = tau_0 A/P + beta.
 
-    error: ln(A/solved A) (k,) of the contact area A. tau_0: shear strength, P: load, beta: pressure coefficient. The result is
-    NaN for other friction laws.
+    error: ln(A/A_ref) (k,) of the contact area A. tau_0: shear strength, P: load, beta: pressure coefficient. The result is NaN
+    for other friction laws.
     """
     tangential = problem.chosen.tangential
     if tangential is None or not tangential.interfacial or "friction_force" not in results:

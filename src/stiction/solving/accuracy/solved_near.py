@@ -1,7 +1,7 @@
-"""Measure how far a contact is from each solved surface of the benchmark set, and describe the nearest one.
+"""Measure how far a contact is from each surface of the benchmark set, and describe the nearest one.
 
-The distance is the root of the sum of squared differences in features such as Nayak's alpha. Each difference is divided by a
-unit, for example 0.5 for ln(alpha). The units are listed below.
+The distance is the square root of the sum of squared differences in features such as Nayak's alpha. Each difference is divided
+by a scale, for example 0.5 for ln(alpha). The scales are listed below.
 """
 
 import math
@@ -24,7 +24,7 @@ _LEAST_TOP = 0.03
 # Differences that count as 1 if numbers are stated in place of a map: of skewness, ln(kurtosis) and ln(Str). Smaller units
 # narrow the interval, but it then contains too few areas of surfaces with a lay, if each design of the set is left out in turn.
 _STATED = {"skewness": 0.35, "kurtosis": 0.3, "texture_aspect_ratio": 0.25}
-_ALIKE, _FEWEST = 2.0, 8  # to have a kind, a map must be closer than this to a solved surface, with so many points on a side
+_ALIKE, _FEWEST = 2.0, 8  # to have a kind, a map must be closer than this to a benchmark surface, with so many points on a side
 _PRESSURE = 1.4  # difference of ln(pressure) above the solved pressures that counts as 1
 # The same below the lightest pressure, where area over load hardly changes (truth/light.csv), and at hardnesses over E* h'
 # below the second number, where all points flow.
@@ -44,13 +44,13 @@ _OVER_STIFFNESS, _OVER_HARDNESS = "nominal pressure over E* times rms slope", "n
 
 @dataclass(frozen=True)
 class ContactFeatures:
-    """Store the features that are compared with solved surfaces, at k points (a contact at a load each).
+    """Store the features of a contact that are compared with benchmark surfaces, at k points (one contact at one load).
 
-    pressure, hardness (k,): divided by E* h', with h' the rms slope. alpha (k,): Nayak's parameter. shape: skewness, lay and
-    slope of the top of the map; None without a map. modulus (k,): film modulus over substrate modulus. thickness (k,): of the
-    film over sqrt(m2/m4), with the spectral moments m2 and m4. Both are None without a film. kind: the stated kind of surface,
-    for a contact without a map. stated: stated statistics of the surface, by their names in surfaces.roughness.SHAPE, for a
-    contact without a map.
+    pressure, hardness (k,): divided by E* h', with the contact modulus E* and the rms slope h'. alpha (k,): Nayak's parameter.
+    shape: skewness, lay (ratio of largest to smallest rms slope) and relative slope of the highest parts of the map; None
+    without a map. modulus (k,): film modulus over substrate modulus. thickness (k,): film thickness over sqrt(m2/m4), with the
+    spectral moments m2 and m4. Both are None without a film. kind: the stated kind of surface, for a contact without a map.
+    stated: stated statistics of the surface, by their names in surfaces.roughness.SHAPE, for a contact without a map.
     """
 
     pressure: np.ndarray
@@ -75,9 +75,10 @@ class ContactFeatures:
 
     @classmethod
     def of(cls, problem: Problem, load: np.ndarray, surface: "HeightMap | None" = None) -> "ContactFeatures":
-        """Return the features of n contacts at normalised loads (n, m), at k = n m points.
+        """Compute the features of n contacts at normalised loads (n, m), as k = n m points.
 
-        surface: the height map of the contact; None for the contact's own map, or for roughness numbers if it has none.
+        surface: the height map of the contact. If it is None, the contact's own map is used, or its roughness numbers if it has
+        no map.
         """
         groups, points = problem.groups, load.shape[1]
         density = groups.roughness_parameter[:, None]
@@ -98,8 +99,8 @@ class ContactFeatures:
 def _of_map(surface: "HeightMap", problem: Problem, load: np.ndarray):
     """Return pressure/(E* h'), hardness/(E* h'), Nayak's alpha and the shape of a contact whose map is known.
 
-    h' is the rms gradient. load: normalised loads. The shape has three numbers: the skewness of the heights, the lay (ratio of
-    largest to smallest rms slope), and the rms gradient of the highest 5 % over h'.
+    E* is the contact modulus and h' the rms gradient. load: normalised loads. The shape has three numbers: the skewness of the
+    heights, the lay (ratio of largest to smallest rms slope), and the rms gradient of the highest 5 % over h'.
     """
     from stiction.solvers.boundary_elements.map_area import map_area  # only contacts with a map need this
     from stiction.surfaces.asperity_set import skewness
@@ -117,10 +118,10 @@ def _of_map(surface: "HeightMap", problem: Problem, load: np.ndarray):
 
 
 def _film_of(groups: Groups, points: int) -> tuple[np.ndarray, np.ndarray]:
-    """Return film modulus over substrate modulus, and film thickness over sqrt(m2/m4), each (k,), k = n m.
+    """Return film modulus over substrate modulus, and film thickness over sqrt(m2/m4), each (k,), for k = n m points.
 
-    There are n contacts at m loads each; points: number m of loads. sqrt(m2/m4) = 1/sqrt(6 pi sqrt(3) N) with asperity density
-    N (Nayak 1971); film_aspect is t/sqrt(R sigma).
+    groups: of n contacts. points: number m of loads of each contact. The spectral moments follow from the asperity density N:
+    sqrt(m2/m4) = 1/sqrt(6 pi sqrt(3) N) (Nayak 1971). The group film_aspect is t/sqrt(R sigma), with film thickness t.
     """
     thickness = groups.film_aspect * np.sqrt(6.0 * math.pi * math.sqrt(3.0) * groups.roughness_parameter)
     return np.repeat(groups.film_modulus, points), np.repeat(thickness, points)
@@ -128,10 +129,11 @@ def _film_of(groups: Groups, points: int) -> tuple[np.ndarray, np.ndarray]:
 
 @dataclass(frozen=True)
 class Difference:
-    """Store how k points of a contact differ from s solved surfaces in one feature.
+    """Store how k points of a contact differ from s benchmark surfaces in one feature.
 
-    names: name of the feature (k or 1,). ours: value at each point (k or 1,). theirs: value of each surface, (k or 1, s).
-    squared: contribution to the squared distances (k or 1, s). For films theirs and squared have a last dimension, the films.
+    Arrays have the length 1 in place of k if they are the same for all points. names (k,): name of the feature. ours (k,):
+    value at each point. theirs (k, s): value of each surface. squared (k, s): contribution to the squared distances. For films,
+    theirs and squared have a third dimension over the films.
     """
 
     names: np.ndarray
@@ -141,7 +143,7 @@ class Difference:
 
 
 def _difference(name: str, ours: float | np.ndarray, theirs: np.ndarray, squared: np.ndarray) -> Difference:
-    """Return the difference of points from the solved surfaces in the feature `name`.
+    """Build the `Difference` of points from the benchmark surfaces in the feature `name`.
 
     ours: value at the points. theirs, squared: values of the surfaces and squared distances, (k, s), or (s,) if they are the
     same for all points.
@@ -150,9 +152,10 @@ def _difference(name: str, ours: float | np.ndarray, theirs: np.ndarray, squared
 
 
 def differences(known: SolvedSet, place: ContactFeatures) -> list[Difference]:
-    """Return the differences between k points of a contact and every solved surface, one for each feature.
+    """Return the differences between k points of a contact and every benchmark surface, one for each feature.
 
-    With a map, Nayak's alpha, skewness, lay and top are compared; otherwise alpha and the stated statistics.
+    With a map the features are Nayak's alpha, skewness, lay and slope of the highest parts; otherwise alpha and the stated
+    statistics.
     """
     theirs = known.feature("alpha")
     apart = ((np.log(theirs) - np.log(place.alpha)[:, None]) / _SCALES["alpha"]) ** 2
@@ -163,10 +166,10 @@ def differences(known: SolvedSet, place: ContactFeatures) -> list[Difference]:
 
 
 def _of_stated(known: SolvedSet, name: str, ours: float) -> Difference:
-    """Return the difference between a stated statistic and the statistic of every solved surface (s,).
+    """Return the difference between a stated statistic and the same statistic of every benchmark surface (s,).
 
-    name: of the statistic. ours: its stated value. The texture aspect ratio (Str) of a stretched isotropic surface is one over
-    its lay.
+    name: name of the statistic. ours: its stated value. The texture aspect ratio (Str) of a stretched isotropic surface is one
+    over its lay.
     """
     theirs = 1.0 / known.feature("lay") if name == "texture_aspect_ratio" else known.feature(name)
     apart = theirs - ours if name == "skewness" else np.log(theirs / ours)
@@ -174,7 +177,7 @@ def _of_stated(known: SolvedSet, name: str, ours: float) -> Difference:
 
 
 def _of_shape(known: SolvedSet, shape: tuple[float, float, float]) -> list[Difference]:
-    """Return the differences in skewness, lay and slope of the top between a map and every solved surface (s,).
+    """Return the differences between a map and every benchmark surface in skewness, lay, and slope of the highest parts.
 
     shape: these three numbers of the map.
     """
@@ -189,9 +192,10 @@ def _of_shape(known: SolvedSet, shape: tuple[float, float, float]) -> list[Diffe
 
 
 def kind_of_map(surface: "HeightMap") -> str | None:
-    """Return the kind of surface (a key of OF_KIND) that solved surfaces with similar skewness, lay and top mostly have.
+    """Return the kind of surface (a key of OF_KIND) to which most of the similar benchmark surfaces belong.
 
-    The result is None for a profile, for a map with missing points, and if no solved surface is similar.
+    Surfaces are similar in skewness, lay, and slope of their highest parts. The result is None for a profile, for a map with
+    missing points, and if no benchmark surface is similar.
     """
     from stiction.solvers.boundary_elements.area_estimates import map_slopes  # only contacts with a map need this
     from stiction.surfaces.asperity_set import skewness
@@ -207,7 +211,7 @@ def kind_of_map(surface: "HeightMap") -> str | None:
 
 
 def film_differences(known: SolvedSet, place: ContactFeatures) -> list[Difference]:
-    """Return the differences between k points on films and every film of every coated surface, one for each feature.
+    """Return the differences between k points with a film and every film of every coated benchmark surface, by feature.
 
     Arrays are (k or 1, s, f) for s coated surfaces with f films each.
     """
@@ -234,10 +238,10 @@ def film_differences(known: SolvedSet, place: ContactFeatures) -> list[Differenc
 def pressure_difference(
     known: SolvedSet, pressure: np.ndarray, hardness: np.ndarray
 ) -> tuple[Difference, np.ndarray, np.ndarray]:
-    """Return how far pressures (k,) lie outside the solved ones, and the pressure and hardness (k,) at which errors are read.
+    """Return how far pressures (k,) lie outside the solved range, and pressures and hardnesses (k,) for reading errors.
 
-    pressure, hardness: divided by E* h', with h' the rms slope. Below the smallest hardness of the set all points flow, so only
-    pressure over hardness matters there.
+    pressure, hardness (k,): divided by E* h', with the contact modulus E* and the rms slope h'. Below the smallest hardness of
+    the set all points flow plastically, so only pressure over hardness matters there.
     """
     low, high = float(known["loads"][0]), float(known["loads"][-1])
     softest = float(known["hardnesses"][1:].min())
@@ -252,7 +256,7 @@ def pressure_difference(
 
 
 def squared_distance(found: Iterable[Difference]) -> np.ndarray:
-    """Return the squared distance of each point from each solved surface, summed over features, (k or 1, s).
+    """Add the squared differences in all features; return the squared distance (k or 1, s) of each point from each surface.
 
     For films it is (k or 1, s, f).
     """
@@ -260,7 +264,7 @@ def squared_distance(found: Iterable[Difference]) -> np.ndarray:
 
 
 def nearest_in_words(found: Sequence[Difference], point: int, at: int) -> str:
-    """Describe the largest differences between a point and one solved surface in words.
+    """Describe the features in which a point differs most from one benchmark surface.
 
     For example "the nearest has Nayak's alpha 5 instead of 24". found: differences in all features. point: index of the point.
     at: flat index of the surface.

@@ -1,7 +1,8 @@
-"""Read the benchmark set of solved surfaces, which `make truth` writes into the package (docs/explanation/truth.md).
+"""Read the benchmark set, which `make truth` writes into the package (docs/explanation/truth.md).
 
-An error is the logarithm of a model's contact area over the solved area. Each error is stored in one byte, as its signed square
-root in steps of 1/60. The resolution is then 0.002 at an error of 1 %, and 0.03 at a factor of ten.
+The set holds surfaces whose contact was solved, and the errors of models on them. An error is the logarithm of a model's
+contact area over the solved area. Each error is stored in one byte, as its signed square root in steps of 1/60. The resolution
+is then 0.002 at an error of 1 %, and 0.03 at a factor of ten.
 """
 
 import lzma
@@ -44,11 +45,11 @@ def decoded(codes: np.ndarray) -> np.ndarray:
 
 @dataclass(frozen=True)
 class SolvedSet:
-    """Store the benchmark set of solved surfaces.
+    """Store the benchmark set: surfaces whose contact was solved, and the errors of models on them.
 
     content: arrays by name, as in the file, for s surfaces, h hardnesses (the first is infinite) and p mean pressures.
-    Pressures and hardnesses are divided by E* h', with the contact modulus E* and the rms slope h'. Films on some surfaces are
-    listed by plane-strain modulus over the substrate modulus, and by thickness over the shortest wavelength.
+    Pressures and hardnesses are divided by E* h', with the contact modulus E* and the rms slope h'. Films are listed by
+    plane-strain modulus over the substrate modulus, and by thickness over the shortest wavelength.
     """
 
     content: dict[str, np.ndarray]
@@ -69,7 +70,8 @@ class SolvedSet:
     def of_kind(self, kind: str | None) -> np.ndarray:
         """Return a mask (s,) of the surfaces of a kind, a key of OF_KIND; True everywhere if the kind is None.
 
-        For a mixture of kinds, it is a weight from 0 to 1 instead of a mask: all surfaces of one kind together have its share.
+        For a mixture of kinds the result is a weight from 0 to 1 instead of a mask. The total weights of the kinds are then in
+        proportion to their shares in the mixture.
         """
         if kind is None or kind in OF_KIND:
             return np.ones(len(self["kinds"]), dtype=bool) if kind is None else np.isin(self["kinds"], OF_KIND[kind])
@@ -85,17 +87,17 @@ class SolvedSet:
 
     @cache  # noqa: B019 - there is only one set, which lives as long as the process
     def errors(self, column: str) -> np.ndarray | None:
-        """Return ln(A/solved A) of a model, shape (surfaces, hardnesses, pressures); None if the model was not measured.
+        """Return the errors ln(A/A_ref) of a model (surfaces, hardnesses, pressures); None if the model was not measured.
 
-        column: "model|asperity method". A: contact area.
+        column: "model|asperity method". A: contact area by the model, A_ref: by the reference solution.
         """
         return self._of("columns", "which", "errors", column)
 
     @cache  # noqa: B019
     def film_errors(self, column: str) -> np.ndarray | None:
-        """Return ln(A/solved A) of a model on films, shape (coated surfaces, films, loads); None if the model was not measured.
+        """Return the errors ln(A/A_ref) of a model on films (coated surfaces, films, loads); None if it was not measured.
 
-        column: "model|asperity method". A: contact area.
+        column: "model|asperity method". A: contact area by the model, A_ref: by the reference solution.
         """
         return self._of("film_columns", "film_which", "film_errors", column)
 
