@@ -89,12 +89,12 @@ def from_curve(
     Parameters
     ----------
     load, area : functions of (displacement, *parameters)
-        Load over K R^(1/2) sigma^(3/2) and contact area over pi R sigma at a displacement over sigma. Functions of numbers,
-        smooth between `start` and `end`; they may use `math`, `if`, `min` and `max`.
+        Load in units of K R^(1/2) sigma^(3/2) and contact area in units of pi R sigma, at a displacement in units of sigma.
+        Functions of numbers, smooth between `start` and `end`; they may use `math`, `if`, `min` and `max`.
     start : array (n,)
-        Displacement at which the segment starts, over sigma.
+        Displacement at which the segment starts, in units of sigma.
     end : array (n,) or float
-        Displacement at which it ends, over sigma; infinite for the last segment.
+        Displacement at which it ends, in units of sigma; infinite for the last segment.
     parameters : arrays (n,)
         Parameters, in the order in which both functions take them.
     state : str

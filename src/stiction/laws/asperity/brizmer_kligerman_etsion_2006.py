@@ -22,8 +22,7 @@ pair and $Y=H/k$.
 
 Load and area are continuous at first yield. *Limit* without yield: Hertz's area, and Hertz's load times 1.026 at $\nu=0.3$
 (1.043 at most), because stick makes the contact stiffer. *Unknown*: the exponent $\alpha$ of the area is from memory, and the
-critical area is assumed to be
-$\pi R\omega_c$. The only check of both is the agreement with the [other elastic-plastic
+critical area is assumed to be $\pi R\omega_c$. The only check of both is the agreement with the [other elastic-plastic
 laws](#the-elastic-plastic-laws-side-by-side). *Trap*: a public implementation has $6.82-7.83(\ldots)$, without the $\nu$.
 *Coordinate* of integration: $u=\sqrt w$.
 

@@ -109,7 +109,7 @@ def hardness(radius):
 
 @formula
 def load_ratio(ratio, C, H):
-    """Return the load over the load at first yield, P/P_c.
+    """Return the ratio of the load to the load at first yield, P/P_c.
 
     P/P_c = exp(-ratio^(5/12)/4) ratio^(3/2) + (4 H/C) (1 - exp(-ratio^(5/9)/25)) ratio. ratio: displacement over displacement
     at first yield. C: largest pressure over the yield stress at first yield. H: limiting pressure over the yield stress,

@@ -48,7 +48,7 @@ def resistance(u, w, load, area, eta, shear_strength, strength_variation):
 def tangential_resistance(segment: NormalSegment, groups: Groups) -> TangentialResistance:
     """Return the variance of the friction force of one asperity, as a `TangentialResistance` that the engine can sum.
 
-    groups: dimensionless groups of n contacts. The formula is the same on every segment.
+    segment: not used, because the formula is the same on every segment. groups: dimensionless groups of n contacts.
     """
     return TangentialResistance(resistance, (groups.eta, groups.shear_strength, groups.strength_variation))
 

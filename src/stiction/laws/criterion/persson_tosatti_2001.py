@@ -2,8 +2,8 @@ r"""Criterion for full contact by adhesion, and the effective work of adhesion: 
 
 *Assumes*: elastic half-spaces in full contact, and small slopes. *Source*: [persson_tosatti_2001], as commonly quoted,
 derived again here. Full contact gains the work of adhesion $\gamma$ on the area of the rough face, which is $1+h'^2/2$ times
-the nominal area, and needs the elastic energy $U$ per nominal area of the model
-`persson_tosatti_2001` of rough surfaces. The effective work of adhesion per nominal area is
+the nominal area. It needs the elastic energy $U$ per nominal area that the rough-surface model `persson_tosatti_2001` states.
+The effective work of adhesion per nominal area is
 
 $$
 \gamma_\mathrm{eff}=\gamma\left(1+\tfrac12\int q^2C(q)\,d^2q\right)-\frac{E^*}4\int q\,C(q)\,d^2q
@@ -36,10 +36,10 @@ if TYPE_CHECKING:
 def wavevector_sum(surface: "HeightMap") -> float:
     """Return the integral of q C(q) d^2q of a map [m], with the wavenumber q and the power spectrum C.
 
-    It is the sum of q times the mean square height over all waves of the map. A map that is not periodic needs a window, which
-    weights its middle. The sum is then multiplied by rms height times rms gradient of the map, and divided by the same product
-    of the windowed map; both gradients are differences of neighbouring points. On generated surfaces the mean error is then
-    below 5 %, and the scatter 2 to 8 % instead of 9 to 26 %.
+    It is the sum, over all waves of the map, of q times the mean square height of the wave. A map that is not periodic needs a
+    window, which weights the middle of the map more. The sum is then multiplied by rms height times rms gradient of the map,
+    and divided by the same product of the windowed map; both gradients are differences of neighbouring points. On generated
+    surfaces the mean error is then below 5 %, and the scatter 2 to 8 % instead of 9 to 26 %.
     """
     from stiction.surfaces.spectrum import power_spectrum  # slow to import, because it loads scipy.signal
 

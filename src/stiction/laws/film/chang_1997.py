@@ -3,8 +3,8 @@ r"""A plastic film on an elastic-plastic substrate: after Chang 1997.
 *Assumes* (abstract of [chang_1997]): asperities that reach the substrate follow a modified law of Chang, Etsion and Bogy;
 asperities that touch only the soft film are plastic. *Source*: [chang_1997], its abstract. *Reconstruction*, with any
 asperity law without adhesion for the substrate: up to the displacement $\omega=t$, the film thickness, only the film deforms.
-Beyond, the substrate deforms by $\omega-t$ according to its own law, with the load $P_s$ and the area $A_s$. The film carries
-its hardness on the rest of the area $2\pi R\omega$,
+Beyond, the substrate deforms by $\omega-t$ according to its own law, with the load $P_s$ and the area $A_s$. On the rest of the
+area $2\pi R\omega$ the film carries a pressure equal to its hardness,
 
 $$
 A=2w,\qquad P=\begin{cases}2\eta n_Hw&w<\tau\\P_s(w-\tau)+\eta n_H\left[2w-A_s(w-\tau)\right]&w\ge\tau\end{cases}
@@ -74,9 +74,9 @@ def _rim(normal: Callable, coordinate: Callable, parameters: int) -> tuple[Any, 
 def plastic_film(groups: Groups, law, pull: np.ndarray) -> list[Regime]:
     """Return the regimes (film alone, rim of film around a contact, substrate) of a surface with a plastic film.
 
-    Forces are in the units of the substrate. groups: dimensionless groups of n coated contacts. law: asperity law and
-    tangential law of the substrate (a joining.Law). pull (n,): adhesive force on each touching asperity. The film resists shear
-    only if the tangential law describes the interface.
+    Forces are in units of K R^(1/2) sigma^(3/2), with K = (4/3) E* of the substrate. groups: dimensionless groups of n coated
+    contacts. law: asperity law and tangential law of the substrate (a joining.Law). pull (n,): adhesive force on each touching
+    asperity. The film resists shear only if the tangential law describes the interface.
     """
     laws = len(groups)
     tau = np.broadcast_to(np.asarray(groups.tau, dtype=float), laws)
@@ -96,9 +96,10 @@ def plastic_film(groups: Groups, law, pull: np.ndarray) -> list[Regime]:
 
 
 def regimes(groups: Groups, law) -> list[Regime]:
-    """Return the regimes of a surface with a plastic film without adhesion, in the units of the substrate.
+    """Return the regimes of a surface with a plastic film without adhesion.
 
-    groups: dimensionless groups of n coated contacts. law: asperity law and tangential law of the substrate (a joining.Law).
+    Forces are in units of K R^(1/2) sigma^(3/2), with K = (4/3) E* of the substrate. groups: dimensionless groups of n coated
+    contacts. law: asperity law and tangential law of the substrate (a joining.Law).
     """
     return plastic_film(groups, law, np.zeros(len(groups)))
 

@@ -69,11 +69,11 @@ def graded_regimes(
     n_g: np.ndarray | float = 1.0,
     exponents: tuple[int, int] = (2, 1),
 ) -> list[Regime]:
-    """Return the regimes of a graded film on one body against a rigid body, in the units of the substrate.
+    """Return the regimes of a graded film on one body against a rigid body.
 
-    A regime is the part of the asperity law in which the asperity is elastic or plastic and counts as film or as substrate
-    (PARTS). An asperity counts as film while its displacement is below the film thickness, and as plastic if its elastic mean
-    pressure exceeds the hardness at its depth.
+    Forces are in units of K R^(1/2) sigma^(3/2), with K = (4/3) E* of the substrate. A regime is the part of the asperity law
+    in which the asperity is elastic or plastic and counts as film or as substrate (PARTS). An asperity counts as film while its
+    displacement is below the film thickness, and as plastic if its elastic mean pressure exceeds the hardness at its depth.
 
     substrate, film: groups with the Poisson's ratio, K beta and hardness over yield stress of substrate and film; the adhesion
     indices of `substrate` are used, scaled by n_E, n_H and n_g. n_E, n_H, n_g (n,): modulus, hardness and work of adhesion of
@@ -98,9 +98,10 @@ def _film_regimes(
     n_g: np.ndarray,
     exponents: tuple[int, int],
 ) -> list[Regime]:
-    """Return the regimes of a graded film on one or on both bodies, in the units of the substrate.
+    """Return the regimes of a graded film on one or on both bodies.
 
-    bodies: elastic constants of film and bodies. The other arguments are those of `graded_regimes`.
+    Forces are in units of K R^(1/2) sigma^(3/2), with K = (4/3) E* of the substrate. bodies: elastic constants of film and
+    bodies. The other arguments are those of `graded_regimes`.
     """
     bodies = bodies.without_film(film_aspect > 0.0)  # a film of zero thickness does not count
     n_E = bodies.film_over_bodies
@@ -178,9 +179,10 @@ def _regimes(parameters, tau, parts) -> list[Regime]:
 
 
 def regimes(groups: Groups, law: Law) -> list[Regime]:
-    """Return the regimes of a surface with a graded film, in the units of the substrate.
+    """Return the regimes of a surface with a graded film.
 
-    groups: dimensionless groups of n coated contacts. `law` is not used, because this film law has its own asperity law.
+    Forces are in units of K R^(1/2) sigma^(3/2), with K = (4/3) E* of the substrate. groups: dimensionless groups of n coated
+    contacts. `law` is not used, because this film law has its own asperity law.
     """
     bodies = TwoBodies.of(groups)
     return _film_regimes(

@@ -191,10 +191,10 @@ def segments(groups: Groups) -> list[tuple[NormalSegment, str]]:
 
 
 def regimes(groups: Groups, law: Law) -> list[Regime]:
-    """Return the regimes of a surface whose plastic film is squeezed out of the contacts, in the units of the substrate.
+    """Return the regimes of a surface whose plastic film is squeezed out of the contacts.
 
-    groups: dimensionless groups of n coated contacts. law: its tangential law is used and must be a law of the interface; its
-    asperity law is not used.
+    Forces are in units of K R^(1/2) sigma^(3/2), with K = (4/3) E* of the substrate. groups: dimensionless groups of n coated
+    contacts. law: its tangential law is used and must be a law of the interface; its asperity law is not used.
     """
     tau = parameters(groups)[0]
     as_wide = 0.5 * groups.film_aspect**2  # a = t

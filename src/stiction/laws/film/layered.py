@@ -106,10 +106,11 @@ def elastic(groups: Groups, law: Law) -> NormalSegment:
 
 
 def regimes(groups: Groups, law: Law, hardness: str, soft_film_exponent: str) -> list[Regime]:
-    """Return the regimes of a surface with a bonded film, in the units of the substrate; all load counts as the film's.
+    """Return the regimes of a surface with a bonded film; all load counts as the film's.
 
-    groups: dimensionless groups of n coated contacts. law: asperity law and tangential law. hardness: key of the composite law
-    for the hardness. soft_film_exponent: exponent of that law for a soft film, "1" or "2".
+    Forces are in units of K R^(1/2) sigma^(3/2), with K = (4/3) E* of the substrate. groups: dimensionless groups of n coated
+    contacts. law: asperity law and tangential law. hardness: key of the composite law for the hardness. soft_film_exponent:
+    exponent of that law for a soft film, "1" or "2".
     """
     resolved = groups.resolved()
     record: Any = composites_of("hardness")[hardness]

@@ -31,9 +31,10 @@ from stiction.records.sources import Source
 
 
 def regimes(groups: Groups, law) -> list[Regime]:
-    """Return the regimes of a surface with a plastic film and DMT adhesion, in the units of the substrate.
+    """Return the regimes of a surface with a plastic film and DMT adhesion.
 
-    groups: dimensionless groups of n coated contacts. law: asperity law and tangential law of the substrate (a joining.Law).
+    Forces are in units of K R^(1/2) sigma^(3/2), with K = (4/3) E* of the substrate. groups: dimensionless groups of n coated
+    contacts. law: asperity law and tangential law of the substrate (a joining.Law).
     """
     return plastic_film(groups, law, 2.0 * math.pi * groups.n_g / groups.theta)
 

@@ -164,7 +164,7 @@ def resistance(u, w, load, area, K_beta):
 def tangential_resistance(segment: NormalSegment, groups: Groups) -> TangentialResistance:
     """Return the tangential stiffness of the asperities on a segment, as a `TangentialResistance` that the engine can sum.
 
-    groups: dimensionless groups of n contacts.
+    segment: one smooth part of an asperity law. groups: dimensionless groups of n contacts.
     """
     return TangentialResistance(resistance, (groups.K_beta,), branch=np.array(segment.edges[:, 0]))
 

@@ -103,7 +103,7 @@ def _displaced_by_pressure(body: Film | HalfSpace) -> tuple[float, float]:
 
 
 def _elastic_bodies(contact: Contact) -> tuple[Film | HalfSpace, Film | HalfSpace]:
-    """Return the elastic constants of the two bodies of a contact, first and second; a coated body has its film."""
+    """Return the elastic constants of the first and the second body of a contact: a Film if it is coated, else a HalfSpace."""
     coating = contact.coating
     bare = {
         name: HalfSpace(float(body.youngs_modulus), float(body.poissons_ratio))

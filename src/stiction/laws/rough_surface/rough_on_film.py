@@ -282,7 +282,8 @@ def _unit(surface: "HeightMap", groups: Groups) -> float:
 def compliance_of(groups: Groups, surface: "HeightMap") -> "Compliance":
     """Return the compliance of film and bodies of one contact, for the solver of boundary elements.
 
-    The contact modulus of both bodies without film is 1. Lengths are in m, from the moments of the map `surface`.
+    It is scaled so that the contact modulus of both bodies without film is 1. Lengths are in m, from the moments of the map
+    `surface`.
     """
     from stiction.solvers.boundary_elements.compliance import Compliance, Film  # slow to import
 
@@ -358,7 +359,7 @@ def _bare_curve(surface: "HeightMap", pressure: np.ndarray, slope: float, n_E: f
 
 
 def _single(value: np.ndarray) -> float:
-    """Return the value of a dimensionless group of one contact, an array with one element, as a float."""
+    """Return a dimensionless group of one contact, an array with one element, as a float."""
     return float(np.ravel(value)[0])
 
 

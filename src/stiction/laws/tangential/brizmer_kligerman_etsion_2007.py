@@ -44,8 +44,8 @@ _SPLITS = (8.0, 64.0, 512.0, 4096.0)
 def friction_coefficient(load_ratio):
     """Return the friction coefficient of one asperity in full stick, 0.27 coth(0.27 (P/L_c)^0.35).
 
-    load_ratio: P/L_c, its load over the load at first yield in full stick. The coefficient is 1.0242 at L_c and tends to 0.27
-    for heavy loads.
+    load_ratio: P/L_c, load of the asperity over the load at first yield in full stick. The coefficient is 1.0242 at L_c and
+    tends to 0.27 for heavy loads.
     """
     return 0.27 / math.tanh(0.27 * load_ratio**0.35)
 

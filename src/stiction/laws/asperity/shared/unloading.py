@@ -53,9 +53,9 @@ def unloading_response(w, w_max, w_res, load_max, area_max):
     """Return load and contact area of an asperity in unloading, at the displacement w <= w_max; both are 0 below w_res.
 
     w_max, load_max, area_max: displacement, load and area at the turning point, where unloading begins. w_res: displacement
-    that remains at zero load. With s = (w - w_res)/(w_max - w_res) load and area are P_max s^(3/2) and A_max s, continuous
-    with loading at w_max. If `residual` is not limited to 0, this is Hertz's law P = (4/3) E* R'^(1/2)
-    (omega - omega_res)^(3/2) with the flattened radius R' = 4 E* a_max^3/(3 P_max).
+    that remains at zero load. With s = (w - w_res)/(w_max - w_res) load and area are load_max s^(3/2) and area_max s,
+    continuous with loading at w_max. If `residual` is not limited to 0, this is Hertz's law P = (4/3) E* R'^(1/2) (omega -
+    omega_res)^(3/2) with the flattened radius R' = 4 E* a_max^3/(3 P_max).
     """
     if w <= w_res:
         return 0.0, 0.0

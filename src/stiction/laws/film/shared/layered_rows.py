@@ -59,7 +59,7 @@ def _curves(columns: np.ndarray) -> np.ndarray:
 def _films(n_E: float, bodies: float, first: float, nu: float, nu_first: float, nu_second: float) -> Pair:
     """Return the films on both bodies of one contact; swapped bodies give the same pair.
 
-    The arguments are one column of `columns_of`.
+    The arguments are the elastic constants of the contact, one column of `columns_of`.
     """
     sides = ((first, nu_first), (1.0 - first, nu_second))
     films = [Layer.of(0.5, 2.0 * n_E * share, nu, below) for share, below in sides]

@@ -55,14 +55,14 @@ class TwoBodies:
     def against_rigid(cls, film_over_substrate: np.ndarray, nu_film: np.ndarray, nu_substrate: np.ndarray) -> "TwoBodies":
         """Return the constants of a coated first body against a rigid second body.
 
-        film_over_substrate (n,): reduced modulus of the film over the substrate's. nu_film, nu_substrate (n,): Poisson's
-        ratios.
+        film_over_substrate (n,): reduced modulus of the film over the substrate's. nu_film, nu_substrate (n,): Poisson's ratios
+        of film and substrate.
         """
         ones = np.ones_like(film_over_substrate)
         return cls(film_over_substrate, 0.0 * ones, ones, ones, nu_film, nu_substrate, nu_substrate)
 
     def without_film(self, there: np.ndarray) -> "TwoBodies":
-        """Return the same bodies with the film's modulus replaced by each body's own where the mask `there` (n,) is False."""
+        """Return a copy in which the film has the modulus of the body below it where the mask `there` (n,) is False."""
         first, second = np.where(there, self.first, 1.0), np.where(there, self.second, 1.0)
         return TwoBodies(first, second, self.share, self.films, self.nu, self.nu_first, self.nu_second)
 
@@ -71,7 +71,7 @@ class TwoBodies:
         return self.first, self.second, self.share, self.films, self.nu, self.nu_first, self.nu_second
 
     def bounds(self) -> tuple[np.ndarray, np.ndarray]:
-        """Return the smallest and the largest possible contact modulus over the bare bodies' contact modulus, (n,) each.
+        """Return the smallest and the largest possible ratio (n,) of the contact modulus with films to that in the bare bodies.
 
         The modulus of each coated body is between its own and the film's.
         """
@@ -87,7 +87,7 @@ class TwoBodies:
         return np.where(self.films == 2.0, both, self.first)
 
     def _second(self) -> np.ndarray:
-        """Return the film modulus over the second body's (n,), or 1 if the second body is bare."""
+        """Return the ratio (n,) of the film modulus to the second body's modulus, or 1 if the second body is bare."""
         return np.where(self.films == 2.0, self.second, 1.0)
 
 

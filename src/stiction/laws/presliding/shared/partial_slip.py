@@ -145,7 +145,7 @@ def _sticking(resistance: Callable, own: int) -> Any:
 
 
 def sticking_law(tangential: TangentialLaw) -> TangentialLaw:
-    """Return a tangential law whose resistance is the tangential stiffness of the contacts at zero displacement.
+    """Return a tangential law whose resistance is the tangential stiffness of the contacts at zero tangential displacement.
 
     tangential: law of the strength. Contacts without strength have no stiffness.
     """

@@ -87,7 +87,7 @@ def dragged(x: ArrayLike, y: ArrayLike, z: ArrayLike, nu: ArrayLike) -> Stress:
 
 
 def von_mises(stress: Stress) -> np.ndarray:
-    """Return the von Mises stress, which equals the yield stress of a tensile test at yield.
+    """Return the von Mises stress; a material yields where it equals the yield stress of a tensile test.
 
     stress: the six components (x, y, z, xy, yz, xz); the result has their unit and shape.
     """
