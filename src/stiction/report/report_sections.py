@@ -293,7 +293,7 @@ def _validity_row(warning: ValidityWarning) -> list[str]:
 
 
 def notes(findings: ReportData) -> list[str]:
-    """Return notes on a result: input warnings, benchmark errors, unused inputs, and loads at which mu is not defined."""
+    """Return notes on a result: input warnings, and the notes of `run_notes`, or the warnings of a prediction."""
     warnings = [f"Input warning: {note}" for note in findings.input_warnings]
     if findings.data.attrs.get("model", RECOMMENDED) == RECOMMENDED:
         return [*warnings, *map(letters, findings.data.attrs.get("warnings", []))]
