@@ -278,10 +278,10 @@ class Entry:
 @pytest.fixture
 def outside(monkeypatch):
     monkeypatch.setattr(record_finding, "entry_points", lambda group: [Entry()] if group == "stiction" else [])
-    record_finding._outside.cache_clear()
+    record_finding._from_plug_ins.cache_clear()
     yield OUTSIDE
     monkeypatch.undo()
-    record_finding._outside.cache_clear()
+    record_finding._from_plug_ins.cache_clear()
 
 
 @pytest.mark.filterwarnings("ignore::stiction.InputWarning")  # every point is no asperity, and is said not to be
@@ -320,7 +320,7 @@ def test_one_that_says_it_is_of_summits_comes_after_those_before_it(outside, mon
 
     first = replace(OUTSIDE, order=0, of_summits=True)
     monkeypatch.setattr(Entry, "load", lambda self: first)
-    record_finding._outside.cache_clear()
+    record_finding._from_plug_ins.cache_clear()
     found = dict.fromkeys(methods(), asperities(rough(), "eight_neighbour"))
     assert standing_method(found, dict.fromkeys(found, 100)) == "every_point"
     assert standing_method(found, dict.fromkeys(found, 100) | {"every_point": 3}) == "eight_neighbour"

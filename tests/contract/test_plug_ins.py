@@ -53,11 +53,11 @@ def outside(request, monkeypatch):
         return [Outside(record)]
 
     monkeypatch.setattr(record_finding, "entry_points", entry_points)
-    record_finding._outside.cache_clear()
+    record_finding._from_plug_ins.cache_clear()
     yield record
     assert asked == ["stiction"]
     monkeypatch.undo()
-    record_finding._outside.cache_clear()
+    record_finding._from_plug_ins.cache_clear()
 
 
 def test_a_model_from_outside_appears(outside):
@@ -96,7 +96,7 @@ class TheirError(BaseException):
 def test_a_broken_plug_in_is_named_and_all_else_goes_on(monkeypatch, what):
     sound = replace(next(iter(of_kind(AsperityLaw).values())), key="somebody_2031")
     monkeypatch.setattr(record_finding, "entry_points", lambda group: [Broken(what), Outside(sound)])
-    record_finding._outside.cache_clear()
+    record_finding._from_plug_ins.cache_clear()
     notice.cache_clear()
     try:
         with pytest.warns(Notice, match=r"^the plug-in theirs \(theirs.law:RECORD\) is ignored: [^\n]+$") as said:
@@ -107,7 +107,7 @@ def test_a_broken_plug_in_is_named_and_all_else_goes_on(monkeypatch, what):
         assert len(said) == 1
     finally:
         monkeypatch.undo()
-        record_finding._outside.cache_clear()
+        record_finding._from_plug_ins.cache_clear()
 
 
 @pytest.fixture
@@ -116,12 +116,12 @@ def installed(monkeypatch):
 
     def install(*entries):
         monkeypatch.setattr(record_finding, "entry_points", lambda group: list(entries))
-        record_finding._outside.cache_clear()
+        record_finding._from_plug_ins.cache_clear()
         notice.cache_clear()
 
     yield install
     monkeypatch.undo()
-    record_finding._outside.cache_clear()
+    record_finding._from_plug_ins.cache_clear()
 
 
 def test_a_plug_in_takes_no_name_of_ours_nor_of_another_plug_in(installed):

@@ -116,7 +116,7 @@ def sandbox() -> Iterator[Path]:
             for module in set(sys.modules) - modules:
                 if str(getattr(sys.modules[module], "__file__", "")).startswith(str(folder)):
                     del sys.modules[module]
-            record._outside.cache_clear()
+            record._from_plug_ins.cache_clear()
 
 
 def _install(text: str, folder: Path) -> None:
@@ -129,7 +129,7 @@ def _install(text: str, folder: Path) -> None:
     for group, entries in project["entry-points"].items():
         lines += [f"[{group}]", *(f"{name} = {place}" for name, place in entries.items())]
     (info / "entry_points.txt").write_text("\n".join(lines) + "\n")
-    record._outside.cache_clear()
+    record._from_plug_ins.cache_clear()
 
 
 def refreshed(page: str, examples: list[Example]) -> str:

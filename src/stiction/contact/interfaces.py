@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal, Self, TypedDict
 import numpy as np
 from pydantic import BeforeValidator, Field, model_validator
 
-from stiction.contact.materials import MATERIAL_CLASSES, Material, class_of, notes_left
+from stiction.contact.materials import MATERIAL_CLASSES, Material, class_of, remaining_notes
 from stiction.contact.pair import choose, first_is_softer
 from stiction.quantities.data_files import read_tables
 from stiction.quantities.errors import InputError, field_named, nearest
@@ -132,7 +132,7 @@ class Interface(Input):
         A replaced number loses its source, grade and range. Raises InputError for a bad field.
         """
         kept = {field: grade for field, grade in self.grade.items() if field not in changes}
-        return super().replace(**{"grade": kept} | changes | notes_left(self.source, self.range, changes))
+        return super().replace(**{"grade": kept} | changes | remaining_notes(self.source, self.range, changes))
 
     def listed(self) -> list[tuple[str, str]]:
         """Return (field, text) for the name of this state and each number, with the central 90 % range of its distribution."""

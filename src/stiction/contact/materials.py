@@ -82,7 +82,7 @@ class Material(Input):
 
         A replaced number loses its source and its range. Raises InputError for a bad field.
         """
-        return super().replace(**changes | notes_left(self.source, self.range, changes))
+        return super().replace(**changes | remaining_notes(self.source, self.range, changes))
 
     @property
     def shear_modulus(self) -> "NumberOrArray":
@@ -158,7 +158,7 @@ def material(name: str, /, **changes: "QuantityLike | None") -> Material:
     name = preset_name(name)
     preset = _presets()[name]
     own = {"name": name, "material_class": preset.material_class, **preset.numbers}
-    return Material(**own | changes | notes_left(preset.source, preset.range, changes))
+    return Material(**own | changes | remaining_notes(preset.source, preset.range, changes))
 
 
 def work_of_adhesion(
@@ -232,10 +232,10 @@ def symbols_of(name: str) -> tuple[str, ...]:
     return tuple(symbol for symbol in _presets()[name].symbols if every.count(symbol) == 1)
 
 
-def notes_left(source: Any, ends: Mapping[str, Any], changes: Mapping[str, object]) -> dict[str, Any]:
+def remaining_notes(source: Any, ranges: Mapping[str, Any], changes: Mapping[str, object]) -> dict[str, Any]:
     """Return the fields `source` and `range` of a record after some of its numbers are replaced.
 
-    - source: text, or number -> text; ends: number -> range, before the change
+    - source: text, or number -> text; ranges: number -> range, before the change
     - changes: field -> new value; it may contain `source` and `range`
 
     Replaced numbers lose their source and range, unless the changes state new ones.
@@ -243,7 +243,7 @@ def notes_left(source: Any, ends: Mapping[str, Any], changes: Mapping[str, objec
     if isinstance(source, Mapping):
         source = {field: text for field, text in source.items() if field not in changes}
     given = changes.get("range", {})
-    kept = {field: pair for field, pair in ends.items() if field not in changes}
+    kept = {field: pair for field, pair in ranges.items() if field not in changes}
     return {"source": changes.get("source", source), "range": {**kept, **given} if isinstance(given, Mapping) else given}
 
 

@@ -112,20 +112,20 @@ def _hardening(body: Material):
     return None if body.tangent_modulus is None else body.tangent_modulus / body.youngs_modulus
 
 
-def choose(condition, one, other):
-    """Return `one` where the condition holds, else `other`, elementwise if the condition is an xarray array.
+def choose(condition, if_true, if_false):
+    """Return `if_true` where the condition holds, else `if_false`, elementwise if the condition is an xarray array.
 
-    one, other: numbers, xarray arrays or None. If one of them is None and is selected anywhere, the whole result is None.
+    if_true, if_false: numbers, xarray arrays or None. If one of them is None and is selected anywhere, the result is None.
     """
     if hasattr(condition, "dims"):
-        if one is None or other is None:
-            known, chosen = (one, condition) if other is None else (other, ~condition)
+        if if_true is None or if_false is None:
+            known, chosen = (if_true, condition) if if_false is None else (if_false, ~condition)
             return known if chosen.all() else None
-        dims = {*condition.dims, *getattr(one, "dims", ()), *getattr(other, "dims", ())}
-        for chosen, value in ((condition, one), (~condition, other)):  # usually one value is chosen everywhere: no copy
+        dims = {*condition.dims, *getattr(if_true, "dims", ()), *getattr(if_false, "dims", ())}
+        for chosen, value in ((condition, if_true), (~condition, if_false)):  # usually one value is chosen everywhere: no copy
             if dims == {*getattr(value, "dims", ())} and chosen.all():
                 return value
         import xarray
 
-        return xarray.where(condition, one, other)
-    return one if condition else other
+        return xarray.where(condition, if_true, if_false)
+    return if_true if condition else if_false

@@ -339,7 +339,7 @@ class Approach:
         tension, where = np.empty((2, self._laws))
         roots, plain = np.empty((*targets.shape, 3)), np.empty(self._laws, dtype=np.bool_)
         for some, nodes, way, lowest in [self._only_block] if self._laws <= _BLOCK else self._blocks():
-            tension[some], where[some], plain[some] = lowest[0], lowest[1], _plain(way[1], lowest[0])
+            tension[some], where[some], plain[some] = lowest[0], lowest[1], _covers_approach(way[1], lowest[0])
             _find_roots(way, lowest, targets[some], nodes, roots[some])
         self._lowest = tension, where, plain
         return Starts(tension, where, roots[:, :, 0], roots[:, :, 1], roots[:, :, 2], plain)
@@ -376,7 +376,7 @@ class Approach:
             yield some, nodes, way, lowest
 
 
-def _plain(loads: np.ndarray, tension: np.ndarray) -> np.ndarray:
+def _covers_approach(loads: np.ndarray, tension: np.ndarray) -> np.ndarray:
     """Return for each law (n,) whether the grid of separations covers the whole approach.
 
     Three conditions must hold: the load at the far end is negligible, the largest tension is not at the far end, and the load

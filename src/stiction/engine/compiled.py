@@ -163,10 +163,10 @@ def digest(function: Callable) -> str:
 
     That is its own code and, recursively, the code and values of everything it refers to.
     """
-    return hashlib.sha256(_decides(function, []).encode()).hexdigest()
+    return hashlib.sha256(_description(function, []).encode()).hexdigest()
 
 
-def _decides(value: Any, seen: list[Callable]) -> str:
+def _description(value: Any, seen: list[Callable]) -> str:
     """Return a text that describes everything in a value on which the compiled code depends.
 
     For a function the text holds its own code and, recursively, every value it refers to. For any other value it is the value
@@ -174,7 +174,7 @@ def _decides(value: Any, seen: list[Callable]) -> str:
     """
     function = getattr(value, "py_func", value)
     if isinstance(value, tuple):
-        return f"({', '.join(_decides(item, seen) for item in value)})"
+        return f"({', '.join(_description(item, seen) for item in value)})"
     if isinstance(value, np.ndarray):
         return f"{value.dtype} {value.shape} {value.tobytes()!r}"  # str() of a long array omits its middle
     if isinstance(value, type):
@@ -188,8 +188,8 @@ def _decides(value: Any, seen: list[Callable]) -> str:
     seen.append(function)
     target_options = getattr(value, "targetoptions", {})
     options = sorted((name, sorted(option) if isinstance(option, set) else option) for name, option in target_options.items())
-    inner = [f"{name}={_decides(item, seen)}" for name, item in sorted(_named(function).items())]
-    defaults = _decides(function.__defaults__ or (), seen)
+    inner = [f"{name}={_description(item, seen)}" for name, item in sorted(_referenced(function).items())]
+    defaults = _description(function.__defaults__ or (), seen)
     return f"{function.__name__} {_code(function.__code__, function.__doc__)} {options} {defaults} {inner}"
 
 
@@ -204,7 +204,7 @@ def _code(code: types.CodeType, doc: str | None = None) -> str:
     return f"{code.co_code!r} {constants} {names} {code.co_exceptiontable!r}"
 
 
-def _named(function: types.FunctionType) -> dict[str, Any]:
+def _referenced(function: types.FunctionType) -> dict[str, Any]:
     """Return name -> value of everything that a function refers to in its closure, its module and imported modules."""
     codes, names = [function.__code__], set()
     for code in codes:

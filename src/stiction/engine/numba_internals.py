@@ -47,7 +47,7 @@ class _KernelCache(NullCache):
 
     def __init__(self, compiled: Any, digest: Callable[[Any], str]):
         self._compiled, self._digest_of, self._digest = compiled, digest, ""
-        self._name = next(_laws_of(compiled.py_func), compiled.py_func.__name__.strip("_"))
+        self._name = next(_keys_of_laws(compiled.py_func), compiled.py_func.__name__.strip("_"))
 
     @property
     def cache_path(self) -> str:
@@ -99,14 +99,14 @@ class _KernelCache(NullCache):
         return cache_folder("kernels") / f"{function.__module__}.{function.__name__}-{key}.nbi"
 
 
-def _laws_of(function: Any) -> Iterator[str]:
+def _keys_of_laws(function: Any) -> Iterator[str]:
     """Yield the keys of the laws whose formulas a compiled loop or formula contains (in its closure, searched recursively)."""
     *folders, name = function.__module__.split(".")
     if folders[:2] == ["stiction", "laws"] and len(folders) == 3:
         yield name
     for cell in function.__closure__ or ():
         if isinstance(cell.cell_contents, FunctionType):
-            yield from _laws_of(cell.cell_contents)
+            yield from _keys_of_laws(cell.cell_contents)
 
 
 def _is_trusted() -> bool:

@@ -19,15 +19,15 @@ class Regime:
     (`compiled.formula`). Displacements are in units of sigma, the standard deviation of the heights; loads, areas and
     resistances are in the units of the model.
 
-    parameters: arrays (n,) or numbers, in the order in which `along` takes them. edges: array (n, m + 1) of coordinates. The
-    regime reaches from the first to the last edge; the edges in between are kinks,
+    parameters: arrays (n,) or numbers, in the order in which `along` takes them.
+    edges: array (n, m + 1) of coordinates. The regime reaches from the first to the last edge; the edges in between are kinks,
         at which the integration is split. A pair of edges that does not increase is an empty segment; with it one regime can
         describe segments that are not adjacent.
     branch: coordinates at which the resistance behaves like a square root, or None. An array (n,) applies above the
         coordinate, an array (n, b) on both sides. Near a branch point the integration variable is the square root of the
         distance to it.
-    lowest: lower bound of the displacement. state: state of the asperity, such as "elastic" or "plastic". body: "bare", "film"
-    or "substrate", the body that deforms.
+    lowest: lower bound of the displacement.
+    state: state of the asperity, such as "elastic" or "plastic". body: "bare", "film" or "substrate", the body that deforms.
         Results are reported by state and body.
     touching: whether asperities here count as touching (False avoids counting an asperity on film and substrate twice).
     in_half_space: False if the coating law treats the film as infinitely thick, and the asperity is pressed in too deep

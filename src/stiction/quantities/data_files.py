@@ -12,10 +12,10 @@ GRADES = {
 }
 
 
-def read_tables(room: str, folder: str, kind: str) -> dict[str, dict[str, Any]]:
+def read_tables(subpackage: str, folder: str, kind: str) -> dict[str, dict[str, Any]]:
     """Return the TOML tables [kind.NAME] of all files in a data folder, as a dict NAME -> table.
 
-    - room: subpackage of stiction that contains the folder, such as "contact"
+    - subpackage: name of the subpackage of stiction that contains the folder, such as "contact"
     - folder: name of the folder, such as "material_data"
     - kind: first part of the table names, such as "materials"
 
@@ -23,7 +23,7 @@ def read_tables(room: str, folder: str, kind: str) -> dict[str, dict[str, Any]]:
     table's own entry field by field. Raises ValueError if a NAME occurs in two files.
     """
     tables: dict[str, dict[str, Any]] = {}
-    for file in sorted(resources.files(f"stiction.{room}").joinpath(folder).iterdir(), key=lambda file: file.name):
+    for file in sorted(resources.files(f"stiction.{subpackage}").joinpath(folder).iterdir(), key=lambda file: file.name):
         if not file.name.endswith(".toml"):
             continue
         content = tomllib.loads(file.read_text(encoding="utf-8"))

@@ -12,7 +12,7 @@ class InWords(str):
     """Mark a text as a description of an input value; an error shows this text without quotes."""
 
 
-def _short(value) -> str:
+def _value_as_text(value) -> str:
     """Return an input value as one line of text for an error.
 
     Text is quoted, None becomes "not given", and the middle of a line longer than 80 characters is replaced by "...".
@@ -63,7 +63,7 @@ class InputError(ValueError):
         field, allowed = (re.sub(r"\s+", " ", text) for text in (self.field, self.allowed))
         # If no value is allowed, only the reason is stated.
         reason = allowed if allowed.startswith("not supported") else f"allowed: {allowed}"
-        return "; ".join(filter(None, [f"{field}: {_short(self.value)}", reason, self.hint]))
+        return "; ".join(filter(None, [f"{field}: {_value_as_text(self.value)}", reason, self.hint]))
 
 
 @contextmanager

@@ -8,7 +8,7 @@ _COMMA = re.compile(r"\s*[+-]?\d*,\d[\d,]*")
 _PREFIXES = ("", "p", "n", "u", "m", "k", "M", "G")
 
 
-def with_a_point(text: str) -> str:
+def suggest_decimal_point(text: str) -> str:
     """Return a hint that suggests a decimal point for a number with a decimal comma; "" if `text` has no decimal comma.
 
     For a number with more than one comma, the hint suggests to write it without commas.
@@ -21,7 +21,7 @@ def with_a_point(text: str) -> str:
     return f'; write a decimal point: "{text[:100].strip().replace(",", ".", 1)}"'
 
 
-def meant(number: str, unit: str, quantity: Quantity) -> str:
+def suggest_unit(number: str, unit: str, quantity: Quantity) -> str:
     """Return a hint for an error that suggests the unit the user probably meant; "" if there is no suggestion.
 
     - number, unit: the two parts of the text that the user wrote; unit is "" if missing
@@ -38,7 +38,7 @@ def meant(number: str, unit: str, quantity: Quantity) -> str:
     return _did_you_mean(number, alike[0]) if alike else ""
 
 
-def too_soft(value: object, pascals: float, quantity: Quantity) -> str:
+def suggest_larger_unit(value: object, pascals: float, quantity: Quantity) -> str:
     """Return a hint that suggests a larger unit for a pressure below its lower bound; "" for any other value.
 
     value: the value as the user wrote it, such as "210 mPa". pascals: the same value in Pa. quantity: the expected quantity.

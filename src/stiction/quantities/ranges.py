@@ -17,10 +17,10 @@ _FORM = 'a table of low and high values, e.g. hardness = ["0.3 GPa", "0.5 GPa"]'
 def _read(value: Any) -> dict[str, tuple[float, float]]:
     if not isinstance(value, Mapping):
         raise InputError("", value, _FORM)
-    return {str(name): _ends(name, ends) for name, ends in value.items()}
+    return {str(name): _read_range(name, ends) for name, ends in value.items()}
 
 
-def _ends(name: Any, ends: Any) -> tuple[float, float]:
+def _read_range(name: Any, ends: Any) -> tuple[float, float]:
     """Return (low, high) of a range in SI units, from two numbers or texts with units.
 
     name: key of a quantity in QUANTITIES. ends: list with the low and the high value. Raises InputError for anything else.
@@ -43,7 +43,8 @@ def _ends(name: Any, ends: Any) -> tuple[float, float]:
 
 # Name of a quantity -> (low, high) in SI units; the user states both as numbers or texts with units.
 Ranges = Annotated[
-    dict[str, tuple[float, float]], BeforeValidator(_read, json_schema_input_type=dict[str, tuple[str | float, str | float]])
+    dict[str, tuple[float, float]],
+    BeforeValidator(_read, json_schema_input_type=dict[str, tuple[str | float, str | float]]),
 ]
 
 

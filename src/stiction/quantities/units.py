@@ -20,7 +20,7 @@ from stiction.quantities.dimensions import check_names, coordinate, variable, wi
 from stiction.quantities.errors import InputError, InWords, nearest
 from stiction.quantities.extras import bring_back
 from stiction.quantities.hardness import from_hardness_test
-from stiction.quantities.hints import meant, too_soft, with_a_point
+from stiction.quantities.hints import suggest_decimal_point, suggest_larger_unit, suggest_unit
 from stiction.quantities.quantity import Quantity, in_degrees
 from stiction.quantities.table import QUANTITIES, rows_of_table
 
@@ -196,12 +196,13 @@ def _from_text(text: str, quantity: Quantity) -> float:
         raise InputError(quantity.name, text, allowed)
     match = _NUMBER_AND_UNIT.fullmatch(text) if len(text) <= _LONGEST_TEXT else None
     if match is None or _DECIMAL_COMMA.match(text[:_LONGEST_TEXT]):
-        raise InputError(quantity.name, text, quantity.wanted + with_a_point(text))
+        raise InputError(quantity.name, text, quantity.wanted + suggest_decimal_point(text))
     number, unit = match.groups()
     rounded = float(number)
     if not unit:
         if quantity.unit:
-            raise InputError(quantity.name, text, f"a number with its unit: {quantity.wanted}{meant(number, '', quantity)}")
+            hint = suggest_unit(number, "", quantity)
+            raise InputError(quantity.name, text, f"a number with its unit: {quantity.wanted}{hint}")
         return rounded
     if quantity.unit == "K" and unit in _CELSIUS:
         return round(rounded + _ZERO_CELSIUS, 9)
@@ -226,7 +227,7 @@ def _factor(unit: str, quantity: Quantity, text) -> Fraction:
     except _unit_errors() as error:
         problem = "has another dimension" if isinstance(error, _pint().DimensionalityError) else "is unknown"
         number = text.removesuffix(unit).strip()
-        allowed = f"{quantity.wanted} (the given unit {problem}){meant(number, unit, quantity)}"
+        allowed = f"{quantity.wanted} (the given unit {problem}){suggest_unit(number, unit, quantity)}"
         raise InputError(quantity.name, text, allowed) from None
 
 
@@ -360,7 +361,7 @@ def _check(number, quantity: Quantity, original) -> None:
         worst = float(values[place])
         allowed = quantity.allowed if np.isfinite(worst) else f"finite, {quantity.allowed}"
         shown = _as_given(original, place, worst)
-        raise InputError(quantity.name, shown, allowed + too_soft(shown, worst, quantity))
+        raise InputError(quantity.name, shown, allowed + suggest_larger_unit(shown, worst, quantity))
 
 
 def _as_given(original, place: tuple[int, ...], worst: float):

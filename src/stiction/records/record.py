@@ -82,7 +82,7 @@ _LONG = 10.0  # seconds that a plug-in may take to be imported before a notice n
 
 
 @cache
-def _outside() -> tuple[tuple[Record, str], ...]:
+def _from_plug_ins() -> tuple[tuple[Record, str], ...]:
     """Return (record, name of its module) for every usable record in the installed plug-in packages.
 
     The user gets a notice for each plug-in that cannot be used, and for each whose import takes longer than 10 seconds.
@@ -97,7 +97,7 @@ def _outside() -> tuple[tuple[Record, str], ...]:
         slow.start()
         try:
             record = entry.load()
-            problem = _problem(record, [other for other, _ in loaded])
+            problem = _why_unusable(record, [other for other, _ in loaded])
         except KeyboardInterrupt:
             raise
         except BaseException as error:  # the code of a plug-in may raise anything
@@ -111,7 +111,7 @@ def _outside() -> tuple[tuple[Record, str], ...]:
     return tuple(loaded)
 
 
-def _problem(record: object, others: list[Record]) -> str:
+def _why_unusable(record: object, others: list[Record]) -> str:
     """Return the reason, as text, why an object from a plug-in cannot be used as a record; "" if it can.
 
     others: records of the plug-ins loaded before it, whose keys must not be repeated.
@@ -130,7 +130,7 @@ def plug_in_error(error: BaseException) -> InputError | None:
     """Return an InputError that names the plug-in whose code raised an exception; None if no code of a plug-in was running."""
     modules = {str(frame.f_globals.get("__name__")) for frame, _ in traceback.walk_tb(error.__traceback__)}
     packages = {module.partition(".")[0] for module in modules}
-    for record, module in _outside():
+    for record, module in _from_plug_ins():
         if module.partition(".")[0] in packages:
             said = f"{type(error).__name__}: {error}"
             return InputError(record.keyword or record.kind, record.key, f"a law that works; its plug-in raised {said}")
@@ -138,7 +138,7 @@ def plug_in_error(error: BaseException) -> InputError | None:
 
 
 @cache
-def _inside(folder: str) -> tuple[Record, ...]:
+def _from_package(folder: str) -> tuple[Record, ...]:
     """Return the records in all modules of a Python package; folder: name of the package, such as "stiction.laws.film"."""
     package = importlib.import_module(folder)
     names = [info.name for info in pkgutil.iter_modules(package.__path__, f"{folder}.")]
@@ -148,7 +148,7 @@ def _inside(folder: str) -> tuple[Record, ...]:
 
 def of_kind(kind: type[_R]) -> dict[str, _R]:
     """Return all records of one kind by key, in alphabetical order, with those of plug-ins; kind: a class, such as FilmLaw."""
-    everybody = (*(record for record, _ in _outside()), *_inside(_package(kind)))
+    everybody = (*(record for record, _ in _from_plug_ins()), *_from_package(_package(kind)))
     matches = [record for record in everybody if isinstance(record, kind) and record.kind == kind.kind]
     return {record.key: record for record in sorted(matches, key=lambda record: record.key)}
 
@@ -179,7 +179,7 @@ def text_of(record: Record) -> str:
         module = importlib.import_module(name)
         if getattr(module, "RECORD", None) is record:
             return inspect.getdoc(module) or ""
-    for other, where in _outside():
+    for other, where in _from_plug_ins():
         if other is record:
             return inspect.getdoc(importlib.import_module(where)) or ""
     return ""

@@ -104,11 +104,10 @@ def norms(stresses: Stresses, angles: np.ndarray) -> np.ndarray:
 def table_of_norms(pair: tuple[Layer, ...], bodies: tuple[CoatedBody, ...]) -> np.ndarray:
     """Return ln of the largest von Mises stress in film and body: (2, PLACES, ANGLES).
 
-    pair, bodies: layers and elastic constants of the coated bodies; of two bodies, the larger value is taken. PLACES: contact
-    sizes (p
-    - 1)/(p + 1), p = (a/t)^(1/2), with the contact radius a and the film thickness t. ANGLES: arctan(q/s) for mean traction q
-    and mean pressure s, s^2 + q^2 = 1. The stress in the body is multiplied by 1 + (t/a)^2 before the logarithm is taken, so
-    that the table stays finite for small contacts.
+    pair, bodies: layers and elastic constants of the coated bodies; of two bodies, the larger value is taken. PLACES:
+    contact sizes z = (p - 1)/(p + 1), p = (a/t)^(1/2), with the contact radius a and the film thickness t. ANGLES:
+    arctan(q/s) for mean traction q and mean pressure s, s^2 + q^2 = 1. The stress in the body is multiplied by 1 + (t/a)^2
+    before the logarithm is taken, so that the table stays finite for small contacts.
     """
     whole = np.stack([_table(pair, body) for body in bodies]).max(axis=0)
     with np.errstate(divide="ignore"):
