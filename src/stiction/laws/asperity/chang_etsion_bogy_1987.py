@@ -12,10 +12,10 @@ In SI $\omega_c=(\pi K_HH/(2E^*))^2R$, $A=\pi R\omega(2-\omega_c/\omega)$. The 1
 authors gave the form with $\nu$ in 1988. *Jump*: at $\omega_c$ the mean pressure rises from $\tfrac23K_HH$ to $K_HH$. The
 load is multiplied by 1.5; the area is continuous. *Limit*: `hertz` for $\lambda\to\infty$ (no yield).
 
-*Symbols*: displacement $w=\omega/\sigma$, load $P$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$ over $\pi R\sigma$ of one
-asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$ ($E^*$ contact modulus);
-$\eta=\pi H\sqrt{R/\sigma}/K$ hardness group, $H$ hardness; $\nu$ Poisson's ratio; $\lambda$ plastic adhesion index. [All
-symbols](#1-units).
+*Symbols*: displacement $w=\omega/\sigma$, load $P$ in units of $KR^{1/2}\sigma^{3/2}$ and contact area $A$ in units of
+$\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$
+($E^*$ contact modulus); $\eta=\pi H\sqrt{R/\sigma}/K$ hardness group, $H$ hardness; $\nu$ Poisson's ratio; $\lambda$ plastic
+adhesion index. [All symbols](#1-units).
 """
 
 import numpy as np

@@ -40,9 +40,9 @@ plane between them:
 | 620 MPa | $2.644729276723\cdot10^{-7}$ | $1.982362642132\cdot10^{-5}$ | $6.888366827256\cdot10^{-1}$ |
 | 0 | $2.644729276723\cdot10^{-7}$ | $1.989065002445\cdot10^{-5}$ | $6.885474816181\cdot10^{-1}$ |
 
-*Symbols*: displacement $w=\omega/\sigma$, load $P$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$ over $\pi R\sigma$ of one
-asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$ ($E^*$ contact modulus);
-$\nu$ Poisson's ratio. Full list: [symbols](#1-units).
+*Symbols*: displacement $w=\omega/\sigma$, load $P$ in units of $KR^{1/2}\sigma^{3/2}$ and contact area $A$ in units of
+$\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$
+($E^*$ contact modulus); $\nu$ Poisson's ratio. Full list: [symbols](#1-units).
 """
 
 import math

@@ -29,9 +29,9 @@ $2.8\,(0.454+0.41\nu)$ of Chang et al.:
 The fit of Jackson and Green is within 0.4 % throughout. The other two are linear in $\nu$, with errors up to 2.5 % outside
 $\nu$ = 0.2 to 0.4.
 
-*Symbols*: displacement $w=\omega/\sigma$, load $P$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$ over $\pi R\sigma$ of one
-asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$ ($E^*$ contact modulus);
-$\nu$ Poisson's ratio. Full list: [symbols](#1-units).
+*Symbols*: displacement $w=\omega/\sigma$, load $P$ in units of $KR^{1/2}\sigma^{3/2}$ and contact area $A$ in units of
+$\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$
+($E^*$ contact modulus); $\nu$ Poisson's ratio. Full list: [symbols](#1-units).
 """
 
 import math

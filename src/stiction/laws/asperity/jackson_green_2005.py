@@ -37,10 +37,10 @@ displacement of the pair, so that its $Y/E^*$ is half of the pair's:
 
 The last load agrees to $10^{-11}$ with the limiting pressure of this code, $H_G/Y=2.84-0.92(1-\cos(\pi a/R))$.
 
-*Symbols*: displacement $w=\omega/\sigma$, load $P$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$ over $\pi R\sigma$ of one
-asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$ ($E^*$ contact modulus);
-$\eta=\pi H\sqrt{R/\sigma}/K$ hardness group, $H$ hardness; $k=H/Y$ hardness over yield stress; $\nu$ Poisson's ratio;
-$\varsigma=\sqrt{\sigma/R}$. Full list: [symbols](#1-units).
+*Symbols*: displacement $w=\omega/\sigma$, load $P$ in units of $KR^{1/2}\sigma^{3/2}$ and contact area $A$ in units of
+$\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$
+($E^*$ contact modulus); $\eta=\pi H\sqrt{R/\sigma}/K$ hardness group, $H$ hardness; $k=H/Y$ hardness over yield stress; $\nu$
+Poisson's ratio; $\varsigma=\sqrt{\sigma/R}$. Full list: [symbols](#1-units).
 """
 
 import math

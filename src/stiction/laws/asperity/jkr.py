@@ -25,10 +25,10 @@ displacement over $(\pi^2\gamma^2R/K^2)^{1/3}$:
 *Valid* for Tabor parameters above about 5, without yield. *Limit*: `hertz` for $\theta\to\infty$. *Trap*: some codes write
 $6\pi\gamma R$, where $\gamma$ is the surface energy of one surface, half the work of adhesion.
 
-*Symbols*: displacement $w=\omega/\sigma$, load $P$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$ over $\pi R\sigma$ of one
-asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$ ($E^*$ contact modulus);
-$\theta=K\sigma^{3/2}/(\gamma R^{1/2})$ elastic adhesion index, $\gamma$ work of adhesion; $P_c=\tfrac32\pi\gamma R$ pull-off
-force. Full list: [symbols](#1-units).
+*Symbols*: displacement $w=\omega/\sigma$, load $P$ in units of $KR^{1/2}\sigma^{3/2}$ and contact area $A$ in units of
+$\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$
+($E^*$ contact modulus); $\theta=K\sigma^{3/2}/(\gamma R^{1/2})$ elastic adhesion index, $\gamma$ work of adhesion;
+$P_c=\tfrac32\pi\gamma R$ pull-off force. Full list: [symbols](#1-units).
 """
 
 import math

@@ -20,9 +20,10 @@ $$
 $0.647/K_H$ (+8 % at $\nu=0.3$, from 530.2 to 571.9 $P_c$; +37 % at $\nu=0$, −5 % near $\nu=\tfrac12$) and the area by 1.071.
 *Trap*: a public implementation divides by $R$ in $\omega_c$ where it should multiply. *Coordinate* of integration: $u=\sqrt w$.
 
-*Symbols*: displacement $w=\omega/\sigma$, load $P$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$ over $\pi R\sigma$ of one
-asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$ ($E^*$ contact modulus);
-$\eta=\pi H\sqrt{R/\sigma}/K$ hardness group, $H$ hardness; $\nu$ Poisson's ratio. Full list: [symbols](#1-units).
+*Symbols*: displacement $w=\omega/\sigma$, load $P$ in units of $KR^{1/2}\sigma^{3/2}$ and contact area $A$ in units of
+$\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$
+($E^*$ contact modulus); $\eta=\pi H\sqrt{R/\sigma}/K$ hardness group, $H$ hardness; $\nu$ Poisson's ratio. Full list:
+[symbols](#1-units).
 """
 
 import numpy as np

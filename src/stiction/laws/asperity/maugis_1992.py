@@ -43,9 +43,9 @@ $\mu_T$. *Departure*: here, as for JKR and DMT, an asperity attracts only while 
 source the ring attracts before contact. In unloading the contact lasts until $dw/ds=0$ or, for small $\lambda_M$, until it has
 shrunk to a point.
 
-*Symbols*: displacement $w=\omega/\sigma$, load $P$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$ over $\pi R\sigma$ of one
-asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$ ($E^*$ contact modulus);
-$\theta=K\sigma^{3/2}/(\gamma R^{1/2})$ elastic adhesion index, $\gamma$ work of adhesion;
+*Symbols*: displacement $w=\omega/\sigma$, load $P$ in units of $KR^{1/2}\sigma^{3/2}$ and contact area $A$ in units of
+$\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$
+($E^*$ contact modulus); $\theta=K\sigma^{3/2}/(\gamma R^{1/2})$ elastic adhesion index, $\gamma$ work of adhesion;
 $\mu_T=(R\gamma^2/(E^{*2}\varepsilon^3))^{1/3}$ Tabor parameter, $\varepsilon$ equilibrium distance. Full list:
 [symbols](#1-units).
 """

@@ -14,10 +14,10 @@ $$
 $\theta=10$, $\lambda=1$; both are doubled without adhesion. Under strong adhesion the load falls there; it becomes tensile if
 $\lambda^{1/4}\theta^{-1/6}<0.184$. *Unknown*: the text of the 1994 paper; the law is taken from the 2015 paper.
 
-*Symbols*: displacement $w=\omega/\sigma$, load $P$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$ over $\pi R\sigma$ of one
-asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$ ($E^*$ contact modulus);
-$\theta=K\sigma^{3/2}/(\gamma R^{1/2})$ elastic adhesion index, $\gamma$ work of adhesion; $\eta=\pi H\sqrt{R/\sigma}/K$
-hardness group, $H$ hardness; $\lambda$ plastic adhesion index. Full list: [symbols](#1-units).
+*Symbols*: displacement $w=\omega/\sigma$, load $P$ in units of $KR^{1/2}\sigma^{3/2}$ and contact area $A$ in units of
+$\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$
+($E^*$ contact modulus); $\theta=K\sigma^{3/2}/(\gamma R^{1/2})$ elastic adhesion index, $\gamma$ work of adhesion;
+$\eta=\pi H\sqrt{R/\sigma}/K$ hardness group, $H$ hardness; $\lambda$ plastic adhesion index. Full list: [symbols](#1-units).
 """
 
 import math

@@ -40,11 +40,11 @@ These equations are used when a whole surface is [unloaded](#unloading). The sum
 asperities. *Limit*: `jkr` for $\lambda\to\infty$ (no yield). *Trap*: the contact area is that of JKR at the same displacement;
 it does not grow by plastic flow.
 
-*Symbols*: displacement $w=\omega/\sigma$, load $P$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$ over $\pi R\sigma$ of one
-asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$ ($E^*$ contact modulus);
-$\theta=K\sigma^{3/2}/(\gamma R^{1/2})$ elastic adhesion index, $\gamma$ work of adhesion; $\eta=\pi H\sqrt{R/\sigma}/K$
-hardness group, $H$ hardness; $\lambda$ plastic adhesion index; $\nu$ Poisson's ratio; $k=H/Y$ hardness over yield stress;
-$P_c=\tfrac32\pi\gamma R$ pull-off force. Full list: [symbols](#1-units).
+*Symbols*: displacement $w=\omega/\sigma$, load $P$ in units of $KR^{1/2}\sigma^{3/2}$ and contact area $A$ in units of
+$\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$
+($E^*$ contact modulus); $\theta=K\sigma^{3/2}/(\gamma R^{1/2})$ elastic adhesion index, $\gamma$ work of adhesion;
+$\eta=\pi H\sqrt{R/\sigma}/K$ hardness group, $H$ hardness; $\lambda$ plastic adhesion index; $\nu$ Poisson's ratio; $k=H/Y$
+hardness over yield stress; $P_c=\tfrac32\pi\gamma R$ pull-off force. Full list: [symbols](#1-units).
 """
 
 import math

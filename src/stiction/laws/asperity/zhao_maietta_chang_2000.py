@@ -14,9 +14,9 @@ for $w_1<w<w_2$, and $A=2w$, $P=2\eta w$ above. In SI $\omega_1=(3\pi\cdot0.4H/(
 area are continuous. The authors give 54 as a lower bound of $\omega_2/\omega_1$; as usual, it is used as the ratio itself.
 *Coordinate* of integration: $u=\sqrt w$.
 
-*Symbols*: displacement $w=\omega/\sigma$, load $P$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$ over $\pi R\sigma$ of one
-asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$ ($E^*$ contact modulus);
-$\eta=\pi H\sqrt{R/\sigma}/K$ hardness group, $H$ hardness. Full list: [symbols](#1-units).
+*Symbols*: displacement $w=\omega/\sigma$, load $P$ in units of $KR^{1/2}\sigma^{3/2}$ and contact area $A$ in units of
+$\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$
+($E^*$ contact modulus); $\eta=\pi H\sqrt{R/\sigma}/K$ hardness group, $H$ hardness. Full list: [symbols](#1-units).
 """
 
 import math

@@ -15,10 +15,10 @@ tangential law describes the interface. *Check* of the abstract's statements: at
 and load less; a thin film stiffens a lightly loaded contact. *Unknown*: all equations of the source. *Trap*: even at zero film
 thickness a rim of film around elastic contacts carries load.
 
-*Symbols*: displacement $w=\omega/\sigma$, load $P$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$ over $\pi R\sigma$ of one
-asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$ ($E^*$ contact modulus);
-$\eta=\pi H\sqrt{R/\sigma}/K$ hardness group, $H$ hardness; $n_H$ hardness of the film over the substrate's; $\tau=t/\sigma$
-film thickness. Full list: [symbols](#1-units).
+*Symbols*: displacement $w=\omega/\sigma$, load $P$ in units of $KR^{1/2}\sigma^{3/2}$ and contact area $A$ in units of
+$\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$
+($E^*$ contact modulus); $\eta=\pi H\sqrt{R/\sigma}/K$ hardness group, $H$ hardness; $n_H$ hardness of the film over the
+substrate's; $\tau=t/\sigma$ film thickness. Full list: [symbols](#1-units).
 """
 
 import math

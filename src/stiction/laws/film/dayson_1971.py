@@ -30,10 +30,10 @@ $$
 
 *Unknown*: all equations of the source, including how it computes the penetrated fraction and which shear strengths it uses.
 
-*Symbols*: displacement $w=\omega/\sigma$, load $P$ and tangential force $T$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$
-over $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and
-$K=\tfrac43E^*$ ($E^*$ contact modulus); $\eta=\pi H\sqrt{R/\sigma}/K$ hardness group, $H$ hardness; $n_H$ hardness of the
-film over the substrate's; $\tau=t/\sigma$ film thickness; $k=H/Y$ hardness over yield stress. Full list: [symbols](#1-units).
+*Symbols*: displacement $w=\omega/\sigma$, load $P$ and tangential force $T$ in units of $KR^{1/2}\sigma^{3/2}$ and contact
+area $A$ in units of $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and
+$K=\tfrac43E^*$ ($E^*$ contact modulus); $\eta=\pi H\sqrt{R/\sigma}/K$ hardness group, $H$ hardness; $n_H$ hardness of the film
+over the substrate's; $\tau=t/\sigma$ film thickness; $k=H/Y$ hardness over yield stress. Full list: [symbols](#1-units).
 """
 
 import numpy as np

@@ -29,9 +29,9 @@ and it is zero at the edge. Only tangential laws of the interface can be combine
 so that the law is valid for $n_E$ below about 0.1. Results state the load fraction on asperities whose contact radius is
 smaller than the film thickness; the law is not valid for them.
 
-*Symbols*: displacement $w=\omega/\sigma$, load $P$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$ over $\pi R\sigma$ of one
-asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$ ($E^*$ contact modulus);
-$n_E$ modulus of the film over the substrate's; $\nu$ Poisson's ratio. Full list: [symbols](#1-units).
+*Symbols*: displacement $w=\omega/\sigma$, load $P$ in units of $KR^{1/2}\sigma^{3/2}$ and contact area $A$ in units of
+$\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$
+($E^*$ contact modulus); $n_E$ modulus of the film over the substrate's; $\nu$ Poisson's ratio. Full list: [symbols](#1-units).
 """
 
 import math

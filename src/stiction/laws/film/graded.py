@@ -14,10 +14,10 @@ in `graded_law.py`, their kinks in `graded_kinks.py`. Without a film the same la
 of the load at yield. *Reconstructed*: the whole composition. *Check*: the law equals the bare surface at $n_E=n_H=1$, the
 substrate for $\tau\to0$, and the film for $\tau\to\infty$.
 
-*Symbols*: displacement $w=\omega/\sigma$, load $P$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$ over $\pi R\sigma$ of one
-asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$ ($E^*$ contact modulus);
-$\tau=t/\sigma$ film thickness; $n_E$ modulus of the film over the substrate's; $n_H$ hardness of the film over the
-substrate's. Full list: [symbols](#1-units).
+*Symbols*: displacement $w=\omega/\sigma$, load $P$ in units of $KR^{1/2}\sigma^{3/2}$ and contact area $A$ in units of
+$\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$
+($E^*$ contact modulus); $\tau=t/\sigma$ film thickness; $n_E$ modulus of the film over the substrate's; $n_H$ hardness of the
+film over the substrate's. Full list: [symbols](#1-units).
 """
 
 import math

@@ -24,10 +24,10 @@ Load and area are continuous at $w_c$. With a soft film on a hard substrate, fri
 with load towards the shear strength of the interface over the substrate's hardness. It has no minimum as a function of
 thickness.
 
-*Symbols*: displacement $w=\omega/\sigma$, load $P$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$ over $\pi R\sigma$ of one
-asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$ ($E^*$ contact modulus);
-$\eta=\pi H\sqrt{R/\sigma}/K$ hardness group, $H$ hardness; $\tau=t/\sigma$ film thickness; $n_E$ modulus of the film over the
-substrate's; $n_H$ hardness of the film over the substrate's. Full list: [symbols](#1-units).
+*Symbols*: displacement $w=\omega/\sigma$, load $P$ in units of $KR^{1/2}\sigma^{3/2}$ and contact area $A$ in units of
+$\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$
+($E^*$ contact modulus); $\eta=\pi H\sqrt{R/\sigma}/K$ hardness group, $H$ hardness; $\tau=t/\sigma$ film thickness; $n_E$
+modulus of the film over the substrate's; $n_H$ hardness of the film over the substrate's. Full list: [symbols](#1-units).
 """
 
 from functools import cache

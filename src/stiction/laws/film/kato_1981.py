@@ -36,11 +36,11 @@ constant load $\mu$ rises with thickness and with radius, and falls with the har
 expression of [kato_1981]; in [kato_1982] the pressure at the edge, the shear stress on both faces, and whether the ball
 ploughs, which a later paper of the group states (J. Tribology 109 (1987) 545; not included here).
 
-*Symbols*: displacement $w=\omega/\sigma$, load $P$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$ over $\pi R\sigma$ of one
-asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$ ($E^*$ contact modulus);
-$\tau=t/\sigma$ film thickness; $n_H$ hardness of the film over the substrate's; $k=H/Y$ hardness over yield stress; $\tau_0$
-shear strength of the interface. Full list: [symbols](#1-units). Lengths along the surface are over $\sqrt{R\sigma}$, so that
-$a^2=2w$ and $b^2=2(\tau-w)$, and $\sqrt{R/\sigma}$ is $\tau$ over `film_aspect`.
+*Symbols*: displacement $w=\omega/\sigma$, load $P$ in units of $KR^{1/2}\sigma^{3/2}$ and contact area $A$ in units of
+$\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$
+($E^*$ contact modulus); $\tau=t/\sigma$ film thickness; $n_H$ hardness of the film over the substrate's; $k=H/Y$ hardness over
+yield stress; $\tau_0$ shear strength of the interface. Full list: [symbols](#1-units). Lengths along the surface are over
+$\sqrt{R\sigma}$, so that $a^2=2w$ and $b^2=2(\tau-w)$, and $\sqrt{R/\sigma}$ is $\tau$ over `film_aspect`.
 """
 
 import math

@@ -34,10 +34,10 @@ fall with depth.
 film for $t\to\infty$. The only jumps are those of the asperity law. *Check*: $E_P=0.1219$, $D=0.693$, $E_S=0.2135$ for a rigid
 sphere, $\nu=0.3$, $E_f/E_s=0.1$ (Young's modulus of film over substrate) and $a=t$.
 
-*Symbols*: displacement $w=\omega/\sigma$, load $P$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$ over $\pi R\sigma$ of one
-asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$ ($E^*$ contact modulus);
-$\theta=K\sigma^{3/2}/(\gamma R^{1/2})$ elastic adhesion index, $\gamma$ work of adhesion; $n_g$ work of adhesion of the film
-over the substrate's; $\nu$ Poisson's ratio. Full list: [symbols](#1-units).
+*Symbols*: displacement $w=\omega/\sigma$, load $P$ in units of $KR^{1/2}\sigma^{3/2}$ and contact area $A$ in units of
+$\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$
+($E^*$ contact modulus); $\theta=K\sigma^{3/2}/(\gamma R^{1/2})$ elastic adhesion index, $\gamma$ work of adhesion; $n_g$ work
+of adhesion of the film over the substrate's; $\nu$ Poisson's ratio. Full list: [symbols](#1-units).
 """
 
 from functools import cache

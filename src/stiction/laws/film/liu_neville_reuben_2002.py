@@ -14,10 +14,10 @@ rises with film thickness at plasticity indices above 0.5; at 0.25 and light loa
 With `chang_etsion_bogy_1988`, where only the substrate resists, only the second trend appears. *Unknown*: all equations of the
 source. *Limit*: `chang_1997` without adhesion.
 
-*Symbols*: displacement $w=\omega/\sigma$, load $P$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$ over $\pi R\sigma$ of one
-asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$ ($E^*$ contact modulus);
-$\theta=K\sigma^{3/2}/(\gamma R^{1/2})$ elastic adhesion index, $\gamma$ work of adhesion; $n_g$ work of adhesion of the film
-over the substrate's. Full list: [symbols](#1-units).
+*Symbols*: displacement $w=\omega/\sigma$, load $P$ in units of $KR^{1/2}\sigma^{3/2}$ and contact area $A$ in units of
+$\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$
+($E^*$ contact modulus); $\theta=K\sigma^{3/2}/(\gamma R^{1/2})$ elastic adhesion index, $\gamma$ work of adhesion; $n_g$ work
+of adhesion of the film over the substrate's. Full list: [symbols](#1-units).
 """
 
 import math

@@ -34,10 +34,10 @@ are exact between the two limits, over a range of loads of the factor $n_H^{-3}$
 $\tau_0/H$ for zero thickness. *Unknown*: $c$, and how it depends on hardness, strength and radius. The sum over asperities is
 this project's own: at a given load, $\mu$ of a rough surface is an average over its asperities.
 
-*Symbols*: displacement $w=\omega/\sigma$, load $P$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$ over $\pi R\sigma$ of one
-asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$ ($E^*$ contact modulus);
-$\eta=\pi H\sqrt{R/\sigma}/K$ hardness group, $H$ hardness; $n_H$ hardness of the film over the substrate's; $\tau=t/\sigma$
-film thickness. Full list: [symbols](#1-units).
+*Symbols*: displacement $w=\omega/\sigma$, load $P$ in units of $KR^{1/2}\sigma^{3/2}$ and contact area $A$ in units of
+$\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$
+($E^*$ contact modulus); $\eta=\pi H\sqrt{R/\sigma}/K$ hardness group, $H$ hardness; $n_H$ hardness of the film over the
+substrate's; $\tau=t/\sigma$ film thickness. Full list: [symbols](#1-units).
 """
 
 import numpy as np

@@ -22,8 +22,8 @@ $$
 
 which is not in the paper. *Reconstructed*: the departures named above; [`printed`](#printed) has the printed equations.
 
-*Symbols*: displacement $w=\omega/\sigma$, load $P$ and tangential force $T$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$
-over $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and
+*Symbols*: displacement $w=\omega/\sigma$, load $P$ and tangential force $T$ in units of $KR^{1/2}\sigma^{3/2}$ and contact
+area $A$ in units of $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and
 $K=\tfrac43E^*$ ($E^*$ contact modulus); $n_E$ modulus of the film over the substrate's; $\tau=t/\sigma$ film thickness. [All
 symbols](#1-units).
 """

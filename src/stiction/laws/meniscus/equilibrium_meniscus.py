@@ -52,8 +52,8 @@ energy $2\gamma_\mathrm Lc\cdot4\pi Rrc$ that is created ([de_boer_de_boer_2007]
 | $10^{-2}$ | 2.8 % | 7.9 % | 4.4 % | 13.4 % |
 | $10^{-4}$ | 0.28 % | 0.79 % | 0.46 % | 1.31 % |
 
-*Units*: $w=\omega/\sigma$, $P$ over $KR^{1/2}\sigma^{3/2}$, with the tip radius $R$, the standard deviation $\sigma$ of the
-asperity heights and $K=\tfrac43E^*$ ($E^*$ contact modulus). Full list: [symbols](#1-units).
+*Units*: $w=\omega/\sigma$, $P$ in units of $KR^{1/2}\sigma^{3/2}$, with the tip radius $R$, the standard deviation $\sigma$ of
+the asperity heights and $K=\tfrac43E^*$ ($E^*$ contact modulus). Full list: [symbols](#1-units).
 """
 
 import math

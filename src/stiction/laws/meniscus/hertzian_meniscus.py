@@ -36,7 +36,7 @@ and pull-off forces. Results warn from $w=0.1\,w_\mathrm m$ on.
 *Measured*, on the same maps as `equilibrium_meniscus`: this law gives 0.27 to 0.79 of the meniscus force (mean 0.48), and 1.00
 to 1.03 of it on flooded maps.
 
-*Units*: $w=\omega/\sigma$, $P$ over $KR^{1/2}\sigma^{3/2}$. Full list: [symbols](#1-units).
+*Units*: $w=\omega/\sigma$, $P$ in units of $KR^{1/2}\sigma^{3/2}$. Full list: [symbols](#1-units).
 """
 
 import math

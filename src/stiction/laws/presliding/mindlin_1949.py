@@ -9,11 +9,10 @@ k_t=\frac{8a}\beta\ \text{(SI)},\qquad\frac{8\sqrt A}{K\beta}\ \text{in the unit
 $$
 
 $a$ is the contact radius, $A$ the contact area, $\beta$ the tangential compliance of the pair of bodies and $K=\tfrac43E^*$
-($E^*$ contact modulus). In the units here, $A$ is over $\pi R\sigma$ and $k_t$ over $KR^{1/2}\sigma^{1/2}$, with the tip radius
-$R$ and the standard deviation $\sigma$ of the heights.
-For equal bodies the ratio to the normal stiffness is $k_t/k_n=2(1-\nu)/(2-\nu)$. In partial slip, a Hertz contact with the load
-$P$ and the friction coefficient $f$ at every point carries the tangential force $T$ at the tangential displacement
-$\delta_t$; at $\delta_f$ the whole contact slides,
+($E^*$ contact modulus). Here $A$ is in units of $\pi R\sigma$ and $k_t$ in units of $KR^{1/2}\sigma^{1/2}$, with the tip
+radius $R$ and the standard deviation $\sigma$ of the heights. For equal bodies the ratio to the normal stiffness is
+$k_t/k_n=2(1-\nu)/(2-\nu)$. In partial slip, a Hertz contact with the load $P$ and the friction coefficient $f$ at every point
+carries the tangential force $T$ at the tangential displacement $\delta_t$; at $\delta_f$ the whole contact slides,
 
 $$
 T=fP\left[1-(1-s)^{3/2}\right],\qquad s=\frac{\delta_t}{\delta_f},\quad\delta_f=\frac{3fP\beta}{16a}

@@ -18,8 +18,8 @@ Plastic asperities resist too. Rough surfaces therefore have $\mu\ge0.27$ at any
 Etsion and of Chang, Etsion and Bogy give almost no friction at a high plasticity index. *Unknown*: the growth of the
 junction's area, which the available texts do not print.
 
-*Symbols*: displacement $w=\omega/\sigma$, load $P$ and tangential force $T$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$
-over $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and
+*Symbols*: displacement $w=\omega/\sigma$, load $P$ and tangential force $T$ in units of $KR^{1/2}\sigma^{3/2}$ and contact
+area $A$ in units of $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and
 $K=\tfrac43E^*$ ($E^*$ contact modulus). Full list: [symbols](#1-units).
 """
 

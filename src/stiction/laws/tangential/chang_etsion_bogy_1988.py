@@ -31,8 +31,8 @@ $P_c=w_c^{3/2}$ is the load at $\omega_c$. The axis yields first above $r=0.9512
 included. With the option `plastic_junctions`, asperities beyond $\omega_c$ resist according to another law, and results state
 by how much $\mu$ then differs from the paper's value; the default `none` is the paper's assumption.
 
-*Symbols*: displacement $w=\omega/\sigma$, load $P$ and tangential force $T$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$
-over $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and
+*Symbols*: displacement $w=\omega/\sigma$, load $P$ and tangential force $T$ in units of $KR^{1/2}\sigma^{3/2}$ and contact
+area $A$ in units of $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and
 $K=\tfrac43E^*$ ($E^*$ contact modulus); $\nu$ Poisson's ratio; $k=H/Y$ hardness over yield stress. Full list:
 [symbols](#1-units).
 """

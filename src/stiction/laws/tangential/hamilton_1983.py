@@ -53,8 +53,8 @@ $\nu=0.4$). The two places checked by [`chang_etsion_bogy_1988`](#chang_etsion_b
 large a load at first yield: by 2 % at $\mu=1$ and 7 % at $\mu=2$ ($\nu=0.3$), and by 1, 4, 7 and 9 % at $\mu$ = 0.4, 0.6, 1
 and 2 ($\nu=0.4$). The load at which the axis alone yields is too large by 1.6 % at $\mu=0.2$ and 3.5 % at $\mu=0.3$.
 
-*Symbols*: displacement $w=\omega/\sigma$, load $P$ and tangential force $T$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$
-over $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and
+*Symbols*: displacement $w=\omega/\sigma$, load $P$ and tangential force $T$ in units of $KR^{1/2}\sigma^{3/2}$ and contact
+area $A$ in units of $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and
 $K=\tfrac43E^*$ ($E^*$ contact modulus); $k=H/Y$ hardness over yield stress; $\nu$ Poisson's ratio. Full list:
 [symbols](#1-units).
 """

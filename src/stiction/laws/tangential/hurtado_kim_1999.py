@@ -31,8 +31,8 @@ The strength is not limited by that of the bodies, $Y/\sqrt3$. *Measured*: a smo
 ([li_kim_2008], abstract). *Limits*: a constant strength [`bowden_tabor_1943`](#bowden_tabor_1943) of $G/43$ for
 contacts below $28\,b$ and $G/1290$ above $8\cdot10^4\,b$.
 
-*Symbols*: displacement $w=\omega/\sigma$, load $P$ and tangential force $T$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$
-over $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and
+*Symbols*: displacement $w=\omega/\sigma$, load $P$ and tangential force $T$ in units of $KR^{1/2}\sigma^{3/2}$ and contact
+area $A$ in units of $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and
 $K=\tfrac43E^*$ ($E^*$ contact modulus). Full list: [symbols](#1-units).
 """
 

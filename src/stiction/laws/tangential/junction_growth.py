@@ -29,8 +29,8 @@ $H/Y=2.8$ (mean pressure 1.0175 $Y$, $A_s=1.805A_0$):
 |---|---|---|---|---|---|---|---|
 | $\mu$ | 0.0057 | 0.0569 | 0.1758 | 0.3120 | 0.6085 | 0.8808 | 1.0242 |
 
-*Symbols*: displacement $w=\omega/\sigma$, load $P$ and tangential force $T$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$
-over $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and
+*Symbols*: displacement $w=\omega/\sigma$, load $P$ and tangential force $T$ in units of $KR^{1/2}\sigma^{3/2}$ and contact
+area $A$ in units of $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and
 $K=\tfrac43E^*$ ($E^*$ contact modulus); $k=H/Y$ hardness over yield stress. Full list: [symbols](#1-units).
 """
 

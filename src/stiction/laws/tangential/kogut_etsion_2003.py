@@ -16,8 +16,8 @@ law, $\mu(r)$ is unchanged and $T$ is $\mu$ times the load of that law. With the
 $6\,\omega_c$ on resist according to another law, and results state by how much $\mu$ then differs from the paper's value; the
 default `none` is the paper's assumption.
 
-*Symbols*: displacement $w=\omega/\sigma$, load $P$ and tangential force $T$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$
-over $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and
+*Symbols*: displacement $w=\omega/\sigma$, load $P$ and tangential force $T$ in units of $KR^{1/2}\sigma^{3/2}$ and contact
+area $A$ in units of $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and
 $K=\tfrac43E^*$ ($E^*$ contact modulus); $w_c$ displacement at first yield. Full list: [symbols](#1-units).
 """
 

@@ -34,8 +34,8 @@ $q=s/2$), and the place of first yield: f film, i interface, b body,
 | 2 | | 0.704 f | 0.684 f | 0.619 f | 0.536 f |
 | 10 | | 0.732 f | 0.601 i | 0.416 i | 0.321 f |
 
-*Symbols*: displacement $w=\omega/\sigma$, load $P$ and tangential force $T$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$
-over $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and
+*Symbols*: displacement $w=\omega/\sigma$, load $P$ and tangential force $T$ in units of $KR^{1/2}\sigma^{3/2}$ and contact
+area $A$ in units of $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and
 $K=\tfrac43E^*$ ($E^*$ contact modulus); $n_H$ hardness of the film over the substrate's; $k=H/Y$ hardness over yield stress.
 Full list: [symbols](#1-units).
 """

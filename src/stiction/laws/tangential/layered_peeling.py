@@ -26,8 +26,8 @@ sphere, $\nu=0.3$ and the ratio $E_f/E_s$ of Young's moduli of film and substrat
 | 0.1 | 62.26 | 53.11 | 44.64 | 34.23 | 21.60 | 11.27 |
 | 10 | 0.717 | 0.980 | 1.253 | 1.666 | 2.470 | 4.024 |
 
-*Symbols*: displacement $w=\omega/\sigma$, load $P$ and tangential force $T$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$
-over $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and
+*Symbols*: displacement $w=\omega/\sigma$, load $P$ and tangential force $T$ in units of $KR^{1/2}\sigma^{3/2}$ and contact
+area $A$ in units of $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and
 $K=\tfrac43E^*$ ($E^*$ contact modulus); $\theta=K\sigma^{3/2}/(\gamma R^{1/2})$ elastic adhesion index, $\gamma$ work of
 adhesion; $\beta$ tangential compliance of the pair of bodies, $K\beta=\tfrac83(2-\nu)/(1-\nu)$ for equal bodies. [All
 symbols](#1-units).

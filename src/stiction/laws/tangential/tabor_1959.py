@@ -28,8 +28,8 @@ $\alpha=9$ and $3\cdot2.8^2=23.52$:
 | $\mu$, $\alpha=23.52$ | 0.0207 | 0.0648 | 0.1190 | 0.2749 | 0.6273 | 1.4471 |
 | area over initial area | 1.0050 | 1.0483 | 1.1547 | 1.6667 | 3.2026 | 7.0888 |
 
-*Symbols*: displacement $w=\omega/\sigma$, load $P$ and tangential force $T$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$
-over $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and
+*Symbols*: displacement $w=\omega/\sigma$, load $P$ and tangential force $T$ in units of $KR^{1/2}\sigma^{3/2}$ and contact
+area $A$ in units of $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and
 $K=\tfrac43E^*$ ($E^*$ contact modulus); $k=H/Y$ hardness over yield stress. Full list: [symbols](#1-units).
 """
 

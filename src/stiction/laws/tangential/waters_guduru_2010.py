@@ -34,8 +34,8 @@ included. *Check*: $T$ over its value for $\zeta=1$,
 | $\zeta=0.5$ | 1.18126 | 1.20113 | 1.25364 | 1.34840 |
 | $\zeta=0.1$ | 2.99699 | 3.58189 | 5.21942 | 6.09497 |
 
-*Symbols*: displacement $w=\omega/\sigma$, load $P$ and tangential force $T$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$
-over $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and
+*Symbols*: displacement $w=\omega/\sigma$, load $P$ and tangential force $T$ in units of $KR^{1/2}\sigma^{3/2}$ and contact
+area $A$ in units of $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and
 $K=\tfrac43E^*$ ($E^*$ contact modulus); $\theta=K\sigma^{3/2}/(\gamma R^{1/2})$ elastic adhesion index, $\gamma$ work of
 adhesion; $\beta$ tangential compliance of the pair of bodies, $K\beta=\tfrac83(2-\nu)/(1-\nu)$ for equal bodies;
 $P_c=\tfrac32\pi\gamma R$ pull-off force. Full list: [symbols](#1-units).
