@@ -35,7 +35,7 @@ _MUCH_WIDER = 1.5  # ratio of the upper ends above which the widest interval ove
 _ENOUGH = 2 / 3  # fraction of handbook contacts that must agree
 _CONFIDENCE = {1.5: "high", 3.0: "fair", math.inf: "low"}  # largest factor from mu to an end of its interval -> word
 _FEW_VALUES = 3  # measured values below which the confidence is at most fair
-_NO_WIDTH = 1e-9  # width of an interval over its upper end that is only round-off
+_NO_WIDTH = 1e-9  # relative width of an interval that is only round-off
 
 
 def at_working_load(data: "xarray.Dataset") -> "xarray.Dataset":

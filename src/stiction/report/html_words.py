@@ -26,7 +26,7 @@ def on_page(table: Table, caption: str) -> Table:
 
 def breakable(text: str) -> Markup:
     """Return the key of a model as escaped HTML in which lines may break after underscores."""
-    return Markup(str(escape(text)).replace("_", "_<wbr>"))  # what came in was escaped
+    return Markup(str(escape(text)).replace("_", "_<wbr>"))  # safe, because the text was escaped first
 
 
 def formula(text: str) -> Markup:
@@ -34,4 +34,4 @@ def formula(text: str) -> Markup:
     shown = str(escape(letters(text))).replace("&lt;=", "≤").replace("&gt;=", "≥")
     shown = re.sub(r"(?<=[\w)])_(\w+)", r"<sub>\1</sub>", shown)
     shown = re.sub(r"\^\(([^()]*)\)|\^(-?\w+)", lambda match: f"<sup>{match[1] or match[2]}</sup>", shown)
-    return Markup(shown)  # what came in was escaped
+    return Markup(shown)  # safe, because the text was escaped first

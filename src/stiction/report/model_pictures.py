@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     import xarray
 
 _MU = "friction_coefficient"
-_COLOURS = (BLUE, GREEN, ORANGE)  # of named models
+_COLOURS = (BLUE, GREEN, ORANGE)  # colours of the named models
 _WIDE = 1e4  # groups with a mu smaller than the largest by more than this factor are not drawn
 _AROUND = 10.0  # the axis runs from the working load over this factor to the working load times this factor
 

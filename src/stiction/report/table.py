@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 _MARK = "\ue000"  # a character for private use, which no name contains
 _WIDE = 10_000
-_MICRO = re.compile(r"(?<![A-Za-z])u(?=(?:m|N|Pa|J)\b)")  # of a unit that is written on a keyboard
+_MICRO = re.compile(r"(?<![A-Za-z])u(?=(?:m|N|Pa|J)\b)")  # the prefix micro, typed as u
 
 
 @dataclass(frozen=True)

@@ -16,7 +16,7 @@ from stiction.case.text import as_toml
 from stiction.quantities.errors import InputError
 
 _LONGEST = 20_000  # characters of an address
-_LARGEST = 200_000  # bytes of the case in it
+_LARGEST = 200_000  # bytes of the case in an address
 _STATE = "a case, as this page writes it into its address"
 
 

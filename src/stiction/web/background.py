@@ -99,7 +99,7 @@ class Progress:
             return work(self)
         finally:
             late.cancel()
-            with self._guard:  # so that an interrupt that was sent has arrived before
+            with self._guard:  # waits for an interrupt that is being sent
                 self._thread = None
 
     def _interrupt(self) -> None:

@@ -14,7 +14,7 @@ from stiction.report.scales import LOG, is_log, log_ticks
 from stiction.report.share_pictures import part_in_words, shares_of, stacks
 from stiction.report.table import prefix, with_signs
 
-COLOURS = (BLUE, ORANGE, GREEN, RED, SKY, "#CC79A7")  # Okabe and Ito's
+COLOURS = (BLUE, ORANGE, GREEN, RED, SKY, "#CC79A7")  # Okabe and Ito's colours
 SHADES = ["#440154", "#3b528b", "#21918c", "#5ec962", "#fde725"]  # viridis, dark to light for everybody
 _DASHES = ("solid", "dashed", "dotted", [8, 3, 2, 3], [2, 2], [12, 4])
 INK = {False: "#333333", True: "#dddddd"}  # colour of texts, on a light and on a dark page

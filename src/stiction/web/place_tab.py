@@ -26,7 +26,10 @@ from stiction.web.study_button import Study
 
 _NO_CLAIM = "none"
 _NO_ADHESION = "No work of adhesion is stated, so both indices are infinite: state one to place the contact."
-_INDICES = {"theta": 40.0, "lam": 10.0}  # of the figures; the paper does not print them, and its claims hold at these
+_INDICES = {
+    "theta": 40.0,
+    "lam": 10.0,
+}  # indices of the figures: the paper does not print them, and its claims hold at these values
 _claims: list[Any] = []  # the map of the claims, computed once for all visitors
 
 

@@ -120,7 +120,7 @@ def _without_folders(error: InputError, query: Query) -> InputError:
 
     def bare(text: Any) -> Any:
         for folder in folders:
-            text = type(text)(text.replace(folder, "")) if isinstance(text, str) else text  # an InWords stays one
+            text = type(text)(text.replace(folder, "")) if isinstance(text, str) else text  # keeps InWords
         return text
 
     return InputError(bare(error.field), bare(error.value), bare(error.allowed), bare(error.hint))

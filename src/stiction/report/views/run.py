@@ -39,7 +39,7 @@ def band_table(data: "xarray.Dataset") -> Table | Text:
     dim, several = points_dimension(data), varied(data)
     heads = numbers("at", "nominal", *(f"{share:.0%}" for share in data["quantile"].values), "sampling\nerror")
     rows = []
-    # Of array parameters only the first values are shown; the files contain all.
+    # For array parameters, only the first values are shown; the files contain all.
     first = data.isel({point: 0 for point in several})
     for index in spread_rows(data.sizes[dim] if dim else 1, _ROWS):
         point = first.isel({dim: int(index)}) if dim else first

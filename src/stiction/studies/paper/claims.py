@@ -39,7 +39,7 @@ _STIFF = _N_E > 1.0
 class Curves:
     """Store dimensionless load, contact area and friction force, arrays (..., separations) in order of approach.
 
-    The last dimension runs over the separations _H. The dimensions before it are indices and films.
+    The last dimension runs over the separations _H, the dimensions before it over adhesion indices and films.
     """
 
     load: np.ndarray

@@ -14,8 +14,9 @@ from stiction.studies.prediction.pull import Pull, pull_of
 from stiction.studies.prediction.sampled_case import SampledCase
 from stiction.studies.prediction.strength import Strength
 
-# Variance of ln of the area of n elastic spots under a given load, times n: of Hertz spots whose depths d are exponential, area
-# and load go with d and d^1.5, so that it is E a^2/(E a)^2 + E w^2/(E w)^2 - 2 E aw/(E a E w) = 2 + 32/(3 pi) - 5 = 0.395.
+# n times the variance of ln(area) of n elastic spots under a given load. For Hertz spots with exponentially distributed depths
+# d, the area a goes with d and the load w with d^1.5. n times the variance is then
+# E a^2/(E a)^2 + E w^2/(E w)^2 - 2 E aw/(E a E w) = 2 + 32/(3 pi) - 5 = 0.395.
 _OF_SPOTS = 0.395
 # Median number of asperities of a solved benchmark surface, and how many of them touch at the lightest load. The errors of
 # the area on benchmark surfaces already contain the scatter of so few spots. Between seeds of one design this scatter of

@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from stiction.case.arguments import CaseLike
     from stiction.quantities.arguments import FilePath, QuantityLike
 
-COUNT, _MANY = 512, 16384  # number of samples if the case states none; if values were measured
+COUNT, _MANY = 512, 16384  # number of samples by default, and with measured values
 _UNTOLD = 0.8  # ratio of interval widths, after over before measuring, above which a number counts as not determined
 
 

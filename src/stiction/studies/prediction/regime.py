@@ -17,12 +17,12 @@ from stiction.studies.prediction.uncertainty_sources import part_name
 _STICKS = 2.0  # factor of the area by adhesion above which adhesion, and not the load, determines the area
 _FLAT = 0.95  # real over nominal area from which a contact counts as pressed flat
 _PLASTIC = 0.9  # mean pressure over hardness from which spots count as plastic
-_SOME = 0.1  # fraction of the samples
+_SOME = 0.1  # fraction of elastic samples above which the text mentions them
 _GROWN = 1.1  # factor of junction growth, and of the area by adhesion, from which it is mentioned
 _BY_STRENGTH = 0.2  # fraction of friction that tau_0 causes, below which another area hardly changes mu
 _FEW = 10.0  # number of touching asperities below which mu varies from place to place
 _DRY = ("clean metal", "oxidised metal", "ceramic", "dry polymer", "elastomer", "gold contact")  # a lubricant weakens them
-_STEEP = 0.93  # strength of the interface over the body's, c: ln mu goes with 1/(1 - c^2) times ln c, 0.15 for 2 % here
+_STEEP = 0.93  # ratio c of interface to body strength above which mu is steep: d ln mu/d ln c = 1/(1 - c^2), 15 % for 2 %
 _SAME = 0.015  # relative difference of two strengths that counts as none
 _DECIDES = 0.05  # fraction of the variance above which a part is worth a warning
 _ATOM = 1e-19  # m^2, some 0.3 nm squared

@@ -150,7 +150,8 @@ def _capped(tau: np.ndarray, shear: np.ndarray, level: np.ndarray, metallic: np.
 
     tau: tau_0 before [Pa]. shear: shear strength of the body [Pa]. level: quantile levels (n, 1). metallic: mask of points with
     metal junctions. For metals the limit is the von Mises value. For other materials the quantile level selects a limit between
-    the values of Tresca and von Mises. This range opens as tau_0 rises from the body's strength to twice that strength.
+    the values of Tresca and von Mises. The width of this range grows from 0, if tau_0 is at most the body's strength, to its
+    full size at twice that strength.
     """
     with np.errstate(divide="ignore"):
         beyond = np.clip(np.log2(tau / shear), 0.0, 1.0)
