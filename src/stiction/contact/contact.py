@@ -163,7 +163,7 @@ class Contact(Subject):
 
     def known(self, name: str) -> object:
         """Return the property or dimensionless group called `name`; None if the contact does not determine it."""
-        is_group = name in Indices.model_fields or hasattr(Indices, name)  # the groups are computed only for one of them
+        is_group = name in Indices.model_fields or hasattr(Indices, name)  # other names need no groups
         return self.indices().known(name) if is_group and not hasattr(self, name) else super().known(name)
 
     def _groups(self) -> dict[str, Any]:

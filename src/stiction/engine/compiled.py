@@ -71,9 +71,9 @@ class Kernel:
     function: the loop. allowance: work that plain Python may do, None if the kernel is always compiled. size: function of the
     last argument that returns the work of one call.
 
-    If plain Python raises an arithmetic error where compiled code would not (a division by zero that the formula handles
-    later), the compiled kernel repeats the whole call. A kernel with an allowance must therefore overwrite its output arrays,
-    never add to them.
+    If plain Python raises an arithmetic, type or value error, the compiled kernel repeats the whole call; compiled code does
+    not raise, for example, for a division by zero that the formula handles later. A kernel with an allowance must therefore
+    overwrite its output arrays, never add to them.
     """
 
     def __init__(self, function: Callable, allowance: Allowance | None, size: Callable[[Any], int] = lambda last: 0):

@@ -20,7 +20,7 @@ from stiction.quantities.errors import InputError
 VICKERS = 9.80665e6 / math.sin(math.radians(68.0))  # Pa
 _IMPRINT = 0.375  # d/D
 BRINELL = 9.80665e6 * 2.0 * (1.0 - math.sqrt(1.0 - _IMPRINT**2)) / _IMPRINT**2  # Pa
-_SOFTEST, _HARDEST = 20.0, 68.0  # HRC, of the table
+_SOFTEST, _HARDEST = 20.0, 68.0  # HRC, range of the table
 _SCALE = re.compile(r"HV(?:\s*/?\s*\d+(?:\.\d+)?)?|HRC|HRB|HRA|HB[WS]?|HK", re.IGNORECASE)
 
 

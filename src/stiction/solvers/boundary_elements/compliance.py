@@ -32,7 +32,7 @@ from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import require_positive
 
 _LARGE = 1.0  # value of y above which (2) loses no digits, because e^-y is well below 1
-_SERIES = 1.0 / np.cumprod([6.0, *((2 * n) * (2 * n + 1) for n in range(2, 10))])  # of sinh y - y: y^3/3! + y^5/5! + ...
+_SERIES = 1.0 / np.cumprod([6.0, *((2 * n) * (2 * n + 1) for n in range(2, 10))])  # series of sinh y - y: y^3/3! + y^5/5! + ...
 
 
 @dataclass(frozen=True)

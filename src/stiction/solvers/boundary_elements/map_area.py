@@ -217,7 +217,7 @@ class _Curve:
         return areas
 
     def _solve(self, pressure: np.ndarray) -> None:
-        """Solve the map at the pressures (n,), over E* h', if they are at most twelve, else at the nearest 10^(k/4).
+        """Solve the map at the pressures (n,), over E* h', if they are at most twelve; else at powers 10^(k/4) around them.
 
         The results are stored; pressures solved before are skipped.
         """

@@ -17,7 +17,7 @@ from stiction.solvers.boundary_elements.measures import waves
 from stiction.solvers.boundary_elements.solve import MapContacts, solve_map
 from stiction.surfaces.heightmap import every_point, size_in_metres
 
-LEAST_POINTS = 4.0  # in the shortest wave
+LEAST_POINTS = 4.0  # points in the shortest wave
 LEAST_CONTACT = 1000  # points in contact, at the lightest load
 
 
@@ -63,8 +63,8 @@ def fewest_points(heights: np.ndarray, size: tuple[float, float], periodic: bool
 def _candidates(heights, size, periodic):
     """Return the sampling steps r to try on a map, in descending order; the last is 1.
 
-    heights: (rows, columns) [m]. size: (y, x) [m]. Every step leaves four points in the shortest wave and 16 rows and columns,
-    and on a periodic map it divides the numbers of rows and columns.
+    heights: (rows, columns) [m]. size: (y, x) [m]. Every step above 1 leaves at least four points in the shortest wave and 16
+    rows and columns. On a periodic map it divides the numbers of rows and columns.
     """
     if np.ndim(heights) != 2 or not np.isfinite(heights).all() or np.ptp(heights) == 0.0 or min(np.shape(heights)) < 16:
         return [1]  # the solver raises the error

@@ -139,8 +139,8 @@ def solve_map(
     done: called with each solved contact. device: array library that solves the map instead of NumPy, optionally with one of
     its devices, such as "torch:cuda". Results are NumPy arrays in the order of the loads.
 
-    A load that did not converge has a warning `not_converged`. After a keyboard interrupt the solved loads are returned. Raises
-    InputError for unusable arguments, a load that the hardness cannot carry, or too little memory.
+    A load that did not converge has a warning `not_converged`. After a keyboard interrupt the loads solved so far are returned,
+    if there are any. Raises InputError for unusable arguments, a load that the hardness cannot carry, or too little memory.
     """
     request = _Request.of(heights, size, hardness, loads, periodic, _How.of(**how), menisci)
     compliance = Compliance(modulus, film, counter_film)

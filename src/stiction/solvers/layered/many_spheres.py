@@ -21,10 +21,10 @@ from stiction.solvers.layered.sphere import response_of, right_sides, waves
 # Waves x = k t between which the compliance is a polynomial, and the number of its nodes.
 _ENDS = (0.0, 0.004, 0.012, 0.03, 0.06, 0.1, 0.2, 0.3, 0.5, 0.8, 1.3, 2.0, 3.0, 4.5, 7.5, 12.0)
 _NODES = 14
-_PLACES = np.cos(np.pi * (np.arange(_NODES) + 0.5) / _NODES)  # of the nodes in their interval, -1 to 1
+_PLACES = np.cos(np.pi * (np.arange(_NODES) + 0.5) / _NODES)  # positions of the nodes in their interval, -1 to 1
 _WAVES = np.concatenate([0.5 * (low + high) + 0.5 * (high - low) * _PLACES for low, high in pairwise(_ENDS)])
 STIFFEST = 2000.0  # largest modulus ratio of film and body; the error grows with its cube
-_AT_ONCE = 32  # pairs, which bounds the memory
+_AT_ONCE = 32  # number of pairs solved at a time, to bound the memory
 
 
 class _Sums(NamedTuple):

@@ -46,7 +46,7 @@ class Stresses:
     """Compute the stresses in one coated body under a sphere with contact radius a.
 
     pair: layers of the two bodies in contact. body: elastic constants of the coated body whose stresses are computed; it must
-    be one of the layers in pair. radius: a divided by the film thickness, 0.001 to 1000. reach: largest value of wavenumber
+    be one of the layers in pair. radius: a divided by the film thickness, at most 1000. reach: largest value of wavenumber
     times film thickness in the integrals; the relative error of the film's contribution is exp(-reach). Lengths are divided by
     a and stresses by the mean pressure.
     """

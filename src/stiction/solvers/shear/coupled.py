@@ -176,9 +176,9 @@ class _Strengths:
     """Limit how often the strength of a point changes between turns, so that the iteration ends.
 
     A turn solves the pressure once and then the traction once. Without a limit, some points at the edge would touch in one turn
-    and not in the next. After three turns without a limit, such a point at first makes only 30 % of the change to its new
-    strength. After its second such change its strength is fixed. misfit: difference of all strengths from those that the
-    pressure gives, relative to the sum of the latter.
+    and not in the next. From the fourth turn on, a point that has begun or ceased to touch makes only 30 % of the change to its
+    new strength in each turn. When it does so a second time, its strength is fixed. misfit: difference of all strengths from
+    those that the pressure gives, relative to the sum of the latter.
     """
 
     def __init__(self) -> None:
@@ -188,9 +188,9 @@ class _Strengths:
     def next(self, wanted: np.ndarray) -> np.ndarray:
         """Return the strengths to use in this turn [Pa] (rows, columns).
 
-        wanted: strengths that the pressure of this turn gives [Pa], (rows, columns). The result differs from them after three
-        turns, at points that have begun or ceased to touch since: such a point makes only 30 % of the change, and after a
-        second change none.
+        wanted: strengths that the pressure of this turn gives [Pa], (rows, columns). The result differs from them at points
+        that have begun or ceased to touch after the third turn: these make 30 % of the change, and after doing so a second time
+        no change.
         """
         self._turn += 1
         touching = wanted > 0.0
