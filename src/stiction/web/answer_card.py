@@ -94,7 +94,7 @@ def card_on_page(prediction: xarray.Dataset, named: str = "") -> Card:
     """Return the short answer card of a prediction for the page, which names tabs in place of commands.
 
     A warning is left out if the next step states the same. named: result of the model that the case names, as text, or "". With
-    such a result, the card has no sources of uncertainty, handbook contacts and next step.
+    such a result, the card shows no sources of uncertainty, no handbook contacts and no next step.
     """
     card = card_of(at_working_load(prediction), named)  # without the range of loads: the form shows the load
     if named:

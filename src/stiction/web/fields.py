@@ -82,7 +82,7 @@ class Number:
     def written(self, text: str) -> Any:
         """Convert the text of a field to an entry of a case table: a number, a text with a unit, a list or a distribution.
 
-        Text that is none of these is returned unchanged, and reading the case then raises the error.
+        Other text is returned unchanged; reading the case then raises an error that names the field.
         """
         try:
             if text.startswith(("[", "{")):
@@ -172,7 +172,7 @@ def numbers_of(part: Part) -> Iterator[Number]:
 
 
 def parts_of(tables: Mapping[str, Any]) -> list[Part]:
-    """Return the parts of the form that suit a case, given by its tables."""
+    """Return the parts of the form for a case with these tables."""
     if "indices" in tables:
         return list(_parts(Indices, ("indices",), False))
     found = list(_parts(Contact, ("contact",), False))

@@ -368,7 +368,10 @@ def _folded(title: str, is_open: bool = False, name: str = "") -> ui.expansion:
 
 
 def _read(text: str, kind: Callable[[str], float]) -> float | str:
-    """Return a text as a number of type `kind`; other text is returned unchanged, and reading the case raises the error."""
+    """Convert text to a number by `kind`; text that is no number is returned unchanged.
+
+    Reading the case then raises an error that names the field.
+    """
     try:
         return kind(text)
     except ValueError:

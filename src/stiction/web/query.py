@@ -99,7 +99,7 @@ class Answer:
 def read_query(query: Query) -> Case:
     """Return the case of a query.
 
-    Raises InputError for an invalid case, for one with a file that it may not name, and for one that is too large for the page.
+    Raises InputError if the case is invalid, names a file that it may not use, or is too large for the page.
     """
     refuse_other_files(query.tables, query.files)
     try:

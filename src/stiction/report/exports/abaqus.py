@@ -1,4 +1,4 @@
-"""Abaqus input: a *SURFACE INTERACTION with *FRICTION against pressure and, without a film, *SURFACE BEHAVIOR.
+"""Write Abaqus input: a *SURFACE INTERACTION with *FRICTION against pressure and, without a film, *SURFACE BEHAVIOR.
 
 Document: Abaqus Keywords Reference Guide, "*FRICTION" (ELASTIC SLIP; data lines: friction coefficient, slip rate, contact
 pressure), "*SURFACE BEHAVIOR" (PRESSURE-OVERCLOSURE=TABULAR; data lines: pressure, overclosure) and "*SURFACE INTERACTION".

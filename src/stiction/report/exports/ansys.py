@@ -1,4 +1,4 @@
-"""Ansys Mechanical APDL: isotropic friction TB,FRIC of material 1 against normal pressure.
+"""Write commands of Ansys Mechanical APDL: isotropic friction TB,FRIC of material 1 against normal pressure.
 
 Document: Ansys Material Reference, "Contact Friction" (TB,FRIC,,,,ISO with TBFIELD and TBDATA,1,MU) and "Predefined Field
 Variables" (NPRES, normal pressure; values in ascending order). The stiffness before sliding is the real constant FKT. A

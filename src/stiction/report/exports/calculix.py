@@ -1,4 +1,4 @@
-"""CalculiX input: a *SURFACE INTERACTION with *SURFACE BEHAVIOR and *FRICTION, for bodies without a film.
+"""Write CalculiX input: a *SURFACE INTERACTION with *SURFACE BEHAVIOR and *FRICTION, for bodies without a film.
 
 Document: CalculiX CrunchiX User's Manual, "*FRICTION" (mu, and the stick slope in force per volume; no table over
 pressure) and "*SURFACE BEHAVIOR" (PRESSURE-OVERCLOSURE=TABULAR; lines: pressure, overclosure). Both numbers of *FRICTION

@@ -1,4 +1,4 @@
-"""COMSOL Multiphysics: a table for an interpolation function, in the spreadsheet format.
+"""Write a table for an interpolation function of COMSOL Multiphysics, in its spreadsheet format.
 
 Document: COMSOL Programming Reference Manual, "Spreadsheet Data Format" (columns, arguments first, functions after them; "%"
 begins a comment) and Reference Manual, "Interpolation" (several functions from one file). The first column is the pressure.

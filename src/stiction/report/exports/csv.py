@@ -1,4 +1,4 @@
-"""CSV with units in the column heads and without comment lines (RFC 4180), for any program that reads tables."""
+"""Write CSV with units in the column heads and without comment lines (RFC 4180), for any program that reads tables."""
 
 import csv
 import io

@@ -1,4 +1,4 @@
-"""Kratos Multiphysics: parameters of a frictional contact process, in JSON, with mu at the stated load.
+"""Write parameters of a frictional contact process of Kratos Multiphysics as JSON, with mu at the stated load.
 
 Document: Kratos, "Contact Process Settings Reference" (contact_type "Frictional", frictional_law "Coulomb" and
 friction_coefficients by interface, one number each: a table in pressure is not read). Kratos 10.4 took the file.

@@ -1,4 +1,4 @@
-"""Lethe: properties of a particle type and of walls, for the JKR contact force.
+"""Write properties of a particle type and of walls for Lethe, with the JKR contact force.
 
 Document: Lethe, "Lagrangian Physical Properties" and theory guide "Discrete Element Method", "Johnson-Kendall-Roberts force
 model". Its Coulomb limit is mu (F + 2 F_po), where F_po = (3/2) pi gamma_e R_e. The coefficient mu is chosen so that this limit

@@ -1,4 +1,4 @@
-"""LIGGGHTS: friction coefficient and cohesion energy density of two spheres, as variables of an input script.
+"""Write friction coefficient and cohesion energy density of two spheres as variables of a LIGGGHTS input script.
 
 Document: LIGGGHTS-PUBLIC, "gran cohesion sjkr2" and "gran tangential no_history". The cohesion force is k A, with the cohesion
 energy density k, the area A = 2 pi delta 2 R*, the overlap delta and the effective radius R*. By default the tangential model

@@ -1,4 +1,4 @@
-"""JSON with the constants of the LuGre and Dahl friction models at each load, for multibody programs.
+"""Write the constants of the LuGre and Dahl friction models at each load as JSON, for multibody programs.
 
 Document: Altair MotionSolve, "Friction Formulation" (LuGre: bristle stiffness sigma_0, static friction; Dahl is a special
 case). The kinetic force, the Stribeck velocity and the damping sigma_1 and sigma_2 are not predicted. MotionSolve needs

@@ -1,4 +1,4 @@
-"""MOOSE: a [Functions] block, mu against contact pressure, for `function_friction` of a frictional mortar constraint.
+"""Write a [Functions] block of MOOSE: mu against contact pressure, for `function_friction` of a mortar constraint.
 
 Document: MOOSE, "PiecewiseLinear" (x, y, axis) and "ComputeFrictionalForceLMMechanicalContact" (function_friction, "function to
 evaluate friction with values from contact pressure and relative tangential velocities": the function receives the pressure as

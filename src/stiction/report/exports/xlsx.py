@@ -1,4 +1,4 @@
-"""Excel workbook (Office Open XML), written with openpyxl: one sheet, units in the first row, no comment lines."""
+"""Write an Excel workbook (Office Open XML) with openpyxl: one sheet, units in the first row, no comment lines."""
 
 import io
 from typing import TYPE_CHECKING

@@ -66,10 +66,10 @@ class Fitted:
         return np.array([one.at(share) for one, share in zip(self.parameters, shares, strict=True)])
 
     def log_likelihood(self, rise: np.ndarray) -> np.ndarray:
-        """Return the log-likelihood minus its value at the best fit, for a rise of chi square of any shape.
+        """Return the log-likelihood minus its value at the best fit, as an array of the shape of `rise`.
 
-        If the size of the errors was estimated from the same values, it is integrated out (Gelman et al. 2013, section 14.2:
-        Student's t for a linear model).
+        rise: increase of chi square above the best fit. If the size of the errors was estimated from the same values, it is
+        integrated out (Gelman et al. 2013, section 14.2: Student's t for a linear model).
         """
         rise = np.maximum(rise, 0.0)
         return -0.5 * len(self.errors) * np.log1p(rise / self.freedom) if self.found else -0.5 * rise

@@ -61,8 +61,8 @@ def aicc_of(fit: Fitted) -> float:
 def _cross_validation_error(plan: FitPlan, fit: Fitted) -> float:
     """Return the cross-validation error of a fit: each part of the data is predicted from a fit to all other parts.
 
-    It is the root mean square of (prediction - measured value) over the standard errors, as in `ComparedModel`. NaN if there
-    are too few values for two parts, infinite if a fit fails.
+    It is the root mean square of (prediction - measured value) over the standard errors, as in `ComparedModel`. It is NaN if
+    there are too few values for two parts, and infinite if a fit fails.
     """
     data = plan.data
     folds = _folds(plan)

@@ -1,9 +1,9 @@
 """Fit numbers of a case to measured friction, pull-off force, contact area or resistance.
 
 The table [fit.free] of the case names the free parameters, each with its low and high end. A case that names no model is
-predicted: samples count by how well they agree with the measured values, and --load predicts another load from the same
-values. For a case that names a model, 95 % intervals follow from the profile likelihood, and the output states what the data
-do not determine. --out writes fitted.toml, a case file for `stiction run`, with pictures and tables. If interrupted after the
+predicted: samples are weighted by their agreement with the measured values, and --load predicts another load from the same
+values. For a case that names a model, 95 % intervals follow from the profile likelihood, and the output states what the data do
+not determine. --out writes fitted.toml, a case file for `stiction run`, with pictures and tables. If interrupted after the
 model is fitted, the command keeps this fit.
 """
 

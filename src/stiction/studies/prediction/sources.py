@@ -40,7 +40,10 @@ def _added(contact: Contact) -> list[tuple[str, str]]:
 
 
 def _more_laws(contact: Contact) -> Iterator[Record]:
-    """Yield the laws of adhesion and the added laws; only their modules are imported, not those of all laws."""
+    """Yield the records of the adhesion laws, if the contact adheres, and of the laws that `_added` lists.
+
+    Only the modules of these laws are imported.
+    """
     if contact.adheres:
         yield find("soft_coating_2015", RoughSurface)
         yield find("maugis_1992", AsperityLaw)

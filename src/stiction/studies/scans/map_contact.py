@@ -70,8 +70,8 @@ def contact_of_map(
     """Solve the contact of a prepared map with a flat at given nominal pressures.
 
     Pressures and hardness are above 0 and divided by E* h'; E* is the contact modulus, h' the root mean square gradient of the
-    map. sampled: whether to use only as many points as the contact area needs. Raises InputError for a profile, missing points,
-    or pressures above the hardness.
+    map. sampled: whether to skip points of the map that are not needed for an accurate contact area. Raises InputError for a
+    profile, missing points, or pressures above the hardness.
     """
     allowed = "a list of numbers > 0, nominal pressures over E* h'"
     wanted = floats(list(pressures), "pressures", allowed)
