@@ -45,15 +45,15 @@ def export(
     out : path, optional
         File to write. By default no file is written.
     load : number, text or sequence, optional
-        Normal load [N]; by default the loads of the case. The table covers the range of several loads. For one load it
-        covers two decades below and above.
+        Normal load [N]; by default the loads of the case. The table covers the range of several loads. For one load it covers
+        two decades below and above.
     level : float
         Quantile of mu to write, between 0 and 1: 0.5 is the median, 0.05 a lower bound.
     units : str
         Consistent units of the file, e.g. "mm-N-MPa". The error for unknown units lists all choices.
     radius : float [m] or str with a unit, optional
         Effective radius of two spheres, 1/R = 1/R_1 + 1/R_2, for the formats "lethe" and "liggghts", which require it. The load
-        is then the force between them, and the nominal area that of their contact.
+        is then the force between the spheres, and the nominal area is the area of their contact.
 
     Returns
     -------

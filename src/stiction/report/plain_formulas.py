@@ -35,8 +35,8 @@ _OPEN = "([{⟨"
 class _Piece:
     """Store a part of a formula as text, with the properties that decide the spaces around it.
 
-    word: a space separates it from a neighbouring value. relation: a space stands on both sides. fraction: it is a fraction or
-    a power, and a space separates it from a bracket that follows. function: it is the name of a function.
+    word: a space separates it from a neighbouring value. relation: there is a space on both sides. fraction: it is a fraction
+    or a power, and a space separates it from a bracket that follows. function: it is the name of a function.
     """
 
     text: str

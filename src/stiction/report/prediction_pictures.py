@@ -89,7 +89,8 @@ def validation_panel(axes: Axes, data: "xarray.Dataset") -> None:
 def rests_panel(axes: Axes, data: "xarray.Dataset") -> None:
     """Draw the interval of mu, and for each main source of uncertainty the interval that it would cause alone.
 
-    In ln mu, the interval of a source is that of mu times the square root of the share of the variance that the source causes.
+    The width of the interval of a source, in ln mu, is the width of the interval of mu, times the square root of the share of
+    the variance that the source causes.
     """
     mu, low, high = ends_of_mu(data)
     shares = main_sources(data.attrs["shares"])

@@ -171,7 +171,7 @@ def _bell(z: np.ndarray, mean: float, deviation: float) -> np.ndarray:
 def spectrum_figure(spectrum: BinnedSpectrum | Mapping[str, BinnedSpectrum], title: str = "") -> Figure:
     """Draw power spectra against the wavevector; the reliable band of wavelengths is shaded, and its points are filled.
 
-    spectrum: one spectrum, or spectra by name, all of maps or all of profiles. The shaded band is that of the first spectrum.
+    spectrum: one spectrum, or spectra by name, all of maps or all of profiles. The shaded band belongs to the first spectrum.
     """
     named = {"": spectrum} if isinstance(spectrum, BinnedSpectrum) else dict(spectrum)
     figure, (axes,) = canvas(8.2, 5.6)

@@ -113,7 +113,7 @@ async def make_page(query: Query, state: str) -> None:
 def _first_answer(query: Query, state: str) -> tuple[Answer, InputError | None]:
     """Return the first answer of a page, and the error of its address or None.
 
-    state: text of a case from the address; "" for the served case. After an error the answer is that of the served case.
+    state: text of a case from the address; "" for the served case. After an error, the served case is solved.
     """
     if not state:
         return solved(query), None

@@ -72,7 +72,7 @@ class Answer:
 
     @property
     def is_prediction(self) -> bool:
-        """Return whether the result is a prediction and not that of a model that the case names."""
+        """Return whether the result is a prediction, and not the result of a model that the case names."""
         return is_predicted(self.case)
 
     @cached_property

@@ -88,7 +88,7 @@ def design_notes(data: "xarray.Dataset") -> Iterator[Text]:
 
 
 def _which(data: "xarray.Dataset", row: int) -> str:
-    """Return what was chosen from lists for a design, in brackets; "" if there is only one design.
+    """Return the list entries that were chosen for a design, in brackets; "" if there is only one design.
 
     If nothing was chosen from lists, it is "design N" in brackets, with N counted from 1.
 

@@ -167,10 +167,10 @@ def _all_together(case: Case, shares: np.ndarray, variant: Variant, names: Seque
 
 
 def _are_possible(case: Case, numbers: Mapping[Address, Any], choice: Choice, count: int) -> np.ndarray:
-    """Return a mask of the samples (count,) without those that have a dimensionless group out of its bounds.
+    """Return a mask (count,) of the samples in which every dimensionless group is within its bounds.
 
-    Searching for these by bisection would take longer than solving all others. The mask is True everywhere if the numbers
-    themselves are refused.
+    Finding the other samples by bisection would take longer than solving all possible ones. The mask is True everywhere if the
+    numbers themselves are refused.
     """
     try:
         impossible: Any = with_surface_moments(case.at(numbers).subject, choice.model_key).impossible
