@@ -28,9 +28,9 @@ _POINTS = 300_000
 
 @dataclass(frozen=True)
 class Candidate:
-    """Store a model that can be applied to a contact.
+    """Store a model that a comparison can apply to a contact.
 
-    name: its name in a comparison. choice: the keys of the model, its laws and options.
+    name: its name in the comparison. choice: the keys of the model, its laws and options.
     """
 
     name: str
@@ -40,10 +40,10 @@ class Candidate:
 def candidates(subject: Subject) -> list[Candidate]:
     """Return every rough-surface model that a comparison tries, and the Greenwood-Williamson sum over each other asperity law.
 
-    subject: the contact. Laws of junction growth are included only for a contact without a film and without a pressure
-    coefficient; they are combined with an asperity law that has plastic flow. On a coated contact each model is combined with
-    its own film law or "sequential", and each other film law is a candidate of its own. The model that solves the map uses
-    every point of a small map, and a sample of the points of a large one.
+    subject: the contact. Without a film and without a pressure coefficient, laws of junction growth are added, combined with an
+    asperity law that has plastic flow. On a coated contact each model is combined with its own film law or "sequential", and
+    each other film law is a candidate of its own. The model that solves the map uses every point of a small map, and a sample
+    of the points of a large one.
     """
     models = of_kind(RoughSurface)
     taken = {model.asperity for model in models.values()}
@@ -92,8 +92,7 @@ def _with_film(candidate: Candidate, model: RoughSurface) -> Candidate:
 def _as_one(candidate: Candidate, model: RoughSurface, film: FilmLaw) -> Candidate:
     """Return the candidate combined with a film law that solves film and body as one elastic solid.
 
-    The tangential law of the model stays, unless it does not suit the film law; then the equivalent law for layered bodies is
-    used.
+    The candidate keeps its tangential law if it suits the film law; otherwise it gets the equivalent law for layered bodies.
     """
     tangential = find(model.tangential, TangentialLaw) if model.tangential != "none" else None
     like = tangential.like if tangential is not None and friction_incompatibility(film, tangential) else ""
@@ -104,7 +103,7 @@ def _as_one(candidate: Candidate, model: RoughSurface, film: FilmLaw) -> Candida
 def _alone(film: FilmLaw) -> Candidate:
     """Return a candidate that combines a film law with the asperity law of its source.
 
-    The rough-surface model is the one that has the tangential law of the film law, or else the Greenwood-Williamson sum.
+    Its rough-surface model is the one with the same tangential law as the film law, or else the Greenwood-Williamson sum.
     """
     model = next(
         (key for key, one in of_kind(RoughSurface).items() if one.asperity and one.tangential == film.tangential), _SUM
@@ -113,7 +112,7 @@ def _alone(film: FilmLaw) -> Candidate:
 
 
 def choice_of(name: str | None, given: Mapping[str, Any], subject: Subject) -> Choice:
-    """Return the selected model and laws for a name of a model and the keyword arguments of the user.
+    """Return the `Choice` that a model name and keyword arguments of the user select.
 
     name: the key of a rough-surface model, or a name that a comparison shows for this contact; None for the default model.
     given: keys of laws and values of options by keyword. subject: the contact. Raises InputError for an unknown name.

@@ -15,7 +15,7 @@ DEFAULT_MODEL, RECOMMENDED = "soft_coating_2015", "recommended"
 
 
 class LawKeywords(TypedDict, total=False):
-    """List the keyword arguments for laws and options of the public functions, for code completion in editors.
+    """List the keyword arguments for laws and options that public functions accept, for code completion in editors.
 
     A test compares the list with the registry of laws. Laws of other packages may add options, which are also passed as
     keywords.
@@ -53,9 +53,8 @@ class Choice:
     """Name a model with its laws and options, by their keys.
 
     model: key of the model; None for the default model. asperity, tangential, film: keys of laws that replace those of the
-    model; None for those of the model, and tangential = "none" for contact without friction. options: values by name, None for
-    a default. beside: keys of additional laws (menisci, ageing ...) by keyword, "none" to omit a law that the contact would
-    need.
+    model; None keeps the law of the model, and tangential = "none" omits friction. options: values by name, None for a default.
+    beside: keys of additional laws (menisci, ageing ...) by keyword, "none" to omit a law that the contact would need.
     """
 
     model: str | None = None
@@ -72,7 +71,10 @@ class Choice:
 
     @classmethod
     def of(cls, model: str | None, given: Mapping[str, Any]) -> "Choice":
-        """Return the choice of a model with the keyword arguments `given`, which hold keys of laws and values of options."""
+        """Build the choice of a model from keyword arguments.
+
+        model: its key, or None for the default model. given: keys of laws and values of options, by keyword.
+        """
         words = dict(given)
         laws = {name: words.pop(name) for name in _OF_MODEL[1:] if name in words}
         beside = {name: key for name in LAWS if (key := words.pop(name, None)) is not None}

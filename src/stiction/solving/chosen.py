@@ -29,10 +29,10 @@ from stiction.solving.choice import Choice
 class ResolvedLaws:
     """Store a model with its laws and all their options.
 
-    model: the rough-surface model. asperity: None for a theory in closed form or on a map. tangential: None for contact without
-    friction. film: None for a bare contact. options: values by name. ignored: selected laws that have no effect on this
-    contact, as texts. additions: additional laws (menisci, ageing ...) by keyword. dry: whether the user excluded menisci by
-    name.
+    model: the rough-surface model. asperity: None for a theory in closed form or a solution of a map. tangential: None for
+    contact without friction. film: None for a bare contact. options: values by name. ignored: selected laws that have no effect
+    on this contact, as texts. additions: additional laws (menisci, ageing ...) by keyword. dry: whether the user switched
+    menisci off with meniscus = "none".
     """
 
     model: RoughSurface
@@ -54,7 +54,7 @@ class ResolvedLaws:
     def yielded(self) -> str:
         """Return what limits the friction of junctions that have yielded, one of registry.YIELDED.
 
-        It is "" without friction, or if the law does not state it.
+        The result is "" without friction, or if the tangential law does not state it.
         """
         if self.tangential is None:
             return ""
@@ -80,10 +80,11 @@ class ResolvedLaws:
 
 
 def resolve_laws(choice: Choice, coated: bool, groups: Groups | None = None) -> ResolvedLaws:
-    """Look up the laws of a choice for a contact with (coated) or without a film.
+    """Look up the model and laws that a choice names by their keys, and check that they can be combined.
 
-    groups: dimensionless groups of the contact; stated ones can require additional laws, such as menisci. Raises InputError for
-    unknown keys, for options that none of the laws has, and for laws that cannot be combined.
+    coated: whether the contact has a film. groups: dimensionless groups of the contact; some of them add laws by default, for
+    example menisci. Raises InputError for unknown keys, for options that none of the laws has, and for laws that cannot be
+    combined.
     """
     model = find(choice.model_key, RoughSurface)
     key = choice.tangential or model.tangential
@@ -113,10 +114,10 @@ def resolve_laws(choice: Choice, coated: bool, groups: Groups | None = None) -> 
 def _additions(
     choice: Choice, groups: Groups | None, model: RoughSurface, tangential: TangentialLaw | None, film: FilmLaw | None
 ) -> dict[str, Addition]:
-    """Return additional laws by keyword: those that are named, and the defaults for stated quantities.
+    """Return the additional laws (menisci, ageing ...) by keyword: those named, and the defaults for stated quantities.
 
-    Defaults that cannot be combined with the other laws are omitted; for such named laws, and for unknown keys, InputError is
-    raised.
+    A default law that cannot be combined with the other laws is omitted. A named law that cannot be combined, or an unknown
+    key, raises InputError.
     """
     additions: dict[str, Addition] = {}
     for keyword, kind in kinds_of_additions().items():
@@ -143,7 +144,7 @@ def _refuse_junctions(film: FilmLaw | None, tangential: TangentialLaw | None, op
 
 
 def _ignored(choice: Choice, coated: bool) -> tuple[str, ...]:
-    """Return the film law that was selected for a contact without a film, as a text; () if none was.
+    """Return a text that names the film law if one was selected for a contact without a film, in a tuple; () if none was.
 
     Raises InputError for an unknown key.
     """
@@ -170,7 +171,10 @@ def _film(choice: Choice, model: RoughSurface) -> FilmLaw:
 
 
 def _refuse_parts(choice: Choice, model: RoughSurface, tangential: TangentialLaw | None, coated: bool) -> None:
-    """Raise InputError for laws and options that cannot be combined with a theory that does not sum over asperities."""
+    """Raise InputError for laws and options that do not suit a model that does not sum over asperities.
+
+    coated: whether the contact has a film; False for a model that solves a map.
+    """
     if coated and not model.on_film:
         raise InputError("model", model.key, "a model for coated contacts, because this contact has a film")
     if model.on_film and not coated:

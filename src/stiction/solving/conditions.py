@@ -1,8 +1,8 @@
 """Check validity conditions that apply to the results of every model, besides the ranges that authors claim.
 
-A rule limits one quantity: a number of `solving.state`, a result, or a property of the contact. A function with each rule tells
-to which problems the rule applies. The bounds are round numbers. The text of each rule states what fails beyond them. A model
-with an "impossible" result is never recommended.
+A rule limits one quantity: a number of `solving.state`, a result, or a property of the contact. Each rule comes with a function
+that returns whether the rule applies to a problem. The bounds are round numbers. The text of each rule states what fails beyond
+them. A model with an "impossible" result is never recommended.
 """
 
 from collections.abc import Callable, Iterable, Mapping
@@ -37,7 +37,10 @@ def _by_numbers(problem: Problem) -> bool:
 
 
 def _at_random(problem: Problem) -> bool:
-    """Return whether the model uses roughness numbers that are statistics; False for asperities that are listed one by one."""
+    """Return whether the model uses roughness numbers that are statistics.
+
+    The result is False for a model that solves a height map, and for asperities whose heights are listed one by one.
+    """
     return _by_numbers(problem) and not problem.heights.listed.size
 
 
@@ -77,9 +80,10 @@ def _does_not_grow(problem: Problem) -> bool:
 
 
 def _elastic_on_a_film(problem: Problem) -> bool:
-    """Return whether film and body are solved as one elastic solid, by a law that is valid in a range of the plasticity index.
+    """Return whether elastic results of a contact with a film have to be checked with the plasticity index of the film.
 
-    Elastic results are then checked with a plasticity index of the film, because the usual index is computed without the film.
+    That is so if film and body are solved as one elastic solid and the asperity law is valid in a range of the plasticity
+    index, because the usual index is computed without the film.
     """
     film, asperity = problem.chosen.film, problem.chosen.asperity
     if film is None or asperity is None or not film.solved_as_one:
@@ -130,7 +134,7 @@ def warnings_of_results(problem: Problem, results: Mapping[str, np.ndarray]) -> 
 
 
 def warnings_of_rounding(carried: np.ndarray, asked: np.ndarray) -> list[ValidityWarning]:
-    """Return a validity warning if requested loads were lost in round-off, in a list; empty if none was.
+    """Return one validity warning, in a list, if requested loads were lost in round-off; otherwise an empty list.
 
     carried, asked: computed and requested normalised loads, arrays of one shape.
     """
@@ -149,7 +153,7 @@ WITHIN, OUTSIDE, IMPOSSIBLE = range(3)
 
 
 def points_outside(problem: Problem, curve: Mapping[str, np.ndarray]) -> np.ndarray:
-    """Return for each point (m,) whether it is WITHIN all validity ranges, OUTSIDE one, or physically IMPOSSIBLE.
+    """Return for each point (m,) of a curve whether it is WITHIN all validity ranges, OUTSIDE one, or physically IMPOSSIBLE.
 
     curve: normalised results (1, m) of a single contact, by name.
     """
@@ -162,7 +166,7 @@ def points_outside(problem: Problem, curve: Mapping[str, np.ndarray]) -> np.ndar
 def rules_of(problem: Problem) -> list[Validity]:
     """Return every validity range that results of this problem can leave, each once.
 
-    The list does not depend on the values of the contacts.
+    The list depends on the laws and the problem, not on the values of its results.
     """
     if "rules" not in problem.shared:
         problem.shared["rules"] = list(dict.fromkeys(_rules_for(problem)))
@@ -178,7 +182,7 @@ def excludes(rule: Validity) -> bool:
 
 
 def rules_left(problem: Problem, results: Mapping[str, np.ndarray]) -> list[np.ndarray]:
-    """Return a mask for each range of `rules_of`, True where results lie outside the range.
+    """Return one mask for each range of `rules_of`, True where results lie outside the range.
 
     Masks are (n, m) over n contacts and m points, or (n, 1) for ranges that do not depend on points. results: normalised arrays
     by name, with the dimensions of the contacts first.
@@ -215,7 +219,7 @@ def _known(problem: Problem, results: Mapping[str, np.ndarray]) -> dict[str, Any
 def _of_groups(problem: Problem) -> dict[str, Any]:
     """Return the dimensionless groups of the contacts (n, 1), and quantities derived from them, by name; None if unknown.
 
-    They are read from the problem, because the contact would recompute all of them at each access.
+    They are read from the groups of the problem, because the contact would recompute all of them at each access.
     """
     groups = problem.groups
     names = [
@@ -239,7 +243,7 @@ def _rules_for(problem: Problem) -> list[Validity]:
 
 
 def _hardens(problem: Problem) -> bool:
-    """Return whether the metal work-hardens under a law that includes hardening.
+    """Return whether the contact has a work-hardening metal and a law that includes hardening.
 
     Under a law without hardening no contact spot bears more than the hardness.
     """
@@ -249,9 +253,9 @@ def _hardens(problem: Problem) -> bool:
 
 
 def without_repeats(warnings: Iterable[ValidityWarning]) -> list[ValidityWarning]:
-    """Return the validity warnings without those that a warning of kind "impossible" on the same quantity implies.
+    """Drop each validity warning whose quantity also has a warning of kind "impossible"; return all others.
 
-    For example, a value above 1 is also above 0.1.
+    For example, a value above 1, which is impossible, is also above 0.1. Warnings of kind "impossible" stay.
     """
     warnings = list(warnings)
     worst = {warning.quantity for warning in warnings if warning.kind == "impossible"}

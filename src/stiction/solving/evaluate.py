@@ -1,4 +1,4 @@
-"""Evaluate the model of the 2015 paper quickly: NumPy arrays in and out, without labels or units."""
+"""Evaluate the model of the 2015 paper quickly, with NumPy arrays as arguments and results, without labels or units."""
 
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -128,9 +128,10 @@ def evaluate(
 
 
 def _array(value, name: str, allowed: str) -> np.ndarray:
-    """Return the value as an array of floats; name, allowed: field and allowed values, for the error.
+    """Return a value as an array of floats; raise InputError for anything else.
 
-    Raises InputError also for a value with a unit, which NumPy would drop silently.
+    name, allowed: field and allowed values, for the error. A value with a unit also raises InputError, because NumPy would drop
+    the unit silently.
     """
     if has_unit(value):
         raise InputError(name, str(value), f"{allowed}, without a unit")
@@ -138,7 +139,7 @@ def _array(value, name: str, allowed: str) -> np.ndarray:
 
 
 def _checked(name: str, value) -> np.ndarray:
-    """Return the value as an array of floats, or raise InputError if it leaves the bounds of the quantity `name`."""
+    """Return the value as an array of floats; raise InputError if it leaves the bounds of the quantity `name`."""
     quantity = QUANTITIES[name]
     array = _array(value, name, quantity.allowed)
     if array.size == 0:
@@ -160,9 +161,10 @@ def _separations(h) -> np.ndarray:
 
 
 def _regimes(laws: dict[str, np.ndarray], choice: Choice) -> list[Regime]:
-    """Return the regimes (smooth parts) of the 2015 asperity law for flat arrays of dimensionless groups, by name.
+    """Return the regimes (smooth parts) of the 2015 asperity law for many sets of dimensionless groups.
 
-    A film has the Poisson ratio and the work of adhesion of the substrate, and is treated as a half-space.
+    laws: flat arrays of the groups, by name. A film has the Poisson ratio and the work of adhesion of the substrate, and is
+    treated as a half-space.
     """
     ones = np.ones_like(laws["nu"])
     film = {"n_g": ones, "film_aspect": np.inf * ones} if "tau" in laws else {}
@@ -172,9 +174,9 @@ def _regimes(laws: dict[str, np.ndarray], choice: Choice) -> list[Regime]:
 
 
 def _chunks(columns: list[np.ndarray], size: int) -> Iterator[tuple[slice, list[np.ndarray]]]:
-    """Yield the broadcast columns in flat chunks of at most `size` elements in C order, each with its slice of the flat result.
+    """Yield the columns, broadcast against each other, in flat chunks of at most `size` elements in C order.
 
-    Only one chunk is copied at a time.
+    Each chunk is yielded as (slice of the flat result, columns of the chunk). Only one chunk is copied at a time.
     """
     start = 0
     pieces_of: Any = np.nditer(columns, flags=["external_loop", "buffered", "zerosize_ok"], order="C", buffersize=size)

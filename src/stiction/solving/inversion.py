@@ -21,19 +21,19 @@ from stiction.solving.problem import LOAD, AsperitySum, Problem
 # search goes on by these factors, which double a separation in twelve steps.
 _FIRST = np.linspace(10.0, -10.0, 161)
 _BEYOND = 2.0 ** (np.arange(1, 13) / 12.0)
-_WAY_POINTS = 16  # memory that the search needs for each contact, in points; half a block is then 12,500 contacts (tiers)
-# A root needs no further step if its load error is below _LEFT times the load, or _ROUNDING times the sum of absolute terms. It
-# is accepted up to _GOOD times this error, after at most _STEPS steps.
+_WAY_POINTS = 16  # memory that the search needs for each contact, in points; half a block is then 12,500 contacts
+# A root needs no further step if its load error is below _LEFT times the load, or below _ROUNDING times the sum of absolute
+# terms. After at most _STEPS steps it is accepted if its load error is at most _GOOD times this bound.
 _LEFT, _ROUNDING, _GOOD, _STEPS = 1e-14, 5e-16, 10.0, 3
-# Ratio of the two loads from which the slope of a theory is estimated, and largest number of evaluations.
+# For theories in closed form: ratio of the two loads from which the slope is estimated, and largest number of evaluations.
 _RATIO, _MOST = 1.01, 7
 
 
 class Unreachable(Exception):
     """Report a load that a contact does not carry at any separation.
 
-    law: index of the contact. at: index of the load. low, high: range of the loads that the contact carries, normalised.
-    If the contact carries no tension, low is 0, and 0 itself is not carried.
+    law: index of the contact. at: index of the load. low, high: smallest and largest load that the contact carries, normalised;
+    tension is negative. If the contact carries no tension, low is 0, and the load 0 itself is not carried.
     """
 
     def __init__(self, law: int, at: int, low: float, high: float):
@@ -45,9 +45,9 @@ class Unreachable(Exception):
 class Inversion:
     """Store the separations at which n contacts carry m loads each.
 
-    h (n, m): separations over sigma, NaN for loads that are not carried. residual (n, m): load error over the load, or over
-    the largest tension if the load is negligible. tension (n,): largest tension on the branch (loading or unloading) of the
-    problem, normalised, 0 if the contact carries none. where (n,): separation of the largest tension, NaN if there is none.
+    h (n, m): separations over sigma, NaN for loads that are not carried. residual (n, m): load error over the load, or over the
+    largest tension if the load is negligible. tension (n,): largest tension on the branch of the problem (loading or
+    unloading), normalised; 0 if the contact carries none. where (n,): separation of the largest tension, NaN if there is none.
     evaluations: largest number of evaluations for one root.
     """
 
@@ -58,9 +58,9 @@ class Inversion:
     evaluations: int = 0
 
     def with_rows(self, rows: np.ndarray, found: "Inversion") -> "Inversion":
-        """Copy the separations found for some contacts into these arrays, in place, and return the whole inversion.
+        """Copy the separations of some contacts into these arrays, in place, and return the whole inversion.
 
-        rows: indices of these contacts. found: their inversion.
+        rows: indices of these contacts. found: their separations.
         """
         for name in _ARRAYS:
             getattr(self, name)[rows] = getattr(found, name)
@@ -71,10 +71,10 @@ _ARRAYS = ("h", "residual", "tension", "where")
 
 
 def pull_off(problem: Problem) -> tuple[np.ndarray, np.ndarray]:
-    """Return the largest tension per asperity (n,), normalised, and the separation (n,), over sigma, where it acts.
+    """Return the largest tension per asperity (n,), normalised, and its separation (n,), over sigma.
 
-    The tension is 0, and the separation NaN, for contacts that carry no tension. Only the branch (loading or unloading) of the
-    problem is searched. Source: the minimum of the load over separation (Fuller & Tabor 1975).
+    The tension is 0, and the separation NaN, for contacts that carry no tension. Only the branch of the problem (loading or
+    unloading) is searched. Source: the largest tension is minus the minimum of the load over separation (Fuller & Tabor 1975).
     """
     if isinstance(problem, AsperitySum) and problem.heights.density is gaussian_density and len(problem.groups) == 1:
         tension, where, holds = problem.largest_tension
@@ -87,19 +87,19 @@ def pull_off(problem: Problem) -> tuple[np.ndarray, np.ndarray]:
 def separations_at(problem: Problem, targets: np.ndarray, refuse: bool = True) -> Inversion:
     """Find the separations at which n contacts carry the normalised loads `targets` (n, m).
 
-    Several separations may carry one load. On approach from afar, the function returns the first one after the largest tension:
-    it is on the branch that is stable under a given load. For smooth laws and Gaussian heights a fast method finds starting
-    values, which are refined with the sums over asperities. Otherwise the root is bracketed on a grid and found by
-    Chandrupatla's method. Raises Unreachable for a load that cannot be carried; with refuse=False its separation is NaN.
+    Several separations may carry one load. The function returns the one that is stable under a given load: on approach from
+    afar, the first one after the largest tension. For smooth laws and Gaussian heights a fast method finds starting values,
+    which are refined with the sums over asperities. Otherwise the root is bracketed on a grid and found by Chandrupatla's
+    method. Raises Unreachable for a load that cannot be carried; with refuse=False its separation is NaN.
     """
     return _whole([inversion for inversion, _, _ in _by_blocks(problem, targets, refuse)])
 
 
 def solved_at(problem: Problem, targets: np.ndarray, refuse: bool = True) -> tuple[Inversion, dict[str, np.ndarray]]:
-    """Return the separations at which contacts carry the normalised loads `targets` (n, m), and the results (n, m) there.
+    """Find the separations at which contacts carry normalised loads `targets` (n, m), and the results (n, m) there.
 
-    The results of a load that cannot be carried are those at separation 0 if refuse is False; otherwise Unreachable is raised.
-    The last sums of the search are reused.
+    A load that cannot be carried raises Unreachable. With refuse=False its separation is NaN and its results are those at
+    separation 0. The last sums of the search are reused.
     """
     parts, tables = [], []
     for inversion, sums, some in _by_blocks(problem, targets, refuse):
@@ -110,9 +110,10 @@ def solved_at(problem: Problem, targets: np.ndarray, refuse: bool = True) -> tup
 
 
 def _by_blocks(problem: Problem, targets: np.ndarray, refuse: bool) -> Iterator[tuple[Inversion, np.ndarray | None, Any]]:
-    """Find separations as `separations_at` does, and yield the inversion, the sums and the problem of each block of contacts.
+    """Find separations as `separations_at` does, and yield (inversion, sums, problem) for each block of contacts.
 
-    The sums (regimes, n, m, 5) at the separations are None or NaN where the search did not compute them.
+    sums (regimes, n, m, 5): sums over asperities at the separations, NaN where the search did not compute them; None if it
+    computed none. problem: the problem of this block alone.
     """
     for rows in blocks(len(problem.groups), max(targets.shape[1], _WAY_POINTS)):
         some = problem.with_groups(rows)
@@ -128,10 +129,10 @@ def _whole(parts: list[Inversion]) -> Inversion:
 
 
 def _of_block(problem: Problem, targets: np.ndarray, refuse: bool) -> tuple[Inversion, np.ndarray | None]:
-    """Find separations as `separations_at` does, for one block of contacts; also return the sums over asperities there.
+    """Find separations as `separations_at` does, for one block of contacts; return the inversion and the sums over asperities.
 
-    A fast method is used for all contacts for which it succeeds, and the method of brackets for the others. The sums are
-    (regimes, n, m, 5), NaN where they were not computed, or None if none was.
+    A fast method is used for all contacts for which it succeeds, and the method of brackets for the others. The sums (regimes,
+    n, m, 5) at the separations are NaN where they were not computed, or None if none was.
     """
     sums = None
     if isinstance(problem, ClosedFormProblem):
@@ -157,9 +158,9 @@ def _of_block(problem: Problem, targets: np.ndarray, refuse: bool) -> tuple[Inve
 def _quickly(problem: AsperitySum, targets: np.ndarray) -> tuple[Inversion, np.ndarray, np.ndarray]:
     """Find the separations at the loads `targets` (n, m) with the fast method for Gaussian heights.
 
-    Returns the separations with their residuals, as an `Inversion`; a mask (n,) of the contacts for which the method succeeded;
-    and five sums over asperities at these separations (regimes, n, m, 5), NaN where they were not computed: number touching,
-    load, area, slip-limited and yield-limited resistance.
+    Returns three values: the separations with their residuals, as an `Inversion`; a mask (n,) of the contacts for which the
+    method succeeded; and the sums over asperities (regimes, n, m, 5) at these separations, NaN where they were not computed.
+    The five sums are number touching, load, area, slip-limited and yield-limited resistance.
     """
     start, (tension, where, holds) = problem.approach.starts(targets), problem.largest_tension
     carried = np.where((tension > 0.0)[:, None], targets >= -tension[:, None], targets > 0.0)
@@ -181,9 +182,10 @@ def _quickly(problem: AsperitySum, targets: np.ndarray) -> tuple[Inversion, np.n
 def _polished(problem: AsperitySum, law, h, sums, target, slope, enough) -> tuple[np.ndarray, np.ndarray, int]:
     """Refine the separations h (k,), over sigma, by Newton's method with a known slope of the load.
 
-    sums (regimes, k, 5): sums over asperities at these separations; those at the refined ones replace them, in place. law,
-    target, slope, enough (k,): index of the contact, requested load, derivative of the load by the separation, and load error
-    at which no further step is needed. Returns separations; load errors there, NaN if too large; and the number of evaluations.
+    law, target, slope, enough (k,): index of the contact, requested load, derivative of the load by the separation, and load
+    error at which no further step is needed. sums (regimes, k, 5): sums over asperities at the separations h; they are
+    overwritten with those at the refined separations. Returns the refined separations, their load errors (NaN if too large),
+    and the number of evaluations.
     """
     times, excess = 1, sums[..., LOAD].sum(axis=0) - target
     while times <= _STEPS and (some := np.flatnonzero(np.abs(excess) > enough)).size:
@@ -199,9 +201,10 @@ def _polished(problem: AsperitySum, law, h, sums, target, slope, enough) -> tupl
 
 
 def _from_tables(problem: ClosedFormProblem, targets: np.ndarray) -> tuple[Inversion, np.ndarray]:
-    """Find the separations at the loads `targets` (n, m) for a theory without adhesion that provides an estimate.
+    """Find the separations at the loads `targets` (n, m) for a theory in closed form that provides an estimate of them.
 
-    The secant method on the logarithm of the load starts from this estimate. Returns the inversion and a mask (n,) of success.
+    The theory has no adhesion. The secant method on the logarithm of the load starts from the estimate. Returns the inversion,
+    and a mask (n,) of the contacts for which the method succeeded.
     """
     laws = len(targets)
     near, nearer = problem.near(targets), problem.near(targets * _RATIO)
@@ -264,10 +267,10 @@ def _robustly(problem: Problem, targets: np.ndarray, refuse: bool) -> Inversion:
 
 
 def _tension_past(problem: Problem, h: np.ndarray, loads: np.ndarray, size: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the largest tension (n,) and its separation (n,); 0 and NaN for contacts without tension.
+    """Find the largest tension (n,) and its separation (n,) from loads on a grid; 0 and NaN for contacts without tension.
 
-    loads: (n, H) at the descending separations h (H,), over sigma. size: scale (n,) of the loads; a tension that is tiny in
-    comparison is a round-off error.
+    h (H,): descending separations over sigma. loads (n, H): loads there. size (n,): scale of the loads; a tension that is tiny
+    in comparison is a round-off error.
     """
     tension, where = largest_tension(problem.load_at, np.broadcast_to(h, loads.shape), loads)
     if problem.heights.tops.size and (problem.groups.theta is not None or problem.groups.meniscus_height is not None):
@@ -299,7 +302,7 @@ def _below_tops(problem: Problem) -> np.ndarray:
 
 
 def largest_tension(load: Callable, h: np.ndarray, loads: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the largest tension (n,), 0 if no load is negative, and its separation (n,), NaN then.
+    """Find the largest tension (n,) and its separation (n,) from loads on a grid; 0 and NaN if no load is negative.
 
     load(h, law): function that returns the loads of the contacts with the indices `law` at the separations h, element by
     element. h, loads (n, H): ordered separations and the loads there. The minimum of the load is searched between the two
@@ -323,9 +326,9 @@ def largest_tension(load: Callable, h: np.ndarray, loads: np.ndarray) -> tuple[n
 def _loads_past(problem: Problem, targets: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return descending separations (H,), over sigma, the loads (n, H) there, and the scale (n,) of the loads.
 
-    The separations start where the load is below the smallest target and almost nothing touches. They end at -10 or where
-    compression exceeds all tension. Sparse asperities of nearly equal heights are pressed further, until they carry the largest
-    target or would fill the nominal area. The scale does not depend on this range.
+    The separations start where the load is below the smallest of `targets` (n, m) and almost nothing touches. They end at -10,
+    or where compression exceeds all tension. Sparse asperities of nearly equal heights are pressed further, until they carry
+    the largest target or would fill the nominal area. The scale does not depend on this range.
     """
     h, loads = _FIRST, problem.loads_on_grid(_FIRST)
     size = np.abs(loads).max(axis=1)
@@ -351,10 +354,11 @@ def _loads_past(problem: Problem, targets: np.ndarray) -> tuple[np.ndarray, np.n
 
 
 def _deepest(problem: Problem) -> np.ndarray | float:
-    """Return how far below the mean plane, over sigma, asperities may be pressed to carry a load, (n,) or a number.
+    """Return how far below the mean plane asperities may be pressed to carry a load, over sigma, (n,) or a number.
 
-    An asperity pressed by delta touches pi R delta/2 or more, so N asperities per area fill the plane at 2/(pi N R sigma)
-    deviations. Listed heights may be nearly equal, and have no such bound.
+    An asperity pressed by delta touches the area pi R delta/2 or more, so that N asperities per area fill the plane when
+    pressed by 2/(pi N R) (R: asperity radius). Listed heights may be nearly equal and get the largest separation that can be
+    computed. The result is 0 if the asperity density is unknown.
     """
     density = problem.groups.roughness_parameter  # N R sigma
     if problem.heights.listed.size:
@@ -374,9 +378,10 @@ def _touches(loads: np.ndarray, size: np.ndarray, smallest: np.ndarray) -> np.nd
 
 
 def _roots(problem: Problem, law: np.ndarray, targets: np.ndarray, bracket: tuple) -> tuple[np.ndarray, np.ndarray, int]:
-    """Return the separations (k,) within brackets at which contacts carry loads, with load errors and number of evaluations.
+    """Find the separations (k,) within brackets at which contacts carry loads; return them with load errors and evaluations.
 
-    law: indices (k,) of the contacts. targets: loads (k,). bracket: lower and upper separations, (k,) each.
+    law: indices (k,) of the contacts. targets: loads (k,). bracket: lower and upper separations, (k,) each. The last value is
+    the largest number of evaluations for one root.
     """
     from scipy.optimize.elementwise import find_root
 

@@ -29,10 +29,10 @@ def most_pull(groups: Groups) -> np.ndarray | None:
 
 
 def pull_and_bound(sums: np.ndarray, regimes: list[Regime], most: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the meniscus pull in the sums over asperities, and its upper bound, each (...,), per asperity and normalised.
+    """Return the meniscus pull in the sums over asperities, and its upper bound, per asperity and normalised, (...,) each.
 
-    sums: (regimes, ..., 5); the regimes with the state "meniscus" pull. most: factors (2, ...) of `most_pull`. The bound is the
-    Laplace pressure times the nominal area minus the contact area.
+    sums (regimes, ..., 5): only regimes with the state "meniscus" pull. most: factors (2, ...) of `most_pull`. The bound is the
+    Laplace pressure times the part of the nominal area that is not in contact.
     """
     pull = -sums[_of_menisci(regimes), ..., _LOAD].sum(axis=0)
     return pull, most[0] * np.clip(1.0 - most[1] * sums[..., _AREA].sum(axis=0), 0.0, 1.0)

@@ -32,7 +32,7 @@ _MEANINGS = {
 
 
 def as_measured(data: "xarray.Dataset", measured: Any) -> "xarray.Dataset":
-    """Return a result of `solve` with attributes on the scans: asperity method, history, sources and warnings.
+    """Return a result of `solve` with attributes that describe the scans: asperity method, history, sources and warnings.
 
     measured: roughness that was measured on scans.
     """
@@ -42,9 +42,10 @@ def as_measured(data: "xarray.Dataset", measured: Any) -> "xarray.Dataset":
 
 
 def _at_loads(contact: Contact, like: "xarray.Dataset", choice: Choice, heights: Heights | str | None) -> np.ndarray:
-    """Solve the contact at the loads of a result; return friction coefficient and touching fraction (2, *shape of the result).
+    """Solve the contact at the loads of a result; return friction coefficient and touching fraction as one array.
 
-    like: the result of `solve`. The values are NaN where a load cannot be carried or the model does not accept the contact.
+    like: the result of `solve`; the array is (2, *shape of its friction coefficient). The values are NaN where a load cannot be
+    carried or the model does not accept the contact.
     """
     import xarray
 
@@ -80,13 +81,14 @@ def with_method_spread(
     choice: Choice,
     heights: Heights | str | None = None,
 ) -> "xarray.Dataset":
-    """Return the result of `solve` with the friction coefficients of all asperity methods added.
+    """Add the friction coefficients of all asperity methods to a result of `solve`, and return it.
 
     contacts: the same bodies with the roughness from each method, by the name of the method. counts: number of asperities that
-    each method found, 0 for methods that give averages only. Adds friction_coefficient_by_method (asperity_method, points), its
-    range over the methods as friction_coefficient_low and friction_coefficient_high, and found_touching_by_method, the number
-    of found asperities that touch, NaN for averages only. If fewer than ten of them touch, friction depends on the assumed tail
-    of the heights, and `outside_validity` warns. A result without friction is returned unchanged.
+    each method found, 0 for methods that compute averages without finding single asperities. Adds
+    friction_coefficient_by_method (asperity_method, points), its range over the methods as friction_coefficient_low and
+    friction_coefficient_high, and found_touching_by_method, the number of found asperities that touch (NaN for averages). If
+    fewer than ten of them touch, friction depends on the assumed tail of the height distribution, and a validity warning states
+    this. A result without friction is returned unchanged.
     """
     if _MU not in data:
         return data
@@ -104,7 +106,7 @@ def with_method_spread(
 
 
 def _on_the_tail(data: "xarray.Dataset") -> str:
-    """Describe at which methods and loads fewer than ten of the found asperities touch.
+    """Return a warning text that lists the methods and loads at which fewer than ten of the found asperities touch.
 
     The text is "" if there are none, or if the model has no asperities.
     """
@@ -130,10 +132,10 @@ def _on_the_tail(data: "xarray.Dataset") -> str:
 def with_range_over_methods(
     data: "xarray.Dataset", methods: list[str], each: np.ndarray, points, name: str
 ) -> "xarray.Dataset":
-    """Return the dataset with a quantity by each asperity method, and its lowest and highest value over the methods, added.
+    """Add a quantity by asperity method to a dataset, with its lowest and highest value over the methods; return the dataset.
 
-    methods: their names. each: values (methods, points). points: names of the other dimensions. name: name of the quantity,
-    which the names of the three new variables begin with.
+    methods: names of the methods. each: values (methods, points). points: names of the other dimensions. name: name of the
+    quantity; the three new variables are name_by_method, name_low and name_high.
     """
     tables = ((METHOD, *points), each), (points, np.fmin.reduce(each)), (points, np.fmax.reduce(each))
     added = {

@@ -20,7 +20,7 @@ __all__ = ["AdhesiveMap", "PeelingMap", "without_mode_mixity"]
 
 
 def without_mode_mixity(problem: MapProblem) -> MapProblem:
-    """Return the problem in which shear does not change the adhesion.
+    """Return the problem with the option mode_mixity set to "none": shear then does not change the adhesion.
 
     Raises InputError if a law of mode mixity (how shear lowers adhesion) is selected for a contact without adhesion.
     """
@@ -86,7 +86,7 @@ def _attraction(problem: MapProblem) -> tuple[float, float]:
 
 
 def _adhesive_state(problem: MapProblem, one: "MapContact") -> "AdhesiveState":
-    """Solve the adhesive map again at the load of the contact `one`, and return it with the gap of every point."""
+    """Solve the adhesive map again at the load of the contact `one`, and return the state with the gap of every point."""
     from stiction.solvers.boundary_elements.adhesive import adhesive_state
 
     surface, bodies = problem.surface(), bodies_of(problem.contact)

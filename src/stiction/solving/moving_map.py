@@ -21,10 +21,10 @@ __all__ = ["MovingMap"]
 class MovingMap:
     """Represent a map, solved at one or more loads, that is displaced tangentially; shear does not change its pressure.
 
-    problem: contact and laws. contacts: solved without shear, for each load. strengths: shear strength of their points (rows,
-    columns) [Pa]. operator: computes shear displacements. remark: what the solution neglects, for the user; "" if nothing.
-    farther: largest displacement to solve by default, divided by the displacement at which every point slips if shear does not
-    change the pressure.
+    problem: contact and laws. contacts: solution without shear at each load. strengths: shear strength [Pa] of the points
+    (rows, columns) at each load. operator: computes shear displacements. remark: what the solution neglects, for the user; ""
+    if nothing. farther: largest displacement to solve by default, divided by the displacement at which every point slips if
+    shear does not change the pressure.
     """
 
     farther: ClassVar[float] = 1.0
@@ -37,9 +37,9 @@ class MovingMap:
 
     @classmethod
     def of(cls, problem: MapProblem, contacts: "tuple[MapContact, ...]") -> "MovingMap":
-        """Return the moving map of contacts solved without shear, one for each load.
+        """Build the moving map from contacts solved without shear, one for each load.
 
-        Raises InputError if the strength of points is not known.
+        Raises InputError if the shear strength of the points is not known.
         """
         strengths = tuple(problem.strengths(one) for one in contacts)
         return cls(problem, contacts, strengths, operator_of(problem, problem.surface()))
@@ -54,7 +54,7 @@ class MovingMap:
         return self.nominal_area / self.strengths[index].size
 
     def path(self, index: int, shifts: np.ndarray, weakening: "Weakening | None") -> "SlidingPath":
-        """Return the states of the map at all rigid shifts [m], in their order, at the load of this index.
+        """Solve the map at all rigid tangential displacements `shifts` [m], in their order, at the load of this index.
 
         weakening: how strength falls with slip; None for constant strength.
         """
@@ -72,7 +72,7 @@ class MovingMap:
         return {}
 
     def curves(self, paths: "list[SlidingPath]") -> "dict[str, np.ndarray]":
-        """Return further results of each load and displacement (m, k), by name; areas [m2] are those of the solved map."""
+        """Return further results of each load and displacement (m, k), by name; areas [m2] refer to the solved map."""
         return {}
 
 

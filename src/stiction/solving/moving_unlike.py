@@ -1,7 +1,7 @@
 """Displace a map of two bodies with unlike elastic constants tangentially: pressure and shear are coupled.
 
-A window that is not periodic is completed to a whole period by its mirror images, because the coupled tractions are not
-symmetric about its sides.
+A window that is not periodic is completed to one period with its mirror images, because the coupled tractions are not symmetric
+about its sides.
 """
 
 import math
@@ -35,7 +35,7 @@ def are_unlike(problem: MapProblem) -> bool:
 class UnlikeBodies(MovingMap):
     """Represent a map of bodies with unlike elastic constants, whose pressure and shear are coupled.
 
-    The contacts are those of a whole period: of a window together with its mirror images.
+    The contacts are those of one period of the map, which for a window includes its mirror images.
     """
 
     farther: ClassVar[float] = 1.5
@@ -68,7 +68,7 @@ class UnlikeBodies(MovingMap):
         return path if pressing.converged else replace(path, states=tuple(replace(s, converged=False) for s in path.states))
 
     def pressing(self, index: int) -> "Pressing":
-        """Return a solver of the pressure at the load of this index, which starts from the contact without shear."""
+        """Return the solver of the pressure under shear at the load of this index; it starts from the unsheared contact."""
         from stiction.solvers.boundary_elements.compliance import Compliance
         from stiction.solvers.boundary_elements.measures import rms_step
         from stiction.solvers.boundary_elements.minimise import Problem
@@ -90,9 +90,9 @@ class UnlikeBodies(MovingMap):
         return math.inf if hardness is None or self.problem.options["yielding"] == "none" else float(hardness)
 
     def strength_at(self, index: int, pressure: np.ndarray) -> np.ndarray:
-        """Return the shear strength of every point under another pressure, both (rows, columns) [Pa].
+        """Return the shear strength of every point [Pa] from a pressure of every point [Pa], both (rows, columns).
 
-        index: of the load.
+        index: index of the load.
         """
         return self.problem.strengths(self._with_pressure(index, pressure))
 
@@ -119,10 +119,10 @@ class UnlikeBodies(MovingMap):
 
 
 def effect_of_coupling(problem: MapProblem, contacts: "tuple[MapContact, ...]") -> float:
-    """Return the largest relative change of friction that the coupling of pressure and shear causes, over all loads.
+    """Return the largest relative change of friction due to the coupling of pressure and shear, over all loads.
 
-    contacts: solved without shear, one for each load. All points slide, each at the strength that its pressure gives. The pull
-    of menisci is included in the load.
+    contacts: solved without shear, one for each load. Friction is computed with all points sliding, each at the strength that
+    its pressure gives. The pull of menisci is included in the load.
     """
     from stiction.solvers.shear.coupled import force_when_all_slide
 
@@ -159,9 +159,9 @@ def _period(surface: "HeightMap") -> "HeightMap":
 
 
 def _contact_of_period(one: "MapContact") -> "MapContact":
-    """Return the contact of a window together with its mirror images, from the contact of the window.
+    """Return the contact of a whole period, a window with its mirror images, from the contact of the window.
 
-    Only the attributes that slide() needs are changed.
+    Only the attributes that `slide` needs are changed.
     """
     assert one.pressure is not None
     areas = {name: 4.0 * getattr(one, name) for name in ("nominal_area", "area", "area_pixels", "plastic_area")}

@@ -64,7 +64,7 @@ class MapProblem(Problem):
 
     @cached_property
     def contact(self) -> Contact:
-        """Return the contact with its map, without its liquid if menisci are not solved.
+        """Return the contact with its map; its liquid is removed if menisci are not solved.
 
         Raises InputError if the contact has no map, or if one of its numbers is an array.
         """
@@ -77,7 +77,7 @@ class MapProblem(Problem):
 
     @cached_property
     def factors(self) -> dict[str, Any]:
-        """Return unit ("N", "m^2" ...) -> number by which normalised results in this unit are multiplied."""
+        """Return the number by which normalised results are multiplied, for each unit ("N", "m^2" ...)."""
         return self.contact.scales().factors()
 
     @property
@@ -97,7 +97,10 @@ class MapProblem(Problem):
         return self._measured.solvable.one()
 
     def curve(self, load: np.ndarray) -> "MapCurve":
-        """Solve the map at normalised loads (m,), and return the contacts."""
+        """Solve the map at normalised loads (m,), and return its contacts.
+
+        Raises InputError for a load that is not positive if the contact has no adhesion.
+        """
         contact, surface = self.contact, self.surface()
         unit = self.factors["N"]
         if not self.adheres and not (load > 0.0).all():
@@ -164,7 +167,8 @@ class MapProblem(Problem):
     def _friction(self, map_contact: "MapContact") -> float:
         """Return the normalised tangential force of the whole contact with all points at full strength.
 
-        map_contact: solved map, whose force is scaled to the nominal area of the contact.
+        map_contact: solved map, whose force is scaled to the nominal area of the contact. Raises InputError for adhesive
+        contact if the option `shear` needs the pressure of each point.
         """
         assert self.chosen.tangential is not None
         whole = self.contact.nominal_area / map_contact.nominal_area

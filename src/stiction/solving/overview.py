@@ -1,4 +1,4 @@
-"""Return what is known of the registered models and laws, and the bibliography entries of a result."""
+"""Describe the registered models and laws, and return the bibliography entries of a result."""
 
 from collections.abc import Callable, Iterable
 from contextlib import suppress
@@ -58,7 +58,7 @@ class ModelRow(TypedDict):
 
 
 def models(keys: Iterable[str] | None = None) -> list[ModelRow]:
-    """Return what is known of every model, law and method of finding asperities.
+    """Describe every model, law and method of finding asperities, or only those with given keys.
 
     Parameters
     ----------
@@ -68,7 +68,7 @@ def models(keys: Iterable[str] | None = None) -> list[ModelRow]:
     Returns
     -------
     list of ModelRow
-        One dict for each of them. `text`, in Markdown, holds assumptions, equations and check numbers.
+        One dict for each of them. Its value `text`, in Markdown, holds assumptions, equations and check numbers.
 
     Raises
     ------

@@ -22,7 +22,7 @@ def states_of(regimes: list[Regime]) -> list[str]:
 
 
 def share_beyond(regimes: list[Regime], parts: np.ndarray) -> np.ndarray:
-    """Return the fraction (n, m) of the summed |parts| in regimes pressed deeper than the film's law is valid.
+    """Return the fraction (n, m) of the summed |parts| in regimes too deep for the film law to be valid.
 
     parts: (regimes, n, m), loads or friction forces. The fraction is 0 where all parts are 0.
     """
@@ -31,11 +31,11 @@ def share_beyond(regimes: list[Regime], parts: np.ndarray) -> np.ndarray:
 
 
 def share_without(regimes: list[Regime], loads: np.ndarray, friction: np.ndarray) -> np.ndarray:
-    """Return the fraction (n, m) of the load that is on asperities without full tangential resistance.
+    """Return the fraction (n, m) of the load on asperities without full tangential resistance.
 
-    loads, friction: (regimes, n, m). Regimes without friction count, and regimes in which part of the contact flows
-    plastically. The fraction is relative to the net load, which attractive regimes reduce, and is at most 1; it is 0 where the
-    net load is 0.
+    loads, friction: (regimes, n, m). Two kinds of regimes count: those without friction, and those in which part of the contact
+    flows plastically. The fraction is relative to the net load, which attractive regimes reduce, and is at most 1; it is 0
+    where the net load is 0.
     """
     flowing = np.array([regime.yields_by_degrees for regime in regimes])[:, None, None]
     lost, net = np.where(flowing | (friction == 0.0), np.abs(loads), 0.0).sum(axis=0), np.abs(loads.sum(axis=0))

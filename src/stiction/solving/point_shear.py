@@ -31,10 +31,10 @@ _TABOR = 9.0  # factor of tau_0^2 in (2), from Tabor's measurements
 def points_of(map_contact: "MapContact") -> Iterator[tuple[str, np.ndarray, float, float]]:
     """Yield each group of points of a solved map: state, pressures [Pa], area of a pixel [m2], contact area of each point [m2].
 
-    The first group, "elastic", are the points below the hardness; the second, "plastic", those at the hardness, if there are
-    any. The contact area of a point is smaller than its pixel, because pixels at contact edges touch in part. The total excess
-    is subtracted from the elastic points, each by the same factor; if their area does not suffice, all points are reduced by
-    one factor.
+    The group "elastic" holds the points below the hardness, the group "plastic" those at the hardness; a group without points
+    is not yielded. The contact area of a point is smaller than its pixel, because pixels at contact edges touch in part. The
+    total excess is subtracted from the elastic points, each by the same factor; if their area does not suffice, all points are
+    reduced by one factor.
     """
     assert map_contact.pressure is not None
     pixel = map_contact.nominal_area / map_contact.pressure.size
@@ -50,10 +50,10 @@ def points_of(map_contact: "MapContact") -> Iterator[tuple[str, np.ndarray, floa
 
 
 def _lesser(contact: Contact, law: str, map_contact: "MapContact") -> OfPoints:
-    """Yield the state and the tangential forces [N] of each group of points, "elastic" and "plastic".
+    """Yield the state, "elastic" or "plastic", and the tangential forces [N] of each group of points.
 
-    The force on a point is the smaller of the pressure coefficient times the load, and the strength times the contact area.
-    law: not used.
+    The force on a point is the smaller of two: pressure coefficient times load, and strength times contact area. law: not used.
+    Raises InputError without a pressure coefficient or a strength.
     """
     strength, (_, coefficient) = _strength(contact), contact.interface_at()
     if coefficient is None:
@@ -67,11 +67,11 @@ def _lesser(contact: Contact, law: str, map_contact: "MapContact") -> OfPoints:
 
 
 def _junction_growth(contact: Contact, law: str, map_contact: "MapContact") -> OfPoints:
-    """Yield the state and the tangential forces [N] of each group of points, "elastic" and "plastic".
+    """Yield the state, "elastic" or "plastic", and the tangential forces [N] of each group of points.
 
-    The force on a point is the shear strength times the contact area, which grows until the point carries the load under
+    The force on a point is the shear strength times the contact area. This area grows until the point carries its load under
     combined stresses, by equation (2) of this module. law: key of the tangential law; only the law of constant strength is
-    allowed.
+    allowed. Raises InputError for another law, for a film, and for a strength at which junctions grow without limit.
     """
     from stiction.contact.pair import Pair
 
@@ -92,7 +92,7 @@ def _junction_growth(contact: Contact, law: str, map_contact: "MapContact") -> O
 
 
 def _strength(contact: Contact) -> float:
-    """Return the shear strength of the interface [Pa], at most the strength of the weaker body; raise InputError for none."""
+    """Return the shear strength of the interface [Pa], at most that of the weaker body; raise InputError if none is stated."""
     if contact.interface_strength is None:
         raise InputError("interfacial_shear_strength", None, "the interfacial shear strength, as text with a unit of pressure")
     return float(contact.interface_strength)

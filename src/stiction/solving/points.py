@@ -27,9 +27,9 @@ class Points:
     """Store the loads or mean separations at which the contacts of a problem are solved.
 
     name: "load" or "mean_separation". value: the requested number or array with named dimensions, in the units of the contact.
-    factors: unit ("N", "m") -> number by which normalised values in this unit are multiplied. dims: dimensions of the results
-    with their sizes, those of the contacts first. wanted: normalised values in the shape of dims. narrow: the same values,
-    with length 1 along dimensions on which they do not depend.
+    factors: for each unit ("N", "m") the number by which normalised values are multiplied. dims: dimensions of the results with
+    their sizes, those of the contacts first. wanted: normalised values in the shape of dims. narrow: the same values, with
+    length 1 along dimensions on which they do not depend.
     """
 
     problem: Problem
@@ -51,14 +51,14 @@ class Points:
         return self.problem.coords | coordinates_of(self.value)
 
     def rows(self, rows: np.ndarray) -> "Points":
-        """Return the points of the contacts with these indices, all along the one dimension "contact"."""
+        """Return the points of the contacts with these indices; their only contact dimension is "contact"."""
         some = self.table[rows]
         problem = replace(self.problem.with_groups(rows), dims={"contact": len(rows)})
         return replace(self, problem=problem, wanted=some, narrow=some)
 
 
 def points_of(problem: Problem, load: Any = None, separation: Any = None) -> Points:
-    """Return the points of a request that states either a load or a separation, in the units of the contact.
+    """Return the points at which a user asks for results, from either a load or a separation in the units of the contact.
 
     Raises InputError if both or neither are stated, and for a separation if the model does not compute separations.
     """
@@ -124,8 +124,8 @@ def coordinates_of(*values: Any) -> dict[str, Any]:
 class Solved:
     """Store normalised results at points.
 
-    tables: arrays by name, in the shape of the points. found, carried: for requested loads, the separations that were found and
-    the loads computed there; None for requested separations.
+    tables: arrays by name, in the shape of the points. found, carried: for requested loads, the separations that were found,
+    and the loads computed at these separations; None for requested separations.
     """
 
     tables: dict[str, np.ndarray]
@@ -136,7 +136,7 @@ class Solved:
 def solve_points(points: Points, refuse: bool = True) -> Solved:
     """Solve a problem at its points, and return the normalised results.
 
-    Raises Unreachable for a load that cannot be carried; with refuse=False its separation is NaN, and its results are those at
+    A load that cannot be carried raises Unreachable. With refuse=False its separation is NaN, and its results are those at
     separation 0. Raises InputError for points that the model does not support.
     """
     problem, wanted = points.problem, points.wanted
@@ -164,7 +164,7 @@ def check_reach(separation: np.ndarray, name: str = "separation") -> None:
 
 @contextmanager
 def in_words(points: Points) -> Iterator[None]:
-    """Within the context, convert the exception Unreachable to an InputError that states which loads can be carried.
+    """Convert the exception Unreachable, inside a with-block, to an InputError that states which loads can be carried.
 
     points: the requested points, with the units in which loads are shown.
     """

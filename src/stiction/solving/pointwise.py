@@ -41,9 +41,9 @@ class BatchResult:
     """Store the results of many contacts.
 
     variables: (dimensions, values in the units of the contact, attributes) by name. validity_warnings: dimensions, and an array
-    of bits (uint32): first one bit for each reason of WHY_NOT, then one for each rule. rules: validity ranges that results can
-    leave. subject: the contacts in the form that the model uses. attributes: models and sources as in `solve`, if all results
-    are requested.
+    of bits (uint32): first one bit for each reason of WHY_NOT, then one for each range in `rules`. rules: validity ranges that
+    results can leave. subject: the contacts in the form that the model uses. attributes: models and sources as in `solve`; {}
+    if only some results are requested.
     """
 
     variables: dict[str, tuple]
@@ -89,7 +89,7 @@ def meanings_of(rules: Sequence[Validity]) -> list[str]:
 
 
 def _solved(points: Points) -> tuple[Solved, np.ndarray]:
-    """Return the results at the points, and why results are missing, as bits (contacts, points).
+    """Return the results at the points, and bits (contacts, points) that state why results are missing.
 
     Bit i is set if the reason WHY_NOT[i] prevents a result.
     """
@@ -102,7 +102,7 @@ def _solved(points: Points) -> tuple[Solved, np.ndarray]:
 
 
 def _in_parts(points: Points) -> tuple[Solved, np.ndarray]:
-    """Solve contacts in parts, so that those that the model does not accept get NaN and the others get results.
+    """Solve contacts in parts: contacts that the model does not accept get NaN, and all others get results.
 
     Returns the results and the bits of WHY_NOT (contacts, points). Raises the last error if no contact is accepted.
     """
@@ -126,10 +126,10 @@ def _in_parts(points: Points) -> tuple[Solved, np.ndarray]:
 
 
 def bisected(region: Region, solve: Callable[[Region], T]) -> Iterator[tuple[Region, T | Exception]]:
-    """Solve a region of contacts in parts as large as possible; yield (part, result) for each.
+    """Solve a region of contacts in parts as large as possible, and yield (part, result) for each part.
 
-    A part for which `solve` raises InputError or ArithmeticError is bisected along its longest dimension. A single contact
-    yields the error as its result.
+    A part for which `solve` raises InputError or ArithmeticError is bisected along its longest dimension. A single contact that
+    raises an error yields this error as its result.
     """
     waiting = [region]
     while waiting:
@@ -158,7 +158,7 @@ def tiles(sizes: Mapping[str, int], room: int) -> dict[str, int]:
 
 
 def pieces(region: Region, room: int) -> Iterator[Region]:
-    """Yield the parts into which a region is divided so that each holds at most `room` contacts."""
+    """Divide a region into parts of at most `room` contacts each, and yield the parts."""
     steps = tiles({dim: some.stop - some.start for dim, some in region.items()}, room)
     starts = (range(some.start, some.stop, steps[dim]) for dim, some in region.items())
     for corner in product(*starts):
@@ -177,7 +177,7 @@ def _halves(region: Region) -> list[Region]:
 def _taken(points: Points) -> tuple[Solved, np.ndarray]:
     """Return the results at the points, NaN where a load cannot be carried, and the bits of WHY_NOT (contacts, points).
 
-    A model that computes no separations is not evaluated for tensile loads.
+    For a model that computes no separations, tensile loads count as not carried.
     """
     lost = rounded = np.zeros(points.wanted.shape, dtype=bool)
     if points.problem.needs_load:

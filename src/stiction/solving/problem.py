@@ -58,7 +58,7 @@ class AsperitySum(Problem):
 
     @cached_property
     def regimes(self) -> list[Regime]:
-        """Return the regimes (smooth segments of the laws) of the solids, then those of added laws that have any (menisci)."""
+        """Return the regimes (smooth segments) of the laws of the solids, then those of additional laws such as menisci."""
         return [*self._solids(), *(regime for law in self.chosen.additions.values() for regime in law.regimes(self.groups))]
 
     def _solids(self) -> list[Regime]:
@@ -87,7 +87,7 @@ class AsperitySum(Problem):
     def load_alone(self) -> "AsperitySum":
         """Return the problem without its tangential law, whose kinks would split the integrals for the load.
 
-        The problem itself is returned if its model needs that law.
+        If the model needs the tangential law, the problem itself is returned.
         """
         if self.chosen.tangential is None:
             return self
@@ -99,15 +99,15 @@ class AsperitySum(Problem):
 
     @cached_property
     def approach(self) -> Approach:
-        """Return the object that finds separations at given loads, with the loads along the approach; for Gaussian heights."""
+        """Return the solver that finds the separations at given loads quickly; it holds for Gaussian heights only."""
         return Approach(self.load_alone.regimes)
 
     @cached_property
     def largest_tension(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Return the largest tension (n,) on approach, its separation (n,), and a mask (n,) of contacts where both are valid.
+        """Return the largest tension (n,) on approach, its separation (n,), and a mask (n,) of contacts with valid values.
 
-        Heights are Gaussian. Tensions are per asperity and normalised, separations over sigma. The values are not valid where
-        the pull of menisci reaches its upper bound, which the approach neglects, or where the searched separations do not cover
+        Heights are Gaussian. Tensions are per asperity and normalised, separations over sigma. The values are invalid where the
+        pull of menisci reaches its upper bound, which the fast method neglects, or where the searched separations do not cover
         the whole approach.
         """
         estimate, where, plain = self.approach.lowest
@@ -144,7 +144,7 @@ class AsperitySum(Problem):
         return self._on_grid(h)[..., LOAD].sum(axis=0)
 
     def _summed_alone(self, law: TangentialLaw, h: np.ndarray) -> np.ndarray:
-        """Return the force per asperity (n, m) of the law `law` in place of the tangential law, at the separations h (n, m)."""
+        """Return the friction force per asperity (n, m) at the separations h (n, m), with `law` as the only tangential law."""
         plain = replace(self.chosen, additions={}, model=replace(self.record, regimes=None), tangential=law)
         return replace(self, chosen=plain).sums_at(h)[..., SLIP_LIMITED].sum(axis=0)
 
@@ -200,7 +200,7 @@ class AsperitySum(Problem):
         return sums if self.most_pull is None else bounded(sums, self.regimes, self.most_pull[..., None])
 
     def _as_published(self) -> "AsperitySum | None":
-        """Return the problem with its tangential law as published; None if it has that law already.
+        """Return the problem with its tangential law as published; None if it uses the published law already.
 
         The option `plastic_junctions` can give yielded junctions the resistance of another law.
         """
@@ -216,7 +216,7 @@ class AsperitySum(Problem):
     def _by_name(self, sums: np.ndarray) -> dict[str, np.ndarray]:
         """Return the results (n, m) by name from the sums over asperities (regimes, n, m, 5).
 
-        Loads, areas and forces are also reported by the state and the body that the regimes are labelled with.
+        Besides totals, the results include sums of loads, areas and forces over the regimes of each state and of each body.
         """
         regimes, loads, areas = self.regimes, sums[..., LOAD], sums[..., _AREA]
         total = sums.sum(axis=0)
@@ -258,7 +258,7 @@ class AsperitySum(Problem):
 
 
 def _wanted(name: str) -> str:
-    """Return a text for errors that describes which values of a required quantity are allowed.
+    """Return a text for errors that states which values of a required quantity are allowed.
 
     If `name` is not a quantity but a part of a contact, the text asks for that part. A work of adhesion has to be above 0.
     """
@@ -269,7 +269,7 @@ def _wanted(name: str) -> str:
 
 
 def _others(model: str) -> str:
-    """Return advice to select another model if the default model lacks an input, else "".
+    """Return advice to name another model if the default model lacks an input; "" for every other model.
 
     The user may not have chosen the default model.
     """
@@ -279,19 +279,20 @@ def _others(model: str) -> str:
 
 
 def with_requested_load(results: dict[str, np.ndarray], load: np.ndarray) -> dict[str, np.ndarray]:
-    """Replace the computed load by the requested one, and recompute the friction coefficient; return all results.
+    """Replace the computed load by the requested one, recompute the friction coefficient, and return all results.
 
-    results: normalised arrays by name. load: requested loads. The computed load stays where round-off makes the requested load
-    unattainable. At a requested load of zero this prevents a residual load from giving a friction coefficient.
+    results: normalised arrays by name. load: requested loads. Where round-off makes the requested load unattainable, the
+    computed load stays. At a requested load of 0, the replacement prevents a friction coefficient that is computed from a load
+    of round-off size.
     """
     exact = results | {"load": np.where(lost_in_rounding(results["load"], load), results["load"], load)}
     return exact | with_coefficient(exact["load"], results["friction_force"]) if "friction_force" in results else exact
 
 
 def lost_in_rounding(carried: np.ndarray, asked: np.ndarray) -> np.ndarray:
-    """Return a mask of requested loads that round-off makes unattainable: small differences of large tension and compression.
+    """Return a mask of the requested loads that round-off makes unattainable.
 
-    carried, asked: computed and requested loads.
+    Such loads are small differences of large tension and compression. carried, asked: computed and requested loads.
     """
     return (np.abs(carried - asked) > _RESOLVED * np.abs(asked)) & (asked != 0.0)
 
@@ -304,7 +305,7 @@ def _published(load: np.ndarray, friction: np.ndarray) -> dict[str, np.ndarray]:
 def with_surface_moments(subject: Subject, model: str) -> Subject:
     """Return the contact with the roughness numbers that a model needs.
 
-    For a theory of the whole surface these are asperity numbers that reproduce the spectral moments of the surface; for other
+    For a theory of the whole surface these are asperity numbers computed from the spectral moments of the surface. For other
     models the contact is returned unchanged.
     """
     return subject.with_surface_moments() if takes_surface_moments(model) else subject
@@ -369,7 +370,7 @@ def number_of_asperities(groups: Groups) -> np.ndarray | None:
 
 
 def problem_of(groups: Groups, choice: Choice, heights: Heights | None = None, subject: Subject | None = None) -> Problem:
-    """Return the problem of contacts given by dimensionless groups, with the only dimension "contact".
+    """Build the problem of contacts that are given by dimensionless groups, with the only dimension "contact".
 
     heights: distribution; None for Gaussian heights. subject: the Contact or Indices of the user, or None. Raises InputError
     for a quantity that the laws need and the groups do not contain.

@@ -37,7 +37,7 @@ class Problem(ABC):
 
     @cached_property
     def shared(self) -> dict[str, Any]:
-        """Return a dictionary in which `results` and `conditions` store data that all results of the problem share."""
+        """Return a dictionary for data that all results of the problem share; used by `results` and `conditions`."""
         return {}
 
     @property
@@ -72,7 +72,10 @@ class Problem(ABC):
         return self.chosen.records()
 
     def with_groups(self, rows: slice | np.ndarray) -> "Problem":
-        """Return the problem of the contacts with these indices; the same object if a slice selects all."""
+        """Return the problem of some contacts only; the same object if a slice selects all.
+
+        rows: indices of the contacts, or a slice.
+        """
         groups = self.groups[rows]
         return self if isinstance(rows, slice) and len(groups) == len(self.groups) else replace(self, groups=groups)
 
@@ -87,7 +90,7 @@ class Problem(ABC):
         """Return whether the model includes adhesion between the two surfaces."""
 
     def few_of(self, load: np.ndarray) -> np.ndarray:
-        """Return the normalised loads (n, m) at which a curve is solved: those given, or a few if each solution is slow."""
+        """Return the normalised loads (n, m) at which a curve is solved: `load`, or a few others if each solution is slow."""
         return load
 
     def on_branch(self, branch: str) -> "Problem":

@@ -30,10 +30,10 @@ def labelled(
     dims: Mapping[str, int],
     coords: Mapping[str, Any],
 ) -> "xarray.Dataset":
-    """Return normalised arrays as a dataset in the units of the contact.
+    """Convert normalised arrays to a dataset in the units of the contact.
 
-    tables: arrays by name, in the shape of dims or broadcasting to it. factors: key of a scale ("N", "m^2", "count") -> number
-    by which arrays of this unit are multiplied. dims, coords: dimensions with their sizes, and coordinates.
+    tables: arrays by name, in the shape of dims or broadcasting to it. factors: for each unit ("N", "m^2", "count") the number
+    by which arrays in this unit are multiplied. dims, coords: dimensions with their sizes, and coordinates.
     """
     return as_dataset(as_variables(subject, tables, factors, dims), coords)
 
@@ -41,7 +41,7 @@ def labelled(
 def as_variables(
     subject: Subject, tables: Mapping[str, np.ndarray], factors: Mapping[str, Any], dims: Mapping[str, int]
 ) -> dict[str, tuple]:
-    """Return (dimensions, values in the units of the contact, attributes) of each normalised array, by name.
+    """Convert normalised arrays to (dimensions, values in the units of the contact, attributes), by name.
 
     tables: arrays by name. factors: as in `labelled`. dims: dimensions with their sizes.
     """
@@ -81,10 +81,10 @@ _RESIDUAL = {
 
 
 def _pull_off(points: Points, inversion: Inversion | None, refused: np.ndarray | None) -> dict[str, tuple]:
-    """Return the pull-off force and its separation as variables, for each contact.
+    """Return the pull-off force and its separation for each contact, as variables.
 
-    inversion: separations that were found for the problem, which contain both; None if there are none. refused: mask (n,) of
-    contacts without results, or None.
+    inversion: separations found for the problem, which contain both if the problem is on the unloading branch; None if there
+    are none. refused: mask (n,) of contacts without results, or None.
     """
     problem, apart = points.problem, points.problem.on_branch("unloading")
     if inversion is not None and apart is problem:
@@ -100,9 +100,9 @@ def _pull_off(points: Points, inversion: Inversion | None, refused: np.ndarray |
 
 
 def as_dataset(variables: Mapping[str, tuple], coords: Mapping[str, Any]) -> "xarray.Dataset":
-    """Return a dataset of variables and coordinates, built in one step.
+    """Build a dataset from variables and coordinates in one step.
 
-    variables: dimensions, values and attributes by name. Assigning variables one by one would align all of them each time.
+    variables: (dimensions, values, attributes) by name. Assigning variables one by one would align all of them each time.
     """
     import xarray
 
@@ -127,9 +127,9 @@ def with_shares(problem: Problem, tables: Mapping[str, np.ndarray]) -> dict[str,
 
 
 def _change_by_junctions(problem: Problem, tables: Mapping[str, np.ndarray]) -> dict[str, str]:
-    """Return an attribute that states in words how mu differs from the published law; {} if it is that law.
+    """Return an attribute that states in words how mu differs from mu by the published law; {} if the published law is in use.
 
-    It differs if an option gives yielded junctions the resistance of another law.
+    They differ if an option gives yielded junctions the resistance of another law.
     """
     if "friction_coefficient_published" not in tables:
         return {}

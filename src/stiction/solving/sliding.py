@@ -1,8 +1,8 @@
 """Compute the tangential force of a rough surface from rest to sliding, asperity by asperity.
 
 Each asperity first sticks, then slips from its rim inwards, and slides at its own displacement. The sum over asperities
-therefore shows how many have reached their strength at the same time. At each displacement a separate law is summed over
-heights, at the mean separation of the normal load (equations: `laws/presliding/mindlin_1949.py`).
+therefore shows how many have reached their strength at the same time. The mean separation is that of the normal load. At each
+displacement, a separate tangential law is summed over the heights (equations: `laws/presliding/mindlin_1949.py`).
 """
 
 import math
@@ -35,14 +35,14 @@ if TYPE_CHECKING:
     from stiction.quantities.arguments import QuantityLike
 
 _PRESLIDING = "mindlin_1949"
-# A model without adhesion whose spots yield, as most spots do: the default if no adhesion is stated, and used for the stiffness
-# before sliding.
+# A model without adhesion whose contact spots yield, as most spots do. It is the default if no adhesion is stated, and is used
+# for the stiffness before sliding.
 YIELDING_SPOTS: dict[str, Any] = {"model": "greenwood_williamson_1966", "asperity": "zhao_maietta_chang_2000"}
 _LAW_OF_ITS_OWN = 4  # memory that one displacement needs, in points, from which the size of blocks follows
 _POINTS = 61  # number of displacements of a curve, if none are given
 _NEARLY = 0.99  # part of a largest force that is approached but never reached
-# Displacements among which the largest force is searched, over the displacement at which the initial stiffness would give the
-# summed strength; and number of refinements of the best one.
+# Displacements among which the largest force is searched, divided by the displacement at which a force with the initial
+# stiffness would reach the summed strength. _NARROWED is the number of refinements of the best one.
 _WAY = np.geomspace(1e-3, 1e3, 121)
 _NARROWED = 40
 
@@ -96,9 +96,9 @@ def slide(
     xarray.Dataset
         friction_force [N], the sum of all strengths, and friction_coefficient, this force over the load;
         tangential_stiffness [N/m] at rest; largest_tangential_force [N], largest_friction_coefficient and
-        sliding_displacement [m], where the force is largest. Over `displacement`: tangential_force [N], sticking_share, the
-        part of the contact area that has not slipped, and, for a residual strength of 1, energy_loss [J] of a cycle of that
-        amplitude. For a map also friction_efficiency, the largest force over the sum of strengths; with a spring,
+        sliding_displacement [m], where the force is largest. Over `displacement`: tangential_force [N]; sticking_share, the
+        part of the contact area that has not slipped; for a residual strength of 1, energy_loss [J], the energy lost in one
+        cycle of that amplitude. For a map also friction_efficiency, the largest force over the sum of strengths; with a spring,
         drive_displacement [m] and state_is_met, 0 at displacements past which the map jumps. If shear changes the contact of
         a map, also sheared_contact_area [m2] over `displacement`; for unlike bodies, coupling_residual.
 
@@ -162,7 +162,11 @@ def slide(
 
 
 def _residual(subject: Subject, given: Any) -> float:
-    """Return the fraction of its strength that an asperity retains once it slides: `given`, else the contact's, else 1."""
+    """Return the fraction of its strength that an asperity retains once it slides.
+
+    given: the argument of the user. If it is None, the value of the contact is used, or 1 if the contact states none. Raises
+    InputError for anything but a number from 0 to 1.
+    """
     stated = getattr(subject, "residual_strength", None) if given is None else given
     value = floats(1.0 if stated is None else stated, "residual_strength", "a number from 0 to 1")
     if value.ndim or not 0.0 <= value <= 1.0:
@@ -186,7 +190,8 @@ def _checked(problem: Problem) -> AsperitySum:
 def _displacements(subject: Subject, given: Any, slides_at: np.ndarray) -> Any:
     """Return the displacements to compute, as a number or an array with named dimensions, in the units of the contact.
 
-    given: stated displacements; None for 61 of them, up to 1.5 times the largest of the sliding displacements slides_at.
+    given: displacements of the user; None for 61 of them, up to 1.5 times the largest value of slides_at. slides_at: sliding
+    displacement of each point. Raises InputError for negative displacements, and for None if the contact has no friction.
     """
     if given is None:
         farthest = float(np.nanmax(slides_at)) if np.isfinite(slides_at).any() else math.nan
@@ -212,7 +217,7 @@ class Sliding:
     residual: float
 
     def at(self, h: np.ndarray, displacement: np.ndarray) -> np.ndarray:
-        """Return the tangential force, and the energy lost in a cycle of this amplitude, normalised (2, *shape).
+        """Return the tangential force, and the energy lost in one cycle of this amplitude, normalised (2, *shape).
 
         h, displacement: mean separation and tangential displacement over sigma, of one shape with the contacts' dimensions
         first.
@@ -220,9 +225,10 @@ class Sliding:
         return self._summed(h, displacement, lambda tangential, moved: slipping_law(tangential, moved, self.residual))
 
     def _summed(self, h: np.ndarray, displacement: np.ndarray, law_of: Callable) -> np.ndarray:
-        """Return the slip-limited and yield-limited sums (2, *shape of h) of a tangential law that depends on displacement.
+        """Sum a tangential law that depends on displacement; return the slip-limited and yield-limited sums (2, *shape of h).
 
-        law_of: function (tangential law of the problem, displacements) -> law that is summed.
+        law_of: function (tangential law of the problem, displacements) -> law that is summed. h, displacement: over sigma, of
+        one shape.
         """
         laws = len(self.problem.groups)
         row = np.repeat(np.arange(laws), math.prod(h.shape) // laws)
@@ -248,10 +254,10 @@ class Sliding:
         return moved.forces(h, np.arange(h.size))
 
     def curve(self, static: dict[str, np.ndarray], displacement: np.ndarray) -> dict[str, np.ndarray]:
-        """Return tangential force, sticking fraction of the area and energy lost in cycles, by name, normalised.
+        """Return tangential force, sticking fraction of the area and energy lost in a cycle, normalised, by name.
 
-        static: normalised results without a tangential force. displacement: tangential displacements over sigma, with the
-        dimensions of static first. The energy is omitted unless asperities keep their strength.
+        static: normalised results at rest. displacement: tangential displacements over sigma, with the dimensions of static
+        first. The energy is omitted unless asperities keep their strength.
         """
         h, area = (
             np.broadcast_to(table.reshape(table.shape + (1,) * (displacement.ndim - table.ndim)), displacement.shape)
@@ -264,10 +270,10 @@ class Sliding:
         return {"tangential_force": force, "sticking_share": sticking} | lost
 
     def ends(self, static: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
-        """Return the largest tangential force, its ratio to the load and its displacement, by name.
+        """Return the largest tangential force, its ratio to the load and its displacement, normalised, by name.
 
-        static: normalised results without a tangential force. With constant strength (Coulomb's law) the displacement is where
-        the force reaches 99 % of the sum of strengths.
+        static: normalised results at rest. With constant strength (Coulomb's law) the force only approaches its largest value;
+        the displacement is then where it reaches 99 % of the sum of strengths.
         """
         h, strength, stiffness = (static[name] for name in ("mean_separation", "friction_force", "tangential_stiffness"))
         held = (strength > 0.0) & (stiffness > 0.0)
@@ -284,9 +290,9 @@ class Sliding:
         }
 
     def _nearly(self, h: np.ndarray, unit: np.ndarray, force: np.ndarray) -> np.ndarray:
-        """Return the displacement at which the tangential force reaches `force`, by bisection; NaN beyond the searched range.
+        """Find the displacement at which the tangential force reaches `force`, by bisection; NaN beyond the searched range.
 
-        h: separations over sigma. unit: scale of the searched displacements.
+        h: separations over sigma. unit: scale of the searched displacements, over sigma.
         """
         low, high = np.log(unit * _WAY[0]), np.log(unit * _WAY[-1])
         reached = self.at(h, np.exp(high))[0] >= force
@@ -297,7 +303,7 @@ class Sliding:
         return np.where(reached, np.exp(high), np.nan)
 
     def _peak(self, h: np.ndarray, unit: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Return the displacement at which the tangential force is largest, and that force.
+        """Find the displacement, over sigma, at which the tangential force is largest; return it with that force, normalised.
 
         h: separations over sigma. unit: scale of the searched displacements. The best of many displacements is refined by
         golden-section search.

@@ -70,11 +70,11 @@ def spot_radius(share, deviation, radius, density):
 
 
 def spread_of_spots(radius, share, roughness_parameter):
-    """Return the standard deviation of the shear displacement of contact spots, without edges of the nominal area.
+    """Return the standard deviation of the shear displacement of contact spots, without the effect of the edges.
 
-    It is divided by strength times shear compliance, so the unit is [m]: the first term of equation (3) of this module.
-    radius: of the spots [m]. share: real over nominal contact area. roughness_parameter: density times radius times rms height
-    of the asperities.
+    The result is divided by strength times shear compliance, so its unit is [m]; it is the first term of equation (3) of this
+    module. radius: radius of the spots [m]. share: real over nominal contact area. roughness_parameter: density times radius
+    times rms height of the asperities.
     """
     return _OF_SPOTS * radius * roughness_parameter**_BY_DENSITY * (1.0 - share) ** _BY_SHARE
 
@@ -82,7 +82,7 @@ def spread_of_spots(radius, share, roughness_parameter):
 def spread_of_edges(side, share):
     """Return the standard deviation of the shear displacement due to the edges of a square nominal area.
 
-    It is divided by strength times shear compliance, so the unit is [m]: the second term of equation (3) of this module. side:
-    of the square [m]. share: real over nominal contact area.
+    The result is divided by strength times shear compliance, so its unit is [m]; it is the second term of equation (3) of this
+    module. side: side of the square [m]. share: real over nominal contact area.
     """
     return _OF_EDGES * side * share

@@ -48,7 +48,7 @@ class Move:
 
 
 def slide_on_map(problem: MapProblem, points: Points, move: Move) -> "xarray.Dataset":
-    """Return the tangential force against displacement of a solved map as the dataset that `slide` describes.
+    """Compute tangential force against displacement of a solved map; return the dataset that `slide` describes.
 
     points: requested loads. move: how the map is displaced. Raises InputError for arguments that a map does not support.
     """
@@ -80,7 +80,8 @@ def slide_on_map(problem: MapProblem, points: Points, move: Move) -> "xarray.Dat
         curves |= _through_spring(problem, paths, whole, move.spring_stiffness)
     curves = {name: values.reshape(shape) for name, values in curves.items()}
     coords = problem.coords | coordinates_of(points.value, moved)
-    results = {name: table for name, table in (static | ends).items() if name not in coords}  # loads as asked, not rounded
+    # Loads that are a coordinate keep their requested values.
+    results = {name: table for name, table in (static | ends).items() if name not in coords}
     data = labelled(problem.subject, results, points.factors, points.dims, coords)
     data = data.assign(as_variables(problem.subject, curves, points.factors, dims))
     states = _point_states(paths)
@@ -94,10 +95,10 @@ def slide_on_map(problem: MapProblem, points: Points, move: Move) -> "xarray.Dat
 
 
 def _moving(problem: MapProblem, loads: np.ndarray) -> MovingMap:
-    """Solve the map at normalised loads (m,), and return it in the form that the kind of coupling requires.
+    """Solve the map at normalised loads (m,), and return the moving map that suits its bodies and its adhesion.
 
-    Adhesive maps, maps of like bodies and maps of unlike bodies are displaced by different solvers. Raises InputError if a load
-    is not solved.
+    Adhesive maps, maps of like bodies and maps of unlike bodies are displaced by different solvers. Raises InputError if the
+    map is not solved at one of the loads.
     """
     contacts = _contacts(without_mode_mixity(problem), loads)
     unlike = are_unlike(problem)
@@ -113,7 +114,7 @@ def _moving(problem: MapProblem, loads: np.ndarray) -> MovingMap:
 
 
 def _contacts(problem: MapProblem, loads: np.ndarray) -> "tuple[MapContact, ...]":
-    """Return the contacts of the map at normalised loads (m,); raise InputError if one is not solved."""
+    """Return the contacts of the map at normalised loads (m,); raise InputError if the solver finds none at one of them."""
     contacts = tuple(state for state in problem.curve(loads).contacts if state is not None)
     if len(contacts) < loads.size:
         raise InputError("load", f"{loads.size - len(contacts)} loads without a solution", "loads that the solver can solve")
@@ -121,7 +122,7 @@ def _contacts(problem: MapProblem, loads: np.ndarray) -> "tuple[MapContact, ...]
 
 
 def _uncoupled(problem: MapProblem, moving: MovingMap, loads: np.ndarray, why: str) -> MovingMap:
-    """Return the map with a remark that the coupling of pressure and shear is neglected, and by how much friction may be wrong.
+    """Return the map with a remark that pressure and shear are not coupled, and how wrong friction may be because of this.
 
     The error is computed for the dry contact without adhesion at the normalised loads (m,). why: reason for the neglect.
     """
@@ -164,9 +165,9 @@ def _point_states(paths: "list[SlidingPath]") -> np.ndarray:
 
 
 def used_by_sliding(problem: Problem, names: tuple[str, ...]) -> dict[str, str]:
-    """Return the attributes that list the unused inputs of a problem.
+    """Return the attributes that list the unused inputs of a problem, except inputs that only sliding uses.
 
-    names: inputs that sliding uses, which are not listed.
+    names: names of the inputs that sliding uses.
     """
     return as_attributes(unused for unused in unused_inputs(problem) if unused.input not in names)
 
@@ -202,7 +203,7 @@ def _weakening(problem: MapProblem, residual: float, slip: Any) -> "Weakening | 
 
 
 def _at_forces(problem: MapProblem, moving: MovingMap, move: Move) -> np.ndarray:
-    """Return the displacements [m] at the tangential forces of the whole contact that `move` states.
+    """Return the displacements [m] at which the whole contact has the tangential forces that `move` states.
 
     Raises InputError if the strength or the contact changes with shear, for more than one load, and for forces that are too
     large.
@@ -232,10 +233,10 @@ def _at_forces(problem: MapProblem, moving: MovingMap, move: Move) -> np.ndarray
 
 
 def _through_spring(problem: MapProblem, paths: "list[SlidingPath]", whole: float, stiffness: Any) -> dict[str, np.ndarray]:
-    """Return the normalised displacement of the drive, and a mask of the states that are reached, by name.
+    """Return the displacement of the drive, normalised, and a mask of the states that are reached, by name.
 
-    paths: states of the map, for each load. whole: nominal area of the contact over the area of the map. stiffness: of the
-    spring, as the user states it.
+    paths: states of the map, for each load. whole: nominal area of the contact over the area of the map. stiffness: stiffness
+    of the spring, as the user states it.
     """
     from stiction.solvers.shear.path import through_spring
 
@@ -248,11 +249,11 @@ def _through_spring(problem: MapProblem, paths: "list[SlidingPath]", whole: floa
 
 
 def _ends(moving: MovingMap, paths: "list[SlidingPath]", whole: float, factors: dict[str, Any]) -> dict[str, np.ndarray]:
-    """Return, for each load (m,): stiffness at rest, largest force, its displacement, and efficiency, by name.
+    """Return stiffness at rest, largest force, its displacement, and efficiency for each load (m,), by name.
 
-    The efficiency is the largest force over the sum of strengths. If the strength stays constant, the displacement is where 99
-    % of the largest force is reached, and NaN if it is not reached. The first three are divided by `factors`. whole: nominal
-    area of the contact over the area of the map.
+    The first three are normalised. The efficiency is the largest force over the sum of strengths. If the strength stays
+    constant, the displacement is where 99 % of the largest force is reached, and NaN if it is not reached. whole: nominal area
+    of the contact over the area of the map. factors: units by which results are divided.
     """
     from stiction.solvers.shear.path import stuck_stiffness
 
@@ -280,9 +281,9 @@ def _nearly(path: "SlidingPath") -> float:
 
 
 def _points_in_loss(problem: MapProblem, moving: MovingMap, weakening: "Weakening") -> np.ndarray:
-    """Return the number of points (m,) along the length over which strength is lost behind the tip of a slipping zone.
+    """Return the number of map points (m,) within the length of the weakening zone, at each of m loads.
 
-    The length is computed with the largest strength at each of the m loads.
+    The zone lies behind the tip of a slipping region; strength is lost in it. Its length is computed with the largest strength.
     """
     from stiction.solvers.shear.path import weakening_length
 

@@ -143,7 +143,8 @@ def _with_interruption(data: "xarray.Dataset") -> "xarray.Dataset":
 def _with_carried(data: "xarray.Dataset", points: Points, carried: np.ndarray) -> "xarray.Dataset":
     """Return the dataset with a validity warning if requested loads were lost in round-off.
 
-    carried: normalised loads that were computed. If loads are a coordinate, the computed loads are added as `load_carried`.
+    carried: normalised loads that were computed. If there is a warning and loads are a coordinate, the computed loads are added
+    as `load_carried`.
     """
     validity_warnings = warnings_of_rounding(carried, points.wanted)
     if not validity_warnings:

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from stiction.solvers.boundary_elements.solve import MapContact
     from stiction.solvers.shear.operators import ShearOperator
 
-_BEYOND, _STEP, _MOST = 1.5, 1.5, 12  # pressures of the table: factor beyond the loads, ratio of neighbours, largest number
+_BEYOND, _STEP, _MOST = 1.5, 1.5, 12  # pressures of the table: range beyond the loads (factor), ratio of neighbours, most
 _HEAVIEST, _OF_HARDNESS = 0.5, 0.5  # largest pressure over modulus times gradient, and over the hardness
 
 
@@ -63,7 +63,7 @@ def spread_on_map(problem: MapProblem, loads: np.ndarray) -> tuple[np.ndarray, n
 
 
 def _spread(operator: "ShearOperator", state: "MapContact") -> float:
-    """Return the standard deviation of the spots' displacement over their strength [m/Pa], on one solved map.
+    """Return the standard deviation of the spots' shear displacement over their shear strength [m/Pa], on one solved map.
 
     operator: computes shear displacements. state: contact at one load. All points in contact bear the same stress, reduced by
     the ratio of the corrected contact area to the area of all pixels in contact.

@@ -31,7 +31,7 @@ from stiction.surfaces.theory.touching import expected_share
 if TYPE_CHECKING:
     from stiction.surfaces.heightmap import HeightMap
 
-# Pull-off force of a sphere over gamma R at the most (Derjaguin, Muller & Toporov 1975); JKR's is 3/4 of it.
+# Largest pull-off force of a sphere over gamma R (Derjaguin, Muller & Toporov 1975); the JKR theory gives 3/4 of it.
 _DMT = 2.0 * math.pi
 _MOST_GROWN = 100.0  # largest growth factor
 
@@ -98,8 +98,8 @@ def _of_the_surface(groups: Groups) -> dict[str, np.ndarray]:
 def of_the_map(subject: Subject) -> dict[str, float]:
     """Return how well a contact's map resolves and samples its surface, by name; {} without a map.
 
-    The numbers are points in the shortest wave and longest waves on a side. If the scans of both bodies cannot be combined to
-    one map, they are the smaller ones of both scans.
+    The two numbers are points per shortest wavelength, and longest wavelengths per side. If the scans of both bodies cannot be
+    combined to one map, each number is the smaller one of both scans.
     """
     surface = subject.with_surface_moments().map
     maps = [surface] if surface is not None else [] if subject.measured is None else subject.measured.solvable.filled()
@@ -112,7 +112,7 @@ def of_the_map(subject: Subject) -> dict[str, float]:
 
 
 def _of_attraction(groups: Groups, surface: "HeightMap | None") -> dict[str, np.ndarray]:
-    """Return numbers (n,) that describe the adhesion of surfaces, by name, for theories of the whole surface.
+    """Return numbers (n,) that describe the adhesion of n surfaces, by name, for theories of the whole surface.
 
     surface: the height map that the theory uses, or None.
     """
@@ -134,11 +134,11 @@ def _by_asperity(
     hardness: np.ndarray,
     pull_of_menisci: np.ndarray | None,
 ) -> dict[str, np.ndarray]:
-    """Return the numbers (n, m) that follow from results per asperity, by name.
+    """Return the dimensionless numbers (n, m) that follow from results per asperity, by name.
 
     load, area: normalised, per asperity. share: fraction of asperities that touch, None if the model has none. touching: this
-    fraction or an estimate of it. hardness: of the material that bears the load, over the hardness of the bodies.
-    pull_of_menisci: normalised, or None.
+    fraction or an estimate of it. hardness: hardness of the material that bears the load, over the hardness of the bodies.
+    pull_of_menisci: normalised pull, or None.
     """
     groups = problem.groups
     compressed = np.where(load > 0.0, load, np.nan)
@@ -161,10 +161,10 @@ def _by_asperity(
 
 
 def _grown(groups: Groups, pressure: np.ndarray) -> dict[str, np.ndarray]:
-    """Return the factor (n, m) by which junctions grow under shear until the interface fails, by name; {} if unknown.
+    """Return the factor (n, m) by which the area of junctions grows under shear until the interface fails; {} if unknown.
 
     pressure: mean contact pressure p over the hardness H. The factor is (p/H)/sqrt(1 - c^2), at least 1, with c the strength of
-    the interface over the strength of the bodies (Tabor 1959).
+    the interface over the strength of the bodies (Tabor 1959). It is returned in a dictionary, as grown_area_ratio.
     """
     ratio = groups.strength_over_bodies
     if ratio is None:
@@ -195,10 +195,10 @@ def _below_film(groups: Groups, load: np.ndarray, area: np.ndarray, touching: np
 
 
 def _held_by_menisci(touching: np.ndarray, height: np.ndarray) -> np.ndarray:
-    """Return the fraction of asperities (n, m) that would pull as much as all menisci together, if each of them touched.
+    """Return the fraction of asperities (n, m) that, if each touched, would pull as much as all menisci together.
 
     An asperity with a gap below the height of the menisci pulls in proportion to (height - gap)/height. touching: fraction of
-    asperities that would touch without liquid. height: of a meniscus, over sigma. Heights are Gaussian.
+    asperities that would touch without liquid. height: height of a meniscus, over sigma. Heights are Gaussian.
     """
     from scipy.special import ndtr, ndtri  # only contacts with a liquid need this
 

@@ -50,8 +50,8 @@ if TYPE_CHECKING:
     from stiction.quantities.arguments import QuantityLike
 
 _LAW_OF_ITS_OWN = 2  # memory that one separation needs, in points, from which the size of blocks follows
-# Number of separations among which the largest tension is searched, denser near the smallest separation, up to the one at which
-# this fraction of the contact area is left.
+# The largest tension is searched among this number of separations, denser near the smallest one. They end where the second
+# number, a fraction of the contact area, is left.
 _STEPS, _LEFT = 81, 1e-10
 _ROUNDING = 1e-12  # accepted relative error of a separation that a user copies from an earlier result
 
@@ -113,11 +113,11 @@ def unload(
     >>> bool(back["load"][1] < back["load"][0])
     True
     """
-    way = _make_way(contact, Choice.of(model, {"tangential": "none"} | laws), heights)
-    subject = way.pressed.subject
+    unloading = _make_unloading(contact, Choice.of(model, {"tangential": "none"} | laws), heights)
+    subject = unloading.pressed.subject
     is_load = max_load is not None
     turn_value = _one_of(subject, min_separation=min_separation, max_load=max_load)
-    turn = points_at(way.pressed, "load" if is_load else "mean_separation", turn_value)
+    turn = points_at(unloading.pressed, "load" if is_load else "mean_separation", turn_value)
     point, factors = _one_of(subject, separation=separation, separation_increase=separation_increase), turn.factors
     dims = dimensions([point], turn.dims)
     shape = tuple(dims.values())
@@ -126,22 +126,22 @@ def unload(
     is_increase = separation_increase is not None
     wanted = normalised(point, factors["m"], dims)
     apart = _apart(subject, turned, wanted, np.broadcast_to(aligned(factors["m"], dims), shape), is_increase)
-    results = way.at(way.rows(shape), turned, apart)
+    results = unloading.at(unloading.rows(shape), turned, apart)
     validity_warnings = []
     if is_load:
         asked = np.where(apart == 0.0, normalised(turn.value, factors["N"], dims), results["load"])
         validity_warnings = warnings_of_rounding(results["load"], asked)
         results = with_requested_load(results, asked)
     tables = {"mean_separation": turned + apart if separation is None else wanted} | results
-    data = labelled(subject, tables, factors, dims, way.pressed.coords | coordinates_of(turn.value, point))
-    data = data.merge(_ends(way, nearest, factors, turn.dims))
+    data = labelled(subject, tables, factors, dims, unloading.pressed.coords | coordinates_of(turn.value, point))
+    data = data.merge(_ends(unloading, nearest, factors, turn.dims))
     if "mean_separation" in getattr(point, "dims", ()):  # the values as the user gave them become the coordinate
         attributes = data["mean_separation"].attrs
         data = data.drop_vars("mean_separation").assign_coords(mean_separation=("mean_separation", point.values, attributes))
     for name in _DESCRIBED:
         if name in data.coords:
             data[name].attrs = _described(subject, name)
-    return with_warnings(data.assign_attrs(way.summary(tables)), validity_warnings)
+    return with_warnings(data.assign_attrs(unloading.summary(tables)), validity_warnings)
 
 
 # Results that are not in the table of quantities: the quantity whose unit each has, and its description.
@@ -165,7 +165,7 @@ def _described(subject: Subject, name: str) -> dict[str, str]:
 
 
 @dataclass(frozen=True)
-class _Way:
+class _Unloading:
     """Represent the unloading of n contacts.
 
     pressed: the problem at loading. released(groups, distance, **own options of the asperity law): function that returns the
@@ -216,9 +216,10 @@ class _Way:
 
 
 def _one_of(subject: Subject, **either: Any) -> Any:
-    """Return the value of the one of two alternative arguments that is stated.
+    """Return the value of the one argument that is stated, of two alternative arguments.
 
-    A sequence becomes an array with a named dimension. Raises InputError unless exactly one is stated.
+    either: the two arguments by name; None if not stated. A sequence becomes an array with a named dimension. Raises InputError
+    unless exactly one is stated.
     """
     given = [name for name, value in either.items() if value is not None]
     if len(given) != 1:
@@ -233,8 +234,8 @@ def _one_of(subject: Subject, **either: Any) -> Any:
     return value.rename({quantity: name}) if hasattr(value, "coords") else variable((name,), value.values)
 
 
-def _make_way(contact: Subject, choice: Choice, heights) -> _Way:
-    """Return the unloading of a contact under these laws; raise InputError if the laws do not define unloading."""
+def _make_unloading(contact: Subject, choice: Choice, heights) -> _Unloading:
+    """Combine a contact and laws to its unloading; raise InputError if the laws do not define unloading."""
     if choice.options.get("branch") is not None:
         raise InputError("branch", choice.options["branch"], "no value, because unload() always follows the unloading branch")
     for name, key in choice.laws().items():
@@ -257,11 +258,11 @@ def _make_way(contact: Subject, choice: Choice, heights) -> _Way:
     problem = make_problem(contact, choice, heights)
     assert isinstance(problem, AsperitySum)  # because the model has an asperity law
     released, how = _released(problem.law.asperity, problem)
-    return _Way(problem, released, how)
+    return _Unloading(problem, released, how)
 
 
 def _released(law: AsperityLaw, problem: AsperitySum) -> tuple[Callable, str]:
-    """Return a function that gives the segments of an asperity law during unloading, and its assumption in words.
+    """Return the function that computes the segments of an asperity law during unloading, and its assumption in words.
 
     The function takes (groups, increase of the separation over sigma, **options). Raises InputError if the law does not define
     unloading.
@@ -292,7 +293,7 @@ def _held_on(law: AsperityLaw, groups: Groups, distance: np.ndarray, **options: 
 def _nearest(turn: Points) -> np.ndarray:
     """Return the smallest mean separations reached during loading, over sigma, in the shape of the points.
 
-    turn: the smallest separations or largest loads that the user states.
+    turn: the smallest separations or largest loads that the user states, as points.
     """
     if turn.name == "mean_separation":
         check_reach(turn.wanted, "min_separation")
@@ -326,20 +327,21 @@ def _apart(subject: Subject, nearest: np.ndarray, wanted: np.ndarray, unit: np.n
     return np.maximum(distance, 0.0)
 
 
-def _ends(way: _Way, nearest: np.ndarray, factors: Mapping[str, Any], dims: dict[str, int]) -> "xarray.Dataset":
+def _ends(unloading: _Unloading, nearest: np.ndarray, factors: Mapping[str, Any], dims: dict[str, int]) -> "xarray.Dataset":
     """Return the smallest separation, the largest tension during unloading, and the separation of zero load, as a dataset.
 
-    nearest: smallest separations over sigma. The separation of zero load exists only for adhesive asperity laws.
+    nearest: smallest separations over sigma. For laws without adhesion the tension is 0, and the separations of largest tension
+    and of zero load are omitted.
     """
     tables = {"pull_off_force": np.zeros(nearest.shape)}
-    if way.pressed.adheres:
-        tension = _tension(way, way.rows(nearest.shape).reshape(-1), nearest.reshape(-1))
+    if unloading.pressed.adheres:
+        tension = _tension(unloading, unloading.rows(nearest.shape).reshape(-1), nearest.reshape(-1))
         names = "pull_off_force", "pull_off_separation", "zero_load_separation"
         tables |= {name: table.reshape(nearest.shape) for name, table in zip(names, tension, strict=True)}
     own = {name: tables.pop(name) for name in _DESCRIBED if name in tables}
     if "min_separation" not in dims:  # as a dimension it already is a coordinate
         own["min_separation"] = nearest
-    subject = way.pressed.subject
+    subject = unloading.pressed.subject
     data = labelled(subject, tables, factors, dims, {})
     for name, table in own.items():
         like = _DESCRIBED[name][0]
@@ -347,7 +349,7 @@ def _ends(way: _Way, nearest: np.ndarray, factors: Mapping[str, Any], dims: dict
     return data
 
 
-def _tension(way: _Way, rows: np.ndarray, nearest: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def _tension(unloading: _Unloading, rows: np.ndarray, nearest: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return the largest tension during unloading, its separation, and the separation of zero load, each (m,).
 
     rows, nearest (m,): index of the contact and its smallest separation. Tensions are normalised, separations over sigma.
@@ -358,9 +360,9 @@ def _tension(way: _Way, rows: np.ndarray, nearest: np.ndarray) -> tuple[np.ndarr
 
     def load(distance, pair):
         pair = np.broadcast_to(pair.astype(int), distance.shape)
-        return way.at(rows[pair], nearest[pair], distance, "load")["load"]
+        return unloading.at(rows[pair], nearest[pair], distance, "load")["load"]
 
-    distance = _reach(way, rows, nearest)[:, None] * np.linspace(0.0, 1.0, _STEPS) ** 3
+    distance = _reach(unloading, rows, nearest)[:, None] * np.linspace(0.0, 1.0, _STEPS) ** 3
     loads = load(distance, every[:, None])
     tension, where = largest_tension(load, distance, loads)
     # The load is zero where a compressive load first turns to tension.
@@ -375,14 +377,14 @@ def _tension(way: _Way, rows: np.ndarray, nearest: np.ndarray) -> tuple[np.ndarr
     return tension, nearest + where, nearest + zero
 
 
-def _reach(way: _Way, rows: np.ndarray, nearest: np.ndarray) -> np.ndarray:
-    """Return the increases of separation (m,), over sigma, at which almost none of the contact area is left.
+def _reach(unloading: _Unloading, rows: np.ndarray, nearest: np.ndarray) -> np.ndarray:
+    """Return the increases of separation (m,), over sigma, at which almost no contact area is left.
 
     rows, nearest (m,): index of the contact and its smallest separation.
     """
 
     def area(distance):
-        return way.at(rows, nearest, distance, "contact_area")["contact_area"]
+        return unloading.at(rows, nearest, distance, "contact_area")["contact_area"]
 
     reach, most = np.ones(rows.size), _LEFT * area(np.zeros(rows.size))
     while (left := area(reach) > most).any():

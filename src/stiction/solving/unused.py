@@ -16,8 +16,8 @@ from stiction.solving.problem_base import Problem
 if TYPE_CHECKING:
     import xarray
 
-# Inputs that are not a single dimensionless group. Works of adhesion are used by adhesive laws; that of the film also by laws
-# without adhesion that need n_g. If none is given for the film, that of the bodies is used for it.
+# Inputs that are not a single dimensionless group. Adhesive laws use the works of adhesion; laws without adhesion that need n_g
+# also use the work of adhesion of the film. If none is given for the film, the work of adhesion of the bodies is used for it.
 _ADHESION, _OF_FILM = "adhesion", "adhesion of the film"
 # Dimensionless groups of the strength of the interface.
 _STRENGTH = ("shear_strength", "pressure_coefficient")
@@ -35,9 +35,9 @@ class Unused:
     why: str = ""
 
     def say(self, before: str = "", between: str = " ") -> str:
-        """Describe the unused input in one line, with laws that would use it.
+        """Describe the unused input in one line, and name laws that would use it.
 
-        before, between: text before the keyword of a law and between keyword and key, for example "--tangential KEY" in the
+        before, between: text before the keyword of a law, and between keyword and key, for example "--tangential KEY" in the
         terminal.
         """
         others = "; ".join(f"{before}{kind}{between}{' or '.join(keys)} uses it" for kind, keys in self.laws.items())
@@ -100,7 +100,7 @@ def refuse_ignored_strength(problem: Problem, choice: Choice) -> None:
 
 
 def _laws_that_use(group: str, problem: Problem) -> dict[str, list[str]]:
-    """Return the keys of laws, by keyword of `solve`, that would use a dimensionless group and suit the other laws in use."""
+    """Return the keys of laws that would use a dimensionless group and suit the other laws in use, by keyword of `solve`."""
     chosen = problem.chosen
     asperity = chosen.asperity  # None for a theory in closed form
     known = problem.groups
@@ -124,7 +124,7 @@ def _laws_that_use(group: str, problem: Problem) -> dict[str, list[str]]:
 
 
 def _uses(record: Record, group: str, known: Groups) -> bool:
-    """Return whether a law would use a dimensionless group, while all inputs that it requires are known.
+    """Return whether a law would use a dimensionless group, and all inputs that it requires are known.
 
     known: groups of the contact.
     """

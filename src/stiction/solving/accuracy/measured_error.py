@@ -42,16 +42,16 @@ if TYPE_CHECKING:
 
 FAR = 2.0  # distance beyond which a benchmark surface says nothing about a contact
 _MOST_ADHESION = 0.1  # largest adhesion over load for which errors are used, because the set has no adhesion
-_FULL = 1.0  # pull over load where the load is 0
+_FULL = 1.0  # value of the pull over the load where the load is 0
 _LEAST_SHARE = 0.8  # least part of the compliance of the coated body, because in the set the other body is rigid
 _MOST_POINTS = 200  # largest number of points whose errors are reported with a result; a prediction uses all points
-# Standard deviation of ln of the solved area due to the point spacing, for maps with 8 points in the shortest wave: with one
-# point in contact, the power of the number of these points with which it falls (truth/points.csv), and with very many points.
-# The last is what other solvers find on maps with a lay and with plateaus (calibration.md; truth/points.csv alone gives .4 %,
-# an outside audit .6 to 1.4 %).
+# Standard deviation of ln of the solved area due to the point spacing, for maps with 8 points in the shortest wave. The numbers
+# are: its value with one point in contact; the power of the number of points in contact with which it falls (truth/points.csv);
+# its value with very many points. The last comes from a comparison with other solvers, on maps with a lay and with plateaus
+# (calibration.md; truth/points.csv alone gives .4 %, an outside audit .6 to 1.4 %).
 _OF_POINTS, _POWER, _OWN_ERROR = 0.6, -0.6, 0.008
-_BY_FORMULA = {"top slopes": 0.031, "ranks": 0.06}  # the same for maps too large to be solved (docs/explanation/truth.md)
-_LEAST_TOLD = 0.5  # least part of the weight of near surfaces that must be on surfaces where the model has a result
+_BY_FORMULA = {"top slopes": 0.031, "ranks": 0.06}  # for maps too large to be solved (docs/explanation/truth.md)
+_LEAST_TOLD = 0.5  # least part of the total weight that must be on surfaces for which the model has a result
 _ITSELF, _MAP = "the solution itself", "map"
 _SUM = "greenwood_williamson_1966"
 

@@ -21,13 +21,13 @@ if TYPE_CHECKING:
 
 _SCALES = {"alpha": 0.5, "skewness": 0.6, "lay": 0.35, "top": 0.25}  # differences that count as 1, of ln except for skewness
 _LEAST_TOP = 0.03
-# Differences that count as 1 if numbers are stated in place of a map: of skewness, ln(kurtosis) and ln(Str). Smaller units
-# narrow the interval, but it then contains too few areas of surfaces with a lay, if each design of the set is left out in turn.
+# Differences that count as 1 if numbers are stated in place of a map: of skewness, ln(kurtosis) and ln(Str). Smaller scales
+# narrow the interval. In a test that left out each design of the set in turn, it then contained too few areas with a lay.
 _STATED = {"skewness": 0.35, "kurtosis": 0.3, "texture_aspect_ratio": 0.25}
-_ALIKE, _FEWEST = 2.0, 8  # to have a kind, a map must be closer than this to a benchmark surface, with so many points on a side
+_ALIKE, _FEWEST = 2.0, 8  # to have a kind, a map must be closer than 2 to a benchmark surface, with 8 points or more on a side
 _PRESSURE = 1.4  # difference of ln(pressure) above the solved pressures that counts as 1
-# The same below the lightest pressure, where area over load hardly changes (truth/light.csv), and at hardnesses over E* h'
-# below the second number, where all points flow.
+# The first number replaces _PRESSURE where area over load hardly changes: below the lightest solved pressure (truth/light.csv),
+# and at hardnesses over E* h' below the second number, where all points flow plastically.
 _LIGHTER, _FLOWING = 7.0, 0.1
 FILM_SCALES = (0.7, 0.8)  # differences that count as 1, of ln(film modulus ratio) and ln(thickness over sqrt(m2/m4))
 _SAID = 0.25  # smallest fraction of the squared distance for which a difference is reported
