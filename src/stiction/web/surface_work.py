@@ -145,7 +145,7 @@ def resolution_picture(surface: HeightMap, contact: Contact | None, load: float,
     return drawing_of(resolution_figure(study), "σ, R, N and μ against the shortest wave, by each method", narrow)
 
 
-_SHOWN = 96  # points along a side of the three-dimensional map, up to twice as many
+_SHOWN = 96  # points along a side of the three-dimensional map of a large scan; fewer than twice as many are drawn
 
 _DECADES = 10  # decades of the spectrum that are shown; below them a filter leaves round-off
 

@@ -31,7 +31,8 @@ _ROWS = 12
 def band_table(data: "xarray.Dataset") -> Table | Text:
     """Return a table of a result, its quantiles over the uncertain inputs, and the largest sampling error of these quantiles.
 
-    The table has about twelve loads or separations. For array parameters, only the first values are shown.
+    A text is returned if the result does not vary. The table has about twelve loads or separations. For array parameters, only
+    the first values are shown.
     """
     name = shown_quantity(data)
     if f"{name}_quantile" not in data:

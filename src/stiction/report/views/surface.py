@@ -325,7 +325,7 @@ def _pictures(analysis: "Analysis", resolution: "xarray.Dataset | None") -> dict
 
 
 def _write_pressure(path: Path, solved: "ContactOfMap") -> None:
-    """Write the pressure maps, divided by E* h', to a .npy file: one map for each nominal pressure."""
+    """Write the pressure maps, divided by E* h', to a .npy file: one map for each nominal pressure that was solved."""
     import numpy as np
 
     maps = [

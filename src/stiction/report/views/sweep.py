@@ -43,7 +43,10 @@ def sweep_view(store: "Store", out: Path, computed: int, seconds: float) -> View
 
 
 def _friction(store: "Store") -> Iterator[str]:
-    """Yield lines on mu over all points of a sweep: its range, or its scatter between height maps; none without mu."""
+    """Yield lines on mu over all points of a sweep: its range, or its scatter between height maps.
+
+    There are none without mu, if only statistics are stored, or for more than a million points.
+    """
     names = ("friction_coefficient", "friction_coefficient_low", "friction_coefficient_high")
     known = {name: np.asarray(store.group[name]) for name in names if name in store.group} if store.plan.size <= _MOST else {}
     if store.plan.maps and names[0] in known and not store.plan.sweep.statistics:
