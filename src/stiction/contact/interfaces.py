@@ -40,7 +40,7 @@ class Interface(Input):
     source, grade: of each number, by name, with grades as in data_files.GRADES. pairs: prior weight of the state for a pair of
     material classes, such as "metal, ceramic" or "polymer, any"; with weight 0 only the user can choose it. only_with: names of
     materials; at least one body must be one of them. of_film: whether pairs of weight 0 require a film. not_for: uses that must
-    be avoided, in words.
+    be avoided, as text.
 
     The strength of the bodies does not cap these values. Raises InputError for contradicting numbers.
     """

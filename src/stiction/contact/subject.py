@@ -77,7 +77,7 @@ class Subject(Input):
         return []
 
     def require_single(self, allowed: str) -> None:
-        """Raise InputError if a number of the contact is an array; allowed: what is allowed instead, for the error."""
+        """Raise InputError if a number of the contact is an array; allowed: allowed values, as text for the error."""
         for name, array in self.arrays():
             raise InputError(name, values_in_words(array, name), allowed)
 
@@ -98,7 +98,7 @@ class Subject(Input):
         return {name: name for name in names if name in self.model_fields_set and getattr(self, name) is not None}
 
     def remarks(self) -> list[str]:
-        """Return remarks, in words, on inputs of this contact; they need no solution."""
+        """Return remarks, as text, on inputs of this contact; they need no solution."""
         return []
 
     @property

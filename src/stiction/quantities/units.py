@@ -276,7 +276,7 @@ def _registry():
 
 @cache
 def _unit_errors() -> tuple[type[Exception], ...]:
-    """Return the classes of exceptions that pint may raise for text that is not a unit, those of Python's parser included."""
+    """Return the classes of exceptions, including parser errors of Python, that pint may raise for text that is not a unit."""
     import tokenize
 
     return (

@@ -117,7 +117,7 @@ class Jump:
 
     - segment: index of the segment that begins at the jump, 1 for the second
     - load, area: factors by which load and contact area change at the jump
-    - where: place of the jump, in words
+    - where: place of the jump, as text
     - groups: values of the dimensionless groups for which the factors hold; empty if the factors depend on none
 
     A test checks the factors to 1 in 1000.

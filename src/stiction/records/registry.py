@@ -99,7 +99,7 @@ class FilmLaw(Record):
     - solved_as_one: whether its elastic asperity is a sphere on a layered solid; tangential laws with `layered` then suit it
       too
     - bares_substrate: whether the substrate can be exposed. A tangential law of the interface then shears only the part of the
-      contact with a film; the rest has the shear strength of the substrate
+      contact with a film; the exposed part has the shear strength of the substrate
     - confined: whether the film can carry more than its own hardness, up to the hardness of the substrate
     - tangential: which tangential laws suit it: "" all, "interface" those that describe the interface, or the key of a single
       law
@@ -207,7 +207,7 @@ OF_AREA = "none, or a tangential law whose force is interface strength times con
 
 @dataclass(frozen=True, kw_only=True)
 class Addition(Record):
-    """Describe a law that a contact can have in addition to those of its model, such as a law of menisci.
+    """Describe a law that a contact can have in addition to the laws of its model, such as a law of menisci.
 
     Each folder of `laws` with a file kind.py holds one kind of such laws. The docstring of its `__init__.py` names the kind;
     its kind.py defines KIND, a subclass of this class.

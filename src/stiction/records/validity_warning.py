@@ -13,7 +13,7 @@ from stiction.records.claims import KINDS_OF_WARNING, range_in_words
 class ValidityWarning:
     """Describe a reason why a result may be wrong: one of its quantities is outside a validity range.
 
-    - why: the reason, in words
+    - why: the reason, as text
     - quantity: key of the quantity outside its range; "" for a general warning, which has only `why` and `kind`
     - least, most: smallest and largest of the values outside the range
     - low, high: ends of the range; -inf or inf if open

@@ -1,6 +1,6 @@
 """Compute stresses in a film and in the body below it, under a pressed and dragged sphere.
 
-The pressure is the one of the frictionless contact (`sphere`). The traction is proportional to it, as in Hamilton (1983) for a
+The pressure is taken from the frictionless contact (`sphere`). The traction is proportional to it, as in Hamilton (1983) for a
 half-space. Both have the same Hankel transform P(k), and a wave k produces the amplitudes of `waves` at every depth. Let s_xx
 and s_yy be the stresses along and across a wave. Averaged over all directions, the pressure produces
 

@@ -41,7 +41,7 @@ class Waves:
     """Store the amplitudes of waves in film and body, for wavenumbers x = k t (m,), with the film thickness t.
 
     z is the depth times k, y = x - z the distance from the interface upwards, s = z - x downwards. added (4, 2, m): factors of
-    exp(-z), z exp(-z), exp(-y) and y exp(-y) in the stress function that the film adds to the one of a half-space. The second
+    exp(-z), z exp(-z), exp(-y) and y exp(-y) in the stress function that the film adds to a half-space's function. The second
     axis is (pressure, shear along the wave). below (2, 2, m): factors of exp(-s) and s exp(-s) in the stress function of the
     body.
 

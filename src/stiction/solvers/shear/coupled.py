@@ -120,9 +120,9 @@ class CoupledState(State):
 
     pressure, strength [Pa]: (rows, columns). strength is the shear strength that a point has before any slip. turns: number of
     alternating solutions of pressure and traction. change: relative change of the pressure in the last turn. misfit: sum over
-    the points of the difference between the strength used and the strength that the pressure gives, over the sum of the
-    latter. It is not 0 if some points at the edge would touch in every second turn only; their strength is then held (see
-    `_Strengths`).
+    the points of the difference between the strength used and the strength that the pressure gives, divided by the sum of the
+    strengths that the pressure gives. It is not 0 if some points at the edge would touch in every second turn only; their
+    strength is then fixed (see `_Strengths`).
     """
 
     pressure: np.ndarray = field(repr=False)
@@ -177,8 +177,7 @@ class _Strengths:
 
     A turn solves the pressure once and then the traction once. Without a limit, some points at the edge would touch in one turn
     and not in the next. From the fourth turn on, a point that has begun or ceased to touch makes only 30 % of the change to its
-    new strength in each turn. When it does so a second time, its strength is fixed. misfit: difference of all strengths from
-    those that the pressure gives, relative to the sum of the latter.
+    new strength in each turn. When it does so a second time, its strength is fixed. misfit: as in `CoupledState`.
     """
 
     def __init__(self) -> None:

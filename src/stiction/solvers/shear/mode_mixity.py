@@ -37,8 +37,8 @@ class ModeMixity:
     """Define a law of mode mixity: how shear lowers the work of adhesion at the edge of a contact.
 
     share: function (x, zeta) that returns the remaining fraction of the work of adhesion. x (any shape) is the energy that
-    shear releases per area over the work of adhesion, zeta the fraction of this energy that opens the edge, 0 to 1. grade: how
-    far the law reproduces its source. source: publication. evidence: what the law was compared with.
+    shear releases per area over the work of adhesion, zeta the fraction of this energy that opens the edge, 0 to 1. grade: a
+    key of `claims.GRADES`, which states how the law was checked. source: publication. evidence: what the law was compared with.
     """
 
     share: Callable[[np.ndarray, float], np.ndarray]
