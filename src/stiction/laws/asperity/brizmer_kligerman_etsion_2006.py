@@ -57,7 +57,7 @@ def yield_coefficient(nu):
     return 1.234 + 1.256 * nu
 
 
-def load_of_stick(nu):
+def stick_load_ratio(nu):
     """Return the ratio of the loads at first yield in full stick and in frictionless slip.
 
     The ratio is 8.88 nu - 10.13 (nu^2 + 0.089); below nu = 0.2 it keeps its value at 0.2. nu: Poisson's ratio, a number or an
@@ -67,7 +67,7 @@ def load_of_stick(nu):
     return 8.88 * nu - 10.13 * (nu * nu + 0.089)
 
 
-def interference_of_stick(nu):
+def stick_displacement_ratio(nu):
     """Return the ratio of the displacements at first yield in full stick and in frictionless slip.
 
     The ratio is 6.82 nu - 7.83 (nu^2 + 0.0586); below nu = 0.2 it keeps its value at 0.2. nu: Poisson's ratio, a number or an
@@ -86,7 +86,7 @@ def critical_values(eta, nu, k):
     this is ((2/3) C_nu eta/k)^2 in units of sigma.
     """
     in_slip = (2.0 / 3.0 * yield_coefficient(nu) * eta / k) ** 2
-    return interference_of_stick(nu) * in_slip, load_of_stick(nu) * in_slip**1.5
+    return stick_displacement_ratio(nu) * in_slip, stick_load_ratio(nu) * in_slip**1.5
 
 
 @formula

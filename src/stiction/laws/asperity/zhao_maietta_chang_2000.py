@@ -45,7 +45,7 @@ def first_yield(eta):
 
 
 @formula
-def passing(u, w_1, eta):
+def elastic_plastic(u, w_1, eta):
     """Return displacement w, dw/du, load and contact area between first yield and full plasticity, at u = sqrt(w).
 
     With xi = (omega - omega_1)/(omega_2 - omega_1) the area is pi R omega (1 + 3 xi^2 - 2 xi^3). The mean pressure is H (1 - (1
@@ -77,7 +77,7 @@ def segments(groups: Groups) -> list[NormalSegment]:
     parameters = w_1, groups.eta
     return [
         hertz.elastic(w_1),
-        NormalSegment(passing, root_of, parameters, np.sqrt(edges_at(w_1, last)), "elastic-plastic"),
+        NormalSegment(elastic_plastic, root_of, parameters, np.sqrt(edges_at(w_1, last)), "elastic-plastic"),
         NormalSegment(flow, root_of, parameters, np.sqrt(edges_at(last, np.inf)), "plastic"),
     ]
 

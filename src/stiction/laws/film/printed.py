@@ -38,12 +38,12 @@ from stiction.laws.joining import Law, Weights, within
 from stiction.laws.segment import NormalSegment, edges_at
 from stiction.laws.shared_claims import DEEP_FILM
 from stiction.laws.tangential.soft_coating_2015 import RECORD as TANGENTIAL
-from stiction.laws.tangential.soft_coating_2015 import grip_printed
+from stiction.laws.tangential.soft_coating_2015 import tangential_resistance_printed
 from stiction.records.registry import Departure, FilmLaw, Validity
 from stiction.records.sources import Source
 
 # Eqs (12)-(15) weigh the resistance with exp(-z^2/2) in place of phi(z) (D3).
-_GRIP = math.sqrt(2.0 * math.pi)
+_FRICTION_FACTOR = math.sqrt(2.0 * math.pi)
 
 _adhesion, _load = jkr.adhesion, jkr.load
 
@@ -72,7 +72,7 @@ def segments(groups: Groups, branch: str) -> list[NormalSegment]:
 
 LAW = Law(
     replace(CORRECTED, segments=segments),
-    replace(TANGENTIAL, tangential_resistance=grip_printed, junctions=()),
+    replace(TANGENTIAL, tangential_resistance=tangential_resistance_printed, junctions=()),
     {"branch": "loading"},
 )
 
@@ -82,7 +82,7 @@ def bare_regimes(groups: Groups) -> list[Regime]:
 
     groups: dimensionless groups of n contacts.
     """
-    return LAW.regimes(groups, Weights(friction=_GRIP))
+    return LAW.regimes(groups, Weights(friction=_FRICTION_FACTOR))
 
 
 def _film_weights(segment: NormalSegment) -> tuple[Weights, Weights]:
@@ -91,7 +91,7 @@ def _film_weights(segment: NormalSegment) -> tuple[Weights, Weights]:
     Beyond the film thickness the printed equations keep the elastic load without its friction, and drop the plastic load
     (departures D5, D9).
     """
-    return Weights(friction=_GRIP), Weights(friction=0.0) if segment.state == "elastic" else Weights(load=0.0)
+    return Weights(friction=_FRICTION_FACTOR), Weights(friction=0.0) if segment.state == "elastic" else Weights(load=0.0)
 
 
 def regimes(groups: Groups, law: Law) -> list[Regime]:
@@ -109,7 +109,7 @@ def regimes(groups: Groups, law: Law) -> list[Regime]:
     labels = {"body": "substrate", "touching": False}
     return [
         *film_part,
-        LAW.join(from_film, substrate, Weights(friction=_GRIP, area=0.0), **labels),
+        LAW.join(from_film, substrate, Weights(friction=_FRICTION_FACTOR, area=0.0), **labels),
         LAW.join(plastic, substrate, Weights(area=0.0), **labels),
     ]
 

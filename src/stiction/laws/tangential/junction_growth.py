@@ -43,7 +43,7 @@ from stiction.engine.compiled import formula
 from stiction.laws.segment import NormalSegment, TangentialResistance
 from stiction.laws.tangential import brizmer_kligerman_etsion_2007 as full_stick
 from stiction.laws.tangential.bowden_tabor_1943 import shear_force
-from stiction.laws.tangential.shared.junctions import ALPHA, share_of_bulk
+from stiction.laws.tangential.shared.junctions import ALPHA, interface_over_bulk
 from stiction.records.registry import Limit, TangentialLaw
 from stiction.records.sources import Source
 
@@ -79,7 +79,7 @@ def resistance(u, w, load, area, L_c, eta, shear_strength, share):
 
 def tangential_resistance(segment: NormalSegment, groups: Groups, alpha: str) -> TangentialResistance:
     stick = full_stick.tangential_resistance(segment, groups)
-    share = np.minimum(share_of_bulk(groups, alpha), 1.0)
+    share = np.minimum(interface_over_bulk(groups, alpha), 1.0)
     return TangentialResistance(
         resistance, (*stick.parameters, groups.eta, groups.shear_strength, share), stick.kinks, stick.branch
     )

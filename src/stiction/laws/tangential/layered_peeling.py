@@ -36,7 +36,7 @@ symbols](#1-units).
 from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
 from stiction.laws.segment import NormalSegment, TangentialResistance
-from stiction.laws.tangential.savkoor_briggs_1977 import share_that_peels
+from stiction.laws.tangential.savkoor_briggs_1977 import mode_mixity_share
 from stiction.laws.tangential.savkoor_briggs_1977 import tangential_resistance as of_a_half_space
 from stiction.laws.tangential.shared.coated_peeling import peeling_columns, peeling_force
 from stiction.records.registry import Limit, TangentialLaw
@@ -59,7 +59,7 @@ def tangential_resistance(segment: NormalSegment, groups: Groups) -> TangentialR
     if segment.state != "elastic":
         return None
     resolved = groups.resolved()
-    share_that_peels(resolved)  # raises InputError for zeta = 0
+    mode_mixity_share(resolved)  # raises InputError for zeta = 0
     own, vanishes = peeling_columns(segment, resolved)
     return TangentialResistance(resistance, own, vanishes)
 

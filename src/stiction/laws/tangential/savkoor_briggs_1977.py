@@ -81,12 +81,12 @@ def tangential_resistance(segment: NormalSegment, groups: Groups) -> TangentialR
     """
     if segment.state != "elastic":
         return None
-    share = share_that_peels(groups)
+    share = mode_mixity_share(groups)
     # In G_N + zeta G_T = gamma, G_T is proportional to T^2 beta, so that zeta multiplies the tangential compliance.
     return TangentialResistance(resistance, (groups.theta, groups.K_beta * share), no_resistance(segment, groups))
 
 
-def share_that_peels(groups: Groups) -> np.ndarray:
+def mode_mixity_share(groups: Groups) -> np.ndarray:
     """Return zeta (n,), the fraction of the tangential energy release rate that acts to peel; it is 1 by default.
 
     It is the group `peeling`. Raises InputError if it is 0, because the peeling force would then be infinite.

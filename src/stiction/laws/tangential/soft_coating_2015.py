@@ -87,7 +87,7 @@ def tangential_resistance(
         return of_whole_segment(plastic_junctions, segment, groups)
     if groups.n_E is not None:
         return _on_a_film(segment, groups)
-    return _grip(segment, groups, resistance, printed=False)
+    return _elastic_resistance(segment, groups, resistance, printed=False)
 
 
 def _on_a_film(segment: NormalSegment, groups: Groups) -> TangentialResistance:
@@ -100,11 +100,11 @@ def _on_a_film(segment: NormalSegment, groups: Groups) -> TangentialResistance:
     return smaller_force(segment, Force(peeling_force, own), Force(edge_root, edge_columns(resolved)), vanishes)
 
 
-def grip_printed(segment: NormalSegment, groups: Groups) -> TangentialResistance | None:
-    return _grip(segment, groups, resistance_printed, printed=True)
+def tangential_resistance_printed(segment: NormalSegment, groups: Groups) -> TangentialResistance | None:
+    return _elastic_resistance(segment, groups, resistance_printed, printed=True)
 
 
-def _grip(segment, groups, formula_of, printed: bool) -> TangentialResistance | None:
+def _elastic_resistance(segment, groups, formula_of, printed: bool) -> TangentialResistance | None:
     if segment.state != "elastic":
         return None
     # In G_N + zeta G_T = gamma, zeta multiplies the tangential compliance.

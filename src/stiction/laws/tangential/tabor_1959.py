@@ -40,7 +40,7 @@ import numpy as np
 from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
 from stiction.laws.segment import NormalSegment, TangentialResistance
-from stiction.laws.tangential.shared.junctions import ALPHA, share_of_bulk, where_pressure_is
+from stiction.laws.tangential.shared.junctions import ALPHA, interface_over_bulk, where_pressure_is
 from stiction.quantities.errors import InputError
 from stiction.records.registry import Limit, TangentialLaw, Validity
 from stiction.records.sources import Source
@@ -71,7 +71,7 @@ def tangential_resistance(segment: NormalSegment, groups: Groups, alpha: str) ->
     law. groups: dimensionless groups of n contacts. alpha: key of ALPHA, "von_mises" or "9". Raises InputError if the interface
     is as strong as the bulk.
     """
-    share = share_of_bulk(groups, alpha)
+    share = interface_over_bulk(groups, alpha)
     endless = share >= 1.0 - _ROUNDING
     if np.any(endless):
         strength = float(groups.shear_strength[endless][0])

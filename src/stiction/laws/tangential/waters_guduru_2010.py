@@ -49,7 +49,7 @@ from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
 from stiction.laws.joining import coordinates
 from stiction.laws.segment import NormalSegment, TangentialResistance
-from stiction.laws.tangential.savkoor_briggs_1977 import no_resistance, share_that_peels
+from stiction.laws.tangential.savkoor_briggs_1977 import mode_mixity_share, no_resistance
 from stiction.records.registry import Limit, TangentialLaw
 from stiction.records.sources import Source
 
@@ -128,7 +128,7 @@ def tangential_resistance(segment: NormalSegment, groups: Groups) -> TangentialR
     """
     if segment.state != "elastic":
         return None
-    share = share_that_peels(groups)
+    share = mode_mixity_share(groups)
     kinks = [_to_hertz(segment, groups, 1.0 - share)[:, None], no_resistance(segment, groups)]
     parameters = (groups.theta, groups.K_beta, 1.0 - share)
     return TangentialResistance(resistance, parameters, np.concatenate([array for array in kinks if array is not None], axis=1))

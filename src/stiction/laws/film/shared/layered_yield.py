@@ -107,7 +107,7 @@ def _onset(along: Any, hardness: Any, parameters: int) -> Any:
     return find
 
 
-def felt(groups: Groups, modulus: np.ndarray, hardness: np.ndarray, place: np.ndarray) -> Groups:
+def half_space_at_yield(groups: Groups, modulus: np.ndarray, hardness: np.ndarray, place: np.ndarray) -> Groups:
     """Return the dimensionless groups (n,) of the uniform half-space that replaces film and substrate at first yield.
 
     groups: dimensionless groups of n coated contacts. modulus, hardness (n,): modulus of the half-space over the bare bodies',
@@ -134,16 +134,16 @@ def cut_at_yield(
     asperity law has no yield, `elastic` is returned whole with an empty list.
     """
     ones = np.ones(len(groups))
-    segments = law.segments(felt(groups, groups.n_E, hardness.n_H, -ones))
+    segments = law.segments(half_space_at_yield(groups, groups.n_E, hardness.n_H, -ones))
     if all(segment.state == "elastic" for segment in segments):
         return elastic, []
     table, of_hardness = columns(elastic.parameters, len(groups)), columns(hardness.row, len(groups))
     find, at_yield = _onset(elastic.normal, hardness.value, len(elastic.parameters)), np.empty((len(groups), 5))
-    own, of_yield = felt(groups, groups.n_E, hardness.n_H, -ones), ones
+    own, of_yield = half_space_at_yield(groups, groups.n_E, hardness.n_H, -ones), ones
     for _ in range(_ROUNDS):
         before, of_yield = of_yield, _pressure_at_yield(segments, own)
         find(table, groups.eta * of_yield, of_hardness, at_yield)
-        own = felt(groups, *at_yield[:, 1:4].T)
+        own = half_space_at_yield(groups, *at_yield[:, 1:4].T)
         segments = law.segments(own)
         if np.allclose(of_yield, before, rtol=1e-9, atol=0.0):
             break
@@ -175,9 +175,18 @@ def _following(elastic, segments, at_yield, hardness: Hardness, pull) -> list[No
     first, last = _last_elastic(segments), elastic.edges[:, -1]
     w, _, load, area = normal_states(elastic, last).T
     own_w, _, own_load, own_area = normal_states(first, first.edges[:, -1]).T
-    modulus, felt_hardness = at_yield[:, 1], at_yield[:, 2]
+    modulus, hardness_at_yield = at_yield[:, 1], at_yield[:, 2]
     shallower = at_yield[:, 4] - w
-    move = w - own_w, load - modulus * own_load, modulus, area - own_area, pull, 1.0 / felt_hardness, shallower, *hardness.row
+    move = (
+        w - own_w,
+        load - modulus * own_load,
+        modulus,
+        area - own_area,
+        pull,
+        1.0 / hardness_at_yield,
+        shallower,
+        *hardness.row,
+    )
     moved = []
     for segment in segments:
         if segment.state == "elastic":

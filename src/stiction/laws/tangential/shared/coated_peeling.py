@@ -35,7 +35,7 @@ _LEAST_SHARE = 1e-200
 
 
 @formula
-def _softness(u, root, curve):
+def _compliance(u, root, curve):
     """Return the dimensionless tangential compliance K beta of a coated contact, and 1 - e with e = d ln(K beta)/d ln a.
 
     K = (4/3) E*; beta: tangential compliance; a: contact radius. u: coordinate, u^4 = a^2/(R sigma). root: factor from u to
@@ -54,7 +54,7 @@ def _softness(u, root, curve):
 
 
 @formula
-def _narrower(start, c, load, row):
+def _coordinate_at_load(start, c, load, row):
     """Return the largest coordinate u at which P_H - c L equals the load, or a negative number if there is none.
 
     P_H: load of a contact of this radius without adhesion. L: adhesive force of JKR's contact of this radius. c: number from 0
@@ -79,23 +79,23 @@ def _narrower(start, c, load, row):
 
 
 @formula
-def _largest(start, load, row, root, curve):
+def _largest_force(start, load, row, root, curve):
     """Return the largest value of T^2 theta zeta/(32 pi n_g) at which the contact is in equilibrium; T: tangential force.
 
     theta: adhesion index. zeta: weight of the tangential energy release. n_g: work of adhesion of the film over the
     substrate's. The value depends on c, from 0 to 1, the fraction of JKR's adhesive force that acts; golden section search
     finds its single maximum over c. start: coordinate of a wider contact. load: normal load. row: parameters of the coated JKR
-    asperity. root, curve: as in `_softness`.
+    asperity. root, curve: as in `_compliance`.
     """
     low, high = 0.0, 1.0
     at_first, at_second, best = -1.0, -1.0, 0.0
     for _ in range(_NARROWING):
         of_first = at_first < 0.0
         c = high - _GOLDEN * (high - low) if of_first else low + _GOLDEN * (high - low)
-        u = _narrower(start, c, load, row)
+        u = _coordinate_at_load(start, c, load, row)
         value = 0.0
         if u > 0.0:
-            K_beta, left = _softness(u, root, curve)
+            K_beta, left = _compliance(u, root, curve)
             value = u**6 * (1.0 - c * c) / (K_beta * left)
         best = max(best, value)
         if of_first:
@@ -117,7 +117,7 @@ def _fill(rows, root, curves, first, out):
     The scaled force is sqrt(T^2 theta zeta/(32 pi n_g))/u^3, with the peeling force T, the adhesion index theta, the weight
     zeta of the tangential energy release, and the work of adhesion n_g of the film over the substrate's. The last knot is the
     limit at infinite u. The sign is minus where the load falls as the contact grows, because a constant load would pull off
-    such a contact. rows: parameters of the coated JKR asperities. root, curves: as in `_softness`. first (n,): u at the first
+    such a contact. rows: parameters of the coated JKR asperities. root, curves: as in `_compliance`. first (n,): u at the first
     knot.
     """
     for i in range(root.size):
@@ -133,7 +133,7 @@ def _fill(rows, root, curves, first, out):
                 sign = -1.0
                 start *= 1.05
                 hertz, pull = parted(start, row)
-            out[i, knot] = sign * math.sqrt(_largest(start, load, row, root[i], curves[i])) / u**3
+            out[i, knot] = sign * math.sqrt(_largest_force(start, load, row, root[i], curves[i])) / u**3
         out[i, SEGMENTS] = math.exp(-0.5 * curves[i, 1])
 
 
