@@ -1,4 +1,4 @@
-"""Define the class Liquid, a vapour that condenses to menisci between two bodies."""
+"""Define the class Liquid, which describes a liquid that condenses to menisci between two bodies."""
 
 from typing import TYPE_CHECKING, Any
 

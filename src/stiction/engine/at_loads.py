@@ -78,8 +78,9 @@ def _sample(way, w_top, nodes):
 def _sums(h, place, weights, count):
     """Return the load of one law at the separation h, its first two derivatives with respect to h, and its size.
 
-    The size is the sum of the absolute terms of the load, a measure of its round-off. h: over sigma. place, weights:
-    displacements and weights of the integration nodes (one array each). count: number of nodes.
+    A law is one parameter set of an asperity law. The size is the sum of the absolute terms of the load, a measure of its
+    round-off. h: over sigma. place, weights: displacements over sigma and weights of the integration nodes (one array each).
+    count: number of nodes.
     """
     total = first = second = size = 0.0
     for node in range(8 * (count // 8)):
@@ -97,8 +98,8 @@ def _turning_point(far, near, slope_far, slope_near, place, weights, count):
     """Return the separation between `far` and `near` at which the derivative of the load is zero.
 
     slope_far, slope_near: derivatives of the load with respect to the separation, at `far` (the larger separation) and at
-    `near`. They must have opposite signs. place, weights, count: displacements, weights and number of the integration nodes of
-    the law.
+    `near`. They must have opposite signs. All separations and displacements are over sigma. place, weights, count:
+    displacements, weights and number of the integration nodes with which the load is summed.
     """
     x = far - (far - near) * (slope_far / (slope_far - slope_near) if slope_far != 0.0 else 0.5)
     for _ in range(_MOST_STEPS):
@@ -118,7 +119,7 @@ def _turning_point(far, near, slope_far, slope_near, place, weights, count):
 
 @engine_kernel
 def _find_lowest(way, lowest, nodes):
-    """Find the largest tension (negative load) of each law on a grid of separations, and fill the arrays of `lowest` with it.
+    """Find the largest tension (negative load) of each law (parameter set), and store it with its separation in `lowest`.
 
     way: (h, loads, slopes). h (H,): grid of separations over sigma, in falling order. loads, slopes (n, H): loads at these
     separations, and their derivatives with respect to h. nodes: displacements, weights and numbers of the integration nodes of
@@ -186,7 +187,7 @@ def _root(target, far, near, x, place, weights, count):
 
     Halley's method starts at the separation x and stays between the separations `far` and `near`, all over sigma. slope:
     derivative of the load with respect to the separation. size: sum of the absolute terms of the load. place, weights, count:
-    displacements, weights and number of the integration nodes of the law.
+    displacements, weights and number of the integration nodes with which the load is summed.
     """
     slope = size = 0.0
     for _ in range(_MOST_STEPS):
@@ -244,7 +245,7 @@ def _first_not_below(ascending, value):
 
 @engine_kernel
 def _find_roots(way, lowest, targets, nodes, roots):
-    """Find the separation at which each law i carries the load targets[i, k], and store it in roots[i, k].
+    """Find the separation at which each law i (parameter set) carries the load targets[i, k], and store it in roots[i, k].
 
     roots[i, k] receives the separation over sigma, the derivative of the load with respect to the separation, and the sum of
     the absolute terms of the load. All three are NaN if the load is not reached on the grid, or if two such separations may be
@@ -377,7 +378,7 @@ class Approach:
 
 
 def _covers_approach(loads: np.ndarray, tension: np.ndarray) -> np.ndarray:
-    """Return for each law (n,) whether the grid of separations covers the whole approach.
+    """Return, for each of n laws (parameter sets), whether the grid of separations covers the whole approach: (n,).
 
     Three conditions must hold: the load at the far end is negligible, the largest tension is not at the far end, and the load
     at the near end is at least the largest tension. loads (n, H): loads on the grid, far end first. tension (n,): largest

@@ -208,9 +208,9 @@ def cutting(window: Callable) -> Any:
 def place_nodes(parts, branch, two_sided, rules, nodes):
     """Fill `nodes` with the coordinates and weights of all integration intervals, and return the number of filled rows.
 
-    parts: fields of `Parts`, the intervals. branch (n, b): coordinates of each law near which the nodes are denser, because the
-    resistance behaves like a square root there. two_sided: whether an interval may also end at such a coordinate. rules: nodes
-    and weights on [0, 1], and their numbers. nodes: fields of `Rows`.
+    parts: fields of `Parts`, the intervals. branch (n, b): coordinates of each parameter set near which the nodes are denser,
+    because the resistance behaves like a square root there. two_sided: whether an interval may also end at such a coordinate.
+    rules: nodes and weights on [0, 1], and their numbers. nodes: fields of `Rows`.
     """
     (law, owner, ends, _, rule, at_knot), (rule_table, counts) = parts, rules
     u, weights, row_law, row_owner, row_count, _ = nodes
@@ -260,8 +260,8 @@ class Rows(NamedTuple):
 def evaluate_parts(regime: Regime, laws: Laws, parts: Parts, used: int, rules: Rules, rows: Rows) -> Evaluated:
     """Evaluate a regime at the integration nodes of the first `used` intervals in `parts`, and return the values.
 
-    regime: a smooth part of an asperity law. laws: its arrays. rules: nodes and weights on [0, 1], and their numbers. rows:
-    work arrays; the result refers to their memory.
+    regime: a smooth part of an asperity law. laws: the arrays of its parameter sets. rules: nodes and weights on [0, 1], and
+    their numbers. rows: work arrays; the result refers to their memory.
     """
     parts = Parts(*(array[:used] for array in parts))
     _settle(regime, laws, parts)
@@ -311,7 +311,7 @@ def put_ends(coordinates, place, ends):
 
 @cache
 def adding(density: Callable) -> Any:
-    """Return a compiled loop that sums the values of laws at integration nodes, weighted by a height density.
+    """Return a compiled loop that sums the values of asperity laws at integration nodes, weighted by a height density.
 
     density: formula density(z, shape) of the height z over sigma.
     """

@@ -1,4 +1,4 @@
-"""Sum regimes where each law has several separations of its own, under Gaussian heights.
+"""Sum asperity laws at several separations, which differ between the laws, under Gaussian heights.
 
 The integration nodes of a law (parameter set of a regime, a smooth part of an asperity law) are placed once for all its
 separations, which takes a fifth of the time of new nodes at each separation. The sums differ from those with new nodes by
@@ -19,10 +19,10 @@ _BLOCK = 128  # number of laws in a block, so few that their nodes stay in the p
 
 @engine_kernel
 def _sum_each(h, nodes, out):
-    """Fill out (n, m, 5) with five sums over asperity heights, for each law i at its own separations h[i, k] over sigma.
+    """Fill out (n, m, 5) with five sums over asperity heights, for each law i (parameter set) at its separations h[i, k].
 
-    The sums are number touching, load, area, slip-limited and yield-limited resistance. nodes: displacements (n, room),
-    integration weights times each quantity (n, 5, room), and number of nodes of each law (n,).
+    The sums are number touching, load, area, slip-limited and yield-limited resistance. h: over sigma. nodes: displacements (n,
+    room), integration weights times each quantity (n, 5, room), and number of nodes of each law (n,).
     """
     places, values, used = nodes
     for i in range(used.size):
@@ -66,7 +66,8 @@ def sums_of_each(scattered: Scattered, h: np.ndarray, threads: int = 1) -> np.nd
 def _fill(scattered: Scattered, laws: np.ndarray, h: np.ndarray, sums: np.ndarray, threads: int) -> None:
     """Fill `sums` (regimes, n, m, 5) for some of n laws, each at its own separations, from nodes placed once for each law.
 
-    scattered: holds the regimes. laws (k,): indices of the laws to sum. h (n, m): separations over sigma.
+    A law is one parameter set. scattered: holds the regimes. laws (k,): indices of the laws to sum. h (n, m): separations over
+    sigma.
     """
     ENGINE.take(len(sums) * laws.size * h.shape[1])
     w_low = max(min(regime.lowest for regime in scattered.regimes), NODE_RANGE[0])

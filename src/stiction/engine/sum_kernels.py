@@ -111,11 +111,11 @@ def scattering(along: Callable, coordinate: Callable, density: Callable, window:
 
     @kernel
     def scatter(h, law, heights, laws, rules, out):
-        """Fill out (m, 5) with the sums of the laws law[i] at the mean separations h[i], over sigma.
+        """Fill out[i] with five sums over asperity heights, for parameter set law[i] at the mean separation h[i].
 
-        The five sums are averages over all asperities: number touching, load, area, slip-limited and yield-limited resistance.
-        heights: parameters and knots of the density. laws: fields of `nodes.Laws`. rules: nodes and weights on [0, 1], and
-        their numbers.
+        The sums are averages over all asperities: number touching, load, area, slip-limited and yield-limited resistance. h:
+        over sigma. heights: parameters and knots of the density. laws: fields of `nodes.Laws`. rules: nodes and weights on [0,
+        1], and their numbers.
         """
         (shape, knots), (table, edges, branch, two_sided), (rule_table, counts) = heights, laws, rules
         for i in range(h.size):
@@ -188,7 +188,7 @@ def listing(along: Callable, coordinate: Callable, parameters: int) -> Any:
 def _putting(along: Callable, rows: int) -> Any:
     @formula
     def put(mapped, row, rule, count, scratch):
-        """Fill `scratch` with the displacements and the weights times summed values at the nodes of one integration interval.
+        """Fill `scratch` with displacements, and weights times values to be summed, at the nodes of one integration interval.
 
         mapped: (low, linear, square) of the change of variable u = low + linear t + square t^2. row: parameters of the law.
         rule: nodes t and weights on [0, 1]; the first `count` are used. Each quantity occupies LONGEST places. With this fixed
@@ -296,11 +296,11 @@ def summing(density: Callable, totals: bool) -> Any:
 
     @kernel
     def sum_rows(h, reach, shape, nodes, wanted, out):
-        """Fill out[i, row, k] with sum number `row` of law i at the mean separation h[k], over sigma, if wanted[i, k] is True.
+        """Fill out[i, row, k] with sum number `row` of parameter set i at the mean separation h[k], if wanted[i, k] is True.
 
-        The rows are listed in `summing`. nodes: three arrays, displacements (i, node), integration weight times each quantity
-        (i, row, node), and number of nodes of each law (i). shape: parameters of the height density. reach[k]: displacement
-        beyond which nodes are skipped at h[k].
+        The rows are listed in `summing`. h and displacements are over sigma. nodes: three arrays, displacements (i, node),
+        integration weight times each quantity (i, row, node), and number of nodes of each parameter set (i). shape: parameters
+        of the height density. reach[k]: displacement beyond which nodes are skipped at h[k].
         """
         places, values, used = nodes
         last = values.shape[1] - 1

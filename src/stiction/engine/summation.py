@@ -111,10 +111,10 @@ class Scattered:
         self.regimes, self.heights = regimes, heights
 
     def __call__(self, h: np.ndarray, law: np.ndarray, threads: int = 1) -> np.ndarray:
-        """Return the sums (regimes, m, 5) at the separations h (m,), over sigma, of the laws with the indices law (m,).
+        """Return m sums over asperity heights, (regimes, m, 5), each for parameter set law[i] at the separation h[i].
 
-        The five values are averages over all asperities: number touching, load, area, slip-limited and yield-limited
-        resistance.
+        h: over sigma. The five values are averages over all asperities: number touching, load, area, slip-limited and
+        yield-limited resistance.
         """
         h, law = np.ascontiguousarray(h, dtype=float), np.ascontiguousarray(law)
         out = np.empty((len(self.regimes), h.size, len(QUANTITIES)))
@@ -133,8 +133,8 @@ class Scattered:
     def _fill_by_series(self, h: np.ndarray, about: np.ndarray, law: np.ndarray, number: np.ndarray, out: np.ndarray) -> None:
         """Fill out (regimes, m, 5) with sums computed from Taylor series about a few separations.
 
-        h (m,): separations over sigma. about, law (s,): separation and law index of each series. number (m,): index of the
-        series of each sum.
+        h (m,): separations over sigma. about, law (s,): separation, and index of the parameter set, of each series. number
+        (m,): index of the series of each sum.
         """
         for fill, sums in zip(self._expanded, out, strict=True):
             coefficients = np.empty((about.size, TERMS, len(QUANTITIES)))
@@ -240,9 +240,10 @@ def totals_on_grid(
 
 
 def _on_grid(regimes, h, heights, sums, threads) -> None:
-    """Fill sums (n, 5 or 3, H) with the sums of n laws at H separations, added over the regimes.
+    """Fill `sums` (n, 5 or 3, H) with sums over asperity heights, of n laws (parameter sets) at H separations that they share.
 
-    With 5 rows: number touching, load, area, slip-limited and yield-limited resistance. With 3 rows: load, area, resistance.
+    The sums of all regimes are added. With 5 rows: number touching, load, area, slip-limited and yield-limited resistance. With
+    3 rows: load, area, resistance.
     """
     h = np.ascontiguousarray(h, dtype=float)
     laws = len(sums)

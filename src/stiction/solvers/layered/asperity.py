@@ -1,4 +1,4 @@
-"""Compute one elastic asperity on a film: without adhesion, with DMT's, or with JKR's.
+"""Compute displacement, load and area of one elastic asperity on a film, without adhesion or with DMT's or JKR's adhesion.
 
 The coordinate is u = x^(1/4), with x = a^2/(R sigma), a the contact radius, R the asperity radius and sigma the rms height. A
 row of parameters holds ln n_E, per_root = (R sigma)^(1/4)/sqrt(t_1) with t_1 the thickness of one film, the strength of

@@ -1,4 +1,4 @@
-"""Solve a rigid sphere on many pairs of coated bodies at once.
+"""Solve the contact of a rigid sphere with many pairs of coated bodies at once.
 
 The equation of `sphere` depends on the bodies through the compliance of each wave alone, and is linear in it. Between the ends
 below, the compliance is interpolated by polynomials. The matrices of these polynomials depend on no material and are computed

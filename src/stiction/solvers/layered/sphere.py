@@ -1,4 +1,4 @@
-"""Solve a rigid sphere or flat punch pressed on coated elastic bodies, without friction.
+"""Solve the contact of a rigid sphere or flat punch with coated elastic bodies, without friction.
 
 The sphere is a paraboloid of radius R. The pressure p(r) on the contact of radius a has the Hankel transform P(k) =
 Integral_0^a g(s) cos(k s) ds. Abel's transform of the displacement u(r) = delta - r^2/(2R) (delta: approach) gives a Fredholm
