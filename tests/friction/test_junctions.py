@@ -166,10 +166,10 @@ def test_growth_ends_where_full_stick_slides():
 def test_without_an_end_growth_is_tabors():
     """T_s without end: tau_0 A/sqrt(1 - c^2), that of a plastic junction."""
     for c in (0.1, 0.6, 0.95):
-        assert junction_growth.together(2.0, 1e9, c) == pytest.approx(2.0 / math.sqrt(1 - c * c), rel=1e-12)
-        assert junction_growth.together(1e-9, 3.0, c) == pytest.approx(1e-9 / math.sqrt(1 - c * c), rel=1e-12)
-    assert junction_growth.together(2.0, 3.0, 1.0) == 3.0
-    assert junction_growth.together(0.0, 3.0, 0.5) == junction_growth.together(2.0, 0.0, 0.5) == 0.0
+        assert junction_growth.growing_force(2.0, 1e9, c) == pytest.approx(2.0 / math.sqrt(1 - c * c), rel=1e-12)
+        assert junction_growth.growing_force(1e-9, 3.0, c) == pytest.approx(1e-9 / math.sqrt(1 - c * c), rel=1e-12)
+    assert junction_growth.growing_force(2.0, 3.0, 1.0) == 3.0
+    assert junction_growth.growing_force(0.0, 3.0, 0.5) == junction_growth.growing_force(2.0, 0.0, 0.5) == 0.0
 
 
 @pytest.mark.parametrize("heights", ["exponential", "weibull"])

@@ -98,8 +98,9 @@ def plastic_film(groups: Groups, law, pull: np.ndarray) -> list[Regime]:
 def regimes(groups: Groups, law) -> list[Regime]:
     """Return the regimes of a surface with a plastic film without adhesion.
 
-    Forces are in units of K R^(1/2) sigma^(3/2), with K = (4/3) E* of the substrate. groups: dimensionless groups of n coated
-    contacts. law: asperity law and tangential law of the substrate (a joining.Law).
+    A regime is one smooth part of an asperity's behaviour. Forces are in units of K R^(1/2) sigma^(3/2), with K = (4/3) E* of
+    the substrate. groups: dimensionless groups of n coated contacts. law: asperity law and tangential law of the substrate (a
+    joining.Law).
     """
     return plastic_film(groups, law, np.zeros(len(groups)))
 

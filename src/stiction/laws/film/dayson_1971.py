@@ -65,9 +65,10 @@ def rim(w, pressure, tau):
 def regimes(groups: Groups, law: Law, rim_pressure: str) -> list[Regime]:
     """Return the regimes of a surface with a plastic film that asperities penetrate.
 
-    Forces are in units of K R^(1/2) sigma^(3/2), with K = (4/3) E* of the substrate. groups: dimensionless groups of n coated
-    contacts. law: only its tangential law is used, which must describe the interface; it gives the shear of the film.
-    rim_pressure: "film_hardness" or "substrate_hardness", the pressure on the film.
+    A regime is one smooth part of an asperity's behaviour. Forces are in units of K R^(1/2) sigma^(3/2), with K = (4/3) E* of
+    the substrate. groups: dimensionless groups of n coated contacts. law: only its tangential law is used, which must describe
+    the interface; it gives the shear of the film. rim_pressure: "film_hardness" or "substrate_hardness", the pressure on the
+    film.
     """
     laws = len(groups)
     tau, none = np.broadcast_to(groups.tau, laws), np.zeros(laws)

@@ -81,8 +81,9 @@ def stiffness(groups: Groups, bound: str) -> np.ndarray:
 def regimes(groups: Groups, law, bound: str) -> list[Regime]:
     """Return the regimes of a surface with a thin elastic layer on a rigid substrate.
 
-    groups: dimensionless groups of n coated contacts. law: only its tangential law is used, which must describe the interface.
-    bound: key of BOUNDS. There are two regimes: contact radii below the film thickness, and wider ones (in_half_space=False).
+    A regime is one smooth part of an asperity's behaviour. groups: dimensionless groups of n coated contacts. law: only its
+    tangential law is used, which must describe the interface. bound: key of BOUNDS. There are two regimes: contact radii below
+    the film thickness, and wider ones (in_half_space=False).
     """
     laws = len(groups)
     _, power, widening = BOUNDS[bound]

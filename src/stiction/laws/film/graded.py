@@ -181,8 +181,9 @@ def _regimes(parameters, tau, parts) -> list[Regime]:
 def regimes(groups: Groups, law: Law) -> list[Regime]:
     """Return the regimes of a surface with a graded film.
 
-    Forces are in units of K R^(1/2) sigma^(3/2), with K = (4/3) E* of the substrate. groups: dimensionless groups of n coated
-    contacts. `law` is not used, because this film law has its own asperity law.
+    A regime is one smooth part of an asperity's behaviour. Forces are in units of K R^(1/2) sigma^(3/2), with K = (4/3) E* of
+    the substrate. groups: dimensionless groups of n coated contacts. `law` is not used, because this film law has its own
+    asperity law.
     """
     bodies = TwoBodies.of(groups)
     return _film_regimes(

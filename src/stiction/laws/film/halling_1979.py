@@ -196,9 +196,10 @@ def segments(groups: Groups, modulus: str, hardness: str, soft_film_exponent: st
 def regimes(groups: Groups, law, modulus: str, hardness: str, soft_film_exponent: str) -> list[Regime]:
     """Return the regimes of a coated surface with an effective modulus and hardness.
 
-    Forces are in units of K R^(1/2) sigma^(3/2), with K = (4/3) E* of the substrate. groups: dimensionless groups of n coated
-    contacts. law: only its tangential law is used, which must describe the interface. modulus, hardness: keys of the composite
-    laws. soft_film_exponent: exponent m for a soft film, "1" or "2"; a hard film has 3 - m.
+    A regime is one smooth part of an asperity's behaviour. Forces are in units of K R^(1/2) sigma^(3/2), with K = (4/3) E* of
+    the substrate. groups: dimensionless groups of n coated contacts. law: only its tangential law is used, which must describe
+    the interface. modulus, hardness: keys of the composite laws. soft_film_exponent: exponent m for a soft film, "1" or "2"; a
+    hard film has 3 - m.
     """
     return [law.join(segment, groups, body=body) for segment, body in segments(groups, modulus, hardness, soft_film_exponent)]
 

@@ -193,8 +193,9 @@ def segments(groups: Groups) -> list[tuple[NormalSegment, str]]:
 def regimes(groups: Groups, law: Law) -> list[Regime]:
     """Return the regimes of a surface whose plastic film is squeezed out of the contacts.
 
-    Forces are in units of K R^(1/2) sigma^(3/2), with K = (4/3) E* of the substrate. groups: dimensionless groups of n coated
-    contacts. law: its tangential law is used and must be a law of the interface; its asperity law is not used.
+    A regime is one smooth part of an asperity's behaviour. Forces are in units of K R^(1/2) sigma^(3/2), with K = (4/3) E* of
+    the substrate. groups: dimensionless groups of n coated contacts. law: its tangential law is used and must be a law of the
+    interface; its asperity law is not used. Regimes of contacts wider than the film thickness have in_half_space=False.
     """
     tau = parameters(groups)[0]
     as_wide = 0.5 * groups.film_aspect**2  # a = t

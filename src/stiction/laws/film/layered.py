@@ -108,9 +108,9 @@ def elastic(groups: Groups, law: Law) -> NormalSegment:
 def regimes(groups: Groups, law: Law, hardness: str, soft_film_exponent: str) -> list[Regime]:
     """Return the regimes of a surface with a bonded film; all load counts as the film's.
 
-    Forces are in units of K R^(1/2) sigma^(3/2), with K = (4/3) E* of the substrate. groups: dimensionless groups of n coated
-    contacts. law: asperity law and tangential law. hardness: key of the composite law for the hardness. soft_film_exponent:
-    exponent of that law for a soft film, "1" or "2".
+    A regime is one smooth part of an asperity's behaviour. Forces are in units of K R^(1/2) sigma^(3/2), with K = (4/3) E* of
+    the substrate. groups: dimensionless groups of n coated contacts. law: asperity law and tangential law. hardness: key of the
+    composite law for the hardness. soft_film_exponent: exponent of that law for a soft film, "1" or "2".
     """
     resolved = groups.resolved()
     record: Any = composites_of("hardness")[hardness]

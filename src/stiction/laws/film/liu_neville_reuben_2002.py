@@ -33,8 +33,9 @@ from stiction.records.sources import Source
 def regimes(groups: Groups, law) -> list[Regime]:
     """Return the regimes of a surface with a plastic film and DMT adhesion.
 
-    Forces are in units of K R^(1/2) sigma^(3/2), with K = (4/3) E* of the substrate. groups: dimensionless groups of n coated
-    contacts. law: asperity law and tangential law of the substrate (a joining.Law).
+    A regime is one smooth part of an asperity's behaviour. Forces are in units of K R^(1/2) sigma^(3/2), with K = (4/3) E* of
+    the substrate. groups: dimensionless groups of n coated contacts. law: asperity law and tangential law of the substrate (a
+    joining.Law).
     """
     return plastic_film(groups, law, 2.0 * math.pi * groups.n_g / groups.theta)
 

@@ -81,8 +81,9 @@ def rise(groups: Groups) -> np.ndarray:
 def regimes(groups: Groups, law: Law) -> list[Regime]:
     """Return the regimes of a surface with a soft metal film.
 
-    Forces are in units of K R^(1/2) sigma^(3/2), with K = (4/3) E* of the substrate. groups: dimensionless groups of n coated
-    contacts. law: only its tangential law is used, which must describe the interface.
+    A regime is one smooth part of an asperity's behaviour. Forces are in units of K R^(1/2) sigma^(3/2), with K = (4/3) E* of
+    the substrate. groups: dimensionless groups of n coated contacts. law: only its tangential law is used, which must describe
+    the interface.
     """
     laws = len(groups)
     n_H, q = np.broadcast_to(np.minimum(groups.n_H, 1.0), laws), rise(groups)

@@ -54,11 +54,12 @@ def at_rest(w, load, slip_limited, yield_limited):
 def regimes(groups: Groups, law: Law, film_shear: str) -> list[Regime]:
     """Return the regimes of a surface with a film that deforms alone up to its thickness.
 
-    Forces are in units of K R^(1/2) sigma^(3/2), with K = (4/3) E* of the substrate. groups: dimensionless groups of n coated
-    contacts. law: asperity law and tangential law of film and substrate. The area is the film's at the full displacement,
-    because the outer contact is always on the film. A tangential law of the interface uses this area and the whole load. Beyond
-    the film thickness, any other tangential law gives the film's resistance at a displacement equal to the thickness plus the
-    substrate's (film_shear "added"), or the smaller of the film's and the substrate's ("in_series").
+    A regime is one smooth part of an asperity's behaviour. Forces are in units of K R^(1/2) sigma^(3/2), with K = (4/3) E* of
+    the substrate. groups: dimensionless groups of n coated contacts. law: asperity law and tangential law of film and
+    substrate. The area is the film's at the full displacement, because the outer contact is always on the film. A tangential
+    law of the interface uses this area and the whole load. Beyond the film thickness, any other tangential law gives the film's
+    resistance at a displacement equal to the thickness plus the substrate's (film_shear "added"), or the smaller of the film's
+    and the substrate's ("in_series").
     """
     tau, n_E = groups.tau, groups.n_E
     before, after = Weights(unit=n_E), Weights(unit=n_E, load=0.0, friction=0.0)

@@ -334,7 +334,7 @@ def _elastic_on_map(pressure: np.ndarray, groups: Groups, surface: "HeightMap", 
 
 
 def _bare_curve(surface: "HeightMap", pressure: np.ndarray, slope: float, n_E: float) -> Callable[[np.ndarray], np.ndarray]:
-    """Return a function that gives the bare contact area of a map over its nominal area at pressures over E* h'.
+    """Return a function that gives the contact area of a map without film, over its nominal area, at a pressure over E* h'.
 
     It interpolates a formula from the slopes of the map, over all pressures that films with the modulus ratio n_E may need.
     pressure: pressures with the film, over E* h'. slope: root mean square gradient h'.

@@ -29,9 +29,9 @@ from stiction.records.sources import Source
 def regimes(groups: Groups, law: Law, film: FilmLaw | None, variant: str, transition: str) -> list[Regime]:
     """Return the regimes of a bare or coated surface by the model of 2015 (docs/explanation/theory.md, sections 2 to 6).
 
-    groups: dimensionless groups of n contacts. law: asperity law, tangential law and options. film: film law, or None. variant:
-    "corrected" or "published". transition: "jump" or "gradual" onset of plastic contact. Raises InputError for options that
-    exclude each other.
+    A regime is one smooth part of an asperity's behaviour. groups: dimensionless groups of n contacts. law: asperity law,
+    tangential law and options. film: film law, or None. variant: "corrected" or "published". transition: "jump" or "gradual"
+    onset of plastic contact. Raises InputError for options that exclude each other.
     """
     printed, gradual = variant == "published", transition == "gradual"
     if law.options.get("branch") == "unloading" and (printed or gradual or groups.has_film):

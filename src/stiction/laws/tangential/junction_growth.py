@@ -51,7 +51,7 @@ _force_of_full_stick = full_stick.resistance
 
 
 @formula
-def together(of_interface, of_full_stick, share):
+def growing_force(of_interface, of_full_stick, share):
     """Return the tangential force T of a growing junction, from 1/T^2 = (1 - c^2)/(tau_0 A)^2 + 1/T_s^2.
 
     of_interface: tau_0 A, strength of the interface times area before growth. of_full_stick: T_s, force of a junction in full
@@ -73,7 +73,7 @@ def resistance(u, w, load, area, L_c, eta, shear_strength, share):
     interface over strength of the bulk. Units: loads and forces in K R^(1/2) sigma^(3/2), area in pi R sigma.
     """
     _, of_full_stick = _force_of_full_stick(u, w, load, area, L_c)
-    force = together(shear_force(area, eta, shear_strength), of_full_stick, share)
+    force = growing_force(shear_force(area, eta, shear_strength), of_full_stick, share)
     return (force, 0.0) if share < 1.0 else (0.0, force)
 
 

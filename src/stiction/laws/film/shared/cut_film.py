@@ -16,9 +16,10 @@ def film_regimes(
 ) -> list[Regime]:
     """Return the regimes of a film that follows its own asperity law at every displacement.
 
-    groups: dimensionless groups of n coated contacts. through (n,): displacement, in units of sigma, at which the film is
-    pressed through. weights(segment): the `Weights` of the response before and after this displacement. The film acts as a
-    half-space while the contact radius is below the film thickness; regimes of wider contacts have in_half_space=False.
+    A regime is one smooth part of an asperity's behaviour. groups: dimensionless groups of n coated contacts. through (n,):
+    displacement, in units of sigma, at which the film is pressed through. weights(segment): the `Weights` of the response
+    before and after this displacement. The film acts as a half-space while the contact radius is below the film thickness;
+    regimes of wider contacts have in_half_space=False.
     """
     film = groups.film()
     # For a film of infinite thickness the regimes of wider contacts would be empty and are left out.

@@ -12,7 +12,7 @@ from stiction.solvers.layered.table import curves_of_films
 
 
 def rows(groups: Groups, pull: np.ndarray) -> tuple[np.ndarray, ...]:
-    """Return the parameters, each an array (n,), that the formulas of `solvers.layered.asperity` for a sphere on a film take.
+    """Return the parameters of the formulas in `solvers.layered.asperity` for a sphere on a film, each an array (n,).
 
     groups: dimensionless groups of n coated contacts with all defaults filled in, from `Groups.resolved`. pull (n,): adhesion,
     from `edge_pull` or `outer_pull`. Raises InputError if no bodies can have these groups.

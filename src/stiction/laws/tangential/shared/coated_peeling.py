@@ -79,7 +79,7 @@ def _coordinate_at_load(start, c, load, row):
 
 
 @formula
-def _largest_force(start, load, row, root, curve):
+def _largest_force_squared(start, load, row, root, curve):
     """Return the largest value of T^2 theta zeta/(32 pi n_g) at which the contact is in equilibrium; T: tangential force.
 
     theta: adhesion index. zeta: weight of the tangential energy release. n_g: work of adhesion of the film over the
@@ -133,7 +133,7 @@ def _fill(rows, root, curves, first, out):
                 sign = -1.0
                 start *= 1.05
                 hertz, pull = parted(start, row)
-            out[i, knot] = sign * math.sqrt(_largest_force(start, load, row, root[i], curves[i])) / u**3
+            out[i, knot] = sign * math.sqrt(_largest_force_squared(start, load, row, root[i], curves[i])) / u**3
         out[i, SEGMENTS] = math.exp(-0.5 * curves[i, 1])
 
 
