@@ -185,7 +185,7 @@ def _fill_sorted(edges, kinks, out):
         first, last, row = edges[i, 0], edges[i, edges.shape[1] - 1], out[i]
         for j in range(row.size):
             value = edges[i, j] if j < edges.shape[1] else min(max(kinks[i, j - edges.shape[1]], first), last)
-            # A kink at an end, but for rounding, is moved there: a part that short would cost integration nodes for nothing.
+            # A kink within rounding of an end is moved to it, because the tiny part between them would need nodes of its own.
             value = first if value <= first + _AT_END * abs(first) else value
             row[j] = last if value >= last - _AT_END * abs(last) else value
         sort_few(row)

@@ -52,7 +52,7 @@ def aged(groups: Groups) -> Groups:
     return groups.with_changes(shear_strength=groups.shear_strength * factor(groups))
 
 
-# Hold time over the reference time: from about a second to about a day (Dieterich 1972, from memory).
+# Largest measured hold time over the reference time: from about a second to about a day (Dieterich 1972, from memory).
 _MEASURED = 1e5
 
 RECORD = Ageing(

@@ -55,7 +55,7 @@ from stiction.laws.shared_claims import elastic_limit
 from stiction.records.registry import AsperityLaw, Jump, Validity
 from stiction.records.sources import Source
 
-_MOST_STRAIN = 0.1  # S_y/E*; B is 1.4 there, and 240 at 0.33
+_MOST_STRAIN = 0.1  # largest S_y/E* in the exponent B, which is 1.4 there and would be 240 at 0.33
 FITTED_TO_METALS = Validity("yield_strain", 0.0, _MOST_STRAIN, "the area of yielding asperities is fitted to metals", "effect")
 ELASTIC_TO = 1.9  # omega over omega_c
 # The sum over heights is split at these ratios omega/omega_c, beyond which the elastic part of the load vanishes.

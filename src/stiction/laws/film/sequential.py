@@ -88,7 +88,7 @@ def _values_at_thickness(law: Law, groups: Groups) -> np.ndarray:
         u = coordinates(segment, groups.tau)
         at_first, at_last = segment.edges[:, 0], segment.edges[:, -1]
         start, _, _, width = normal_states(segment, at_first).T
-        # First touch is at zero displacement but for rounding, so that a film of zero thickness is included.
+        # First touch is at zero displacement within rounding. The tolerance includes a film of zero thickness.
         there = (u >= at_first) & (u < at_last) & (groups.tau >= start - 1e-14 * width)
         at_thickness[:, there] = states(regime, np.where(there, u, at_first))[there][:, [2, 4, 5]].T
     return at_thickness

@@ -171,7 +171,7 @@ def area_of_waves(
         change = np.log(np.maximum(area, _LEAST_AREA)) - guess
         if np.all(np.abs(change) <= 1e-14 * np.maximum(np.abs(guess), 1.0)):
             break
-        # The radius depends on the area to the power 0.086, so that a plain step leaves a tenth of the error; secants less.
+        # The radius depends on the area to the power 0.086, so that a plain step leaves a tenth of the error, a secant less.
         with np.errstate(divide="ignore", invalid="ignore"):
             slope = (change - last_change) / (guess - last_guess)
         last_guess, last_change = guess, change
