@@ -104,7 +104,8 @@ def with_numbers(content: Any, numbers: Mapping[Address, Any]) -> Any:
     """Return a copy of nested tables, or of a record, with the entries at some addresses replaced.
 
     numbers: new entries by address, e.g. {("contact", "first", "hardness"): 1e9}. To change a number of a material preset, the
-    name of the preset is first replaced by the table {"preset": name}. Records are checked again. Raises InputError.
+    name of the preset is first replaced by the table {"preset": name}. Records are checked again. Raises InputError for an
+    entry that is not allowed.
     """
     changes: dict[str, Any] = {}
     for key in dict.fromkeys(path[0] for path in numbers):

@@ -93,8 +93,8 @@ class Distribution:
 
     quantity: name of the quantity, e.g. "hardness". nominal: value used by computations that ignore the uncertainty. kind: type
     of the distribution, e.g. "normal". parameters: its numbers, e.g. mean and standard deviation. words: text that describes
-    the distribution to users. law: object with `ppf` and `cdf` from scipy.stats; None for the named kinds. Values outside the
-    bounds of the quantity have probability 0.
+    the distribution to users. law: object with `ppf` and `cdf` from scipy.stats; None for the named kinds. The distribution is
+    cut off at the bounds of the quantity.
     """
 
     quantity: str
@@ -110,7 +110,7 @@ class Distribution:
 
     @cached_property
     def _ends(self) -> tuple[float, float]:
-        """Return the probabilities that the uncut distribution lies below the lower and the upper bound of its quantity."""
+        """Return the probabilities of values below the lower and below the upper bound of the quantity, before the cut-off."""
         quantity = QUANTITIES[self.quantity]
         if self.kind in ("uniform", "log-uniform", "values"):
             return 0.0, 1.0  # each end was read as a value of the quantity
@@ -118,7 +118,7 @@ class Distribution:
 
     @property
     def beyond(self) -> float:
-        """Return the probability that the uncut distribution gives to values outside the bounds of the quantity."""
+        """Return the probability of values outside the bounds of the quantity, before the distribution is cut off there."""
         low, high = self._ends
         return low + 1.0 - high
 

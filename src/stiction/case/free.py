@@ -17,8 +17,9 @@ from stiction.quantities.units import show
 class Interval(Input):
     """Define the table of a free parameter in a case file: its lower and upper limit.
 
-    spacing: "log" searches uniformly in the logarithm, "linear" in the number. The default is "log" if both limits are
-    positive. each_sample: whether a fit finds one value for each measured sample instead of one value for all.
+    spacing: "log" searches uniformly in the logarithm of the parameter, "linear" in the parameter itself. The default is "log"
+    if both limits are positive. each_sample: whether a fit finds one value for each measured sample instead of one value for
+    all.
     """
 
     low: Any = Field(description="the lower limit, with its unit")
@@ -76,7 +77,8 @@ class Free:
 def read_free(path: Address, entry: Any, where: str) -> Free:
     """Return the free parameter that a table {low, high} of a case file describes.
 
-    path: address of the parameter in the case. entry: the table. where: name of the table in error messages. Raises InputError.
+    path: address of the parameter in the case. entry: the table. where: name of the table in error messages. Raises InputError
+    for anything else, and for limits that are not allowed.
     """
     if not isinstance(entry, Mapping):
         example = QUANTITIES[path[-1]].example or "1"

@@ -48,7 +48,8 @@ def naming_materials_file(content: Mapping) -> AbstractContextManager[None]:
 def with_own_materials(content: Mapping) -> Mapping:
     """Return the tables of a case with every name of a user-defined material replaced by that material.
 
-    The tables must contain the tables [materials.NAME] themselves, not the path of a materials file. Raises InputError.
+    The tables must contain the tables [materials.NAME] themselves, not the path of a materials file. Raises InputError for an
+    invalid material or an unknown name.
     """
     tables = content.get("materials")
     if tables is None:
@@ -62,7 +63,7 @@ def with_own_materials(content: Mapping) -> Mapping:
 def _materials(tables: Any) -> dict[str, Material]:
     """Return the materials that tables [materials.NAME] define, by name.
 
-    A material may start from a preset, but must not have the name of a preset. Raises InputError.
+    A material may start from a preset, but must not have the name of a preset. Raises InputError for an invalid material.
     """
     if not isinstance(tables, Mapping):
         raise InputError("materials", tables, _FORM)

@@ -79,7 +79,7 @@ class Case:
         """Return a copy of the case with the entries at some addresses replaced.
 
         numbers: new entries by address (tuple of keys): SI numbers, arrays with named dimensions, or names such as "gold".
-        Raises InputError.
+        Raises InputError for an entry that is not allowed.
         """
         (subject,) = with_numbers(self.tables, numbers).values()
         points = None if self.separation is None else self.points
@@ -200,8 +200,8 @@ def read_case(path: "FilePath", *, ranges: bool | None = None) -> Case:
 def as_case(given: Any, ranges: bool | None = None) -> Case:
     """Return a Case from a Case, the path of a case file, or a dict of its tables.
 
-    ranges: whether material presets vary within their stated ranges; None uses the setting in the case. A Case ignores it.
-    Raises InputError.
+    ranges: whether material presets vary within their stated ranges; None uses the setting in the case. It is ignored for a
+    Case. Raises InputError as `read_case` does.
     """
     if isinstance(given, Case):
         return given
@@ -233,7 +233,8 @@ def read_content(path) -> dict[str, Any]:
 def tables_of(given: Any) -> tuple[Mapping[str, Any], Path]:
     """Return the unchecked tables of a case, and the folder at which the relative paths in them start.
 
-    given: path of a case file, or a dict of its tables, whose paths start at the current folder. Raises InputError.
+    given: path of a case file, or a dict of its tables, whose paths start at the current folder. Raises InputError if the file
+    cannot be read or is not TOML.
     """
     return (given, Path()) if isinstance(given, Mapping) else (read_content(given), Path(given).parent)
 
@@ -286,7 +287,7 @@ def case_in(content: Mapping, folder: Path = Path()) -> Case:
     """Return the Case that these tables describe, without warnings of unlikely inputs.
 
     content: tables of a case file. folder: folder at which relative paths of scans and of materials files start. For the
-    warnings, call `input_warnings(case.subject)`. Raises InputError.
+    warnings, call `input_warnings(case.subject)`. Raises InputError as `read_case` does.
     """
     require_names(content)
     content, swept = with_files_read(content, folder)
@@ -296,11 +297,11 @@ def case_in(content: Mapping, folder: Path = Path()) -> Case:
 
 
 def with_files_read(content: Mapping, folder: Path) -> tuple[Mapping, dict[Address, SweptNumber]]:
-    """Return the tables of a case after reading all files that they name, and its swept and uncertain numbers.
+    """Read all files that a case names; return the tables of the case, and its swept and uncertain numbers by address.
 
-    The numbers are by address (tuple of keys). folder: folder at which relative paths start. In the tables, names of
-    user-defined materials are replaced by the materials, scans by the roughness measured from them, swept numbers by their
-    first value, and uncertain numbers by their nominal value. Raises InputError.
+    An address is a tuple of keys. folder: folder at which relative paths start. In the tables, names of user-defined materials
+    are replaced by the materials, scans by the roughness measured from them, swept numbers by their first value, and uncertain
+    numbers by their nominal value. Raises InputError for an invalid entry or file.
     """
     refuse_bare_numbers(content, "")
     numbers: dict[Address, SweptNumber] = dict(swept_numbers(content))
@@ -319,10 +320,10 @@ def with_files_read(content: Mapping, folder: Path) -> tuple[Mapping, dict[Addre
 
 
 def with_single_numbers(content: Mapping[str, Any], folder: Path, allowed: str) -> tuple[Mapping, dict[Address, Uncertain]]:
-    """Return the tables of a case without those of studies, after reading all files, and its uncertain numbers.
+    """Return the tables of a case without those of studies, after reading all files, and its uncertain numbers by address.
 
-    These are by address (tuple of keys). folder: folder at which relative paths start. Raises InputError if a number is swept.
-    allowed: text for this error that says what a list of values may be instead.
+    An address is a tuple of keys. folder: folder at which relative paths start. allowed: text that states what a list of values
+    may be instead, for the error. Raises InputError if a number is swept.
     """
     content, numbers = with_files_read(without_studies(content), folder)
     uncertain = {}
@@ -361,7 +362,7 @@ def case_of(content: Mapping, numbers: Mapping[Address, Any] | None = None) -> C
     """Return the Case that these tables describe, after replacing the entries at some addresses.
 
     content: tables of a case, which name no files. numbers: SI numbers or arrays with named dimensions by address (tuple of
-    keys). Raises InputError.
+    keys). Raises InputError for an entry that is missing or not allowed.
     """
     file = case_tables()(**with_numbers(content, numbers or {}))
     subject = file.contact or file.indices

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 Address = tuple[str, ...]
 
 _MOST_POINTS = 100_000
-_ROUNDING = 1e-14  # relative to the larger end of a range: a smaller point is 0 with a round-off error
+_ROUNDING = 1e-14  # a point smaller than this, relative to the larger end of its range, is 0 with a round-off error
 # Names that a dimension must not have, because results use them for dimensions, coordinates or variables.
 _TAKEN = (
     "asperity_method", "separation", "contact", "sample", "block", "rule", "statistic", "quantile", "input", "spread",
@@ -174,7 +174,7 @@ class SweptNumber:
 def swept_numbers(content: Mapping) -> dict[Address, SweptNumber]:
     """Return the swept numbers in the tables [contact] and [indices] of a case, by address (tuple of keys).
 
-    Raises InputError.
+    Raises InputError for an invalid entry.
     """
     entries = {path: entry for path, entry in numbers_in(content, ("contact", "indices")) if not with_error(entry)}
     short = [path[-1] for path in entries]
@@ -229,10 +229,11 @@ def _read(path: Address, entry: Any, ambiguous: bool) -> SweptNumber:
 
 
 def _numbers(entries: list[Any], path: Address, ends: tuple[str, ...]) -> np.ndarray:
-    """Return entries of a case file as numbers (n,) in SI units, after checking each.
+    """Convert entries of a case file to numbers (n,) in SI units, after checking each.
 
-    path: address of the swept number, whose last key is the name of the quantity. ends: suffixes that name the entries in
-    errors, e.g. (".start", ".stop"); the last one also names all further entries. Raises InputError.
+    entries: as the file states them. path: address of the swept number, whose last key is the name of the quantity. ends:
+    suffixes that name the entries in errors, e.g. (".start", ".stop"); the last one also names all further entries. Raises
+    InputError for an invalid entry.
     """
     where = [".".join(path) + ends[min(address, len(ends) - 1)] for address in range(len(entries))]
     return np.array([number_of(entry, path[-1], address) for entry, address in zip(entries, where, strict=True)])
@@ -242,7 +243,7 @@ def number_of(entry: Any, name: str, where: str, given: Any = None) -> float:
     """Return an entry of a case file, such as "50 nm", as a number in SI units.
 
     name: name of the quantity; a quantity with a unit needs text. where: address for errors. given: text or table that contains
-    the entry, which errors show instead of the entry. Raises InputError.
+    the entry, which errors show instead of the entry. Raises InputError for a missing unit or a value that is not allowed.
     """
     quantity = QUANTITIES[name]
     if quantity.unit and not isinstance(entry, str):
@@ -256,10 +257,10 @@ def number_of(entry: Any, name: str, where: str, given: Any = None) -> float:
 
 
 def read_ends(given: Any, quantity: str, where: str) -> tuple[float, float]:
-    """Return the limits `low` and `high` of a checked table, in SI units.
+    """Return the limits `low` and `high` of a table, in SI units.
 
-    given: record with the fields low, high and spacing. quantity: name of the quantity. where: address for errors. Raises
-    InputError if `low` is not below `high`, or is not positive with logarithmic spacing.
+    given: checked record with the fields low, high and spacing. quantity: name of the quantity. where: address for errors.
+    Raises InputError if `low` is not below `high`, or if `low` is not positive with logarithmic spacing.
     """
     low, high = (number_of(getattr(given, end), quantity, f"{where}.{end}") for end in ("low", "high"))
     if not low < high:
@@ -273,7 +274,7 @@ def points_of(points: Any, name: str, subject: Subject, where: str) -> Any:
 
     points: a Range or a list. name: "load" or "mean_separation". subject: the contact. where: address for errors. Numbers are
     in SI units for a Contact and dimensionless for Indices. Separations without unit are multiples of sigma. If sigma is swept,
-    they are lengths [m] in an array along `separation` and the dimension of sigma. Raises InputError.
+    they are lengths [m] in an array along `separation` and the dimension of sigma. Raises InputError for an invalid entry.
     """
     if points is None:
         return None

@@ -134,8 +134,8 @@ class Uncertain(SweptNumber):
 def uncertain_numbers(content: Mapping, folder: Path = Path(), of_materials: Path | None = None) -> dict[Address, Uncertain]:
     """Return the uncertain numbers of the tables [contact], [indices] and [materials] by address (tuple of keys).
 
-    content: tables of a case. folder: folder at which relative paths of sample files start. of_materials: this folder for
-    [materials]; None if it is the same. Raises InputError.
+    content: tables of a case. folder: folder at which relative paths of sample files start. of_materials: the same folder for
+    [materials]; None if both are equal. Raises InputError for an invalid entry.
     """
     entries = {path: entry for path, entry in numbers_in(content, ("contact", "indices", "materials")) if with_error(entry)}
     read = {}
@@ -166,7 +166,7 @@ def read_distribution(entry: Any, quantity: str, where: str, folder: Path = Path
 
     entry: text such as "0.5 +/- 0.1 GPa", a table such as { low, high }, a Distribution, or a distribution of scipy.stats.
     quantity: name of the quantity. where: address of the entry for errors. folder: folder at which relative paths of sample
-    files start. Raises InputError.
+    files start. Raises InputError for an entry that is no distribution, or is out of bounds.
     """
     if isinstance(entry, Distribution):
         return entry
@@ -175,7 +175,7 @@ def read_distribution(entry: Any, quantity: str, where: str, folder: Path = Path
     if isinstance(entry, str):
         return _with_error(entry, quantity, where)
     forms = [form for _, form in FORMS]
-    likeliest = max(forms, key=lambda form: len(entry.keys() & form.model_fields.keys() - {"along"}))  # names its missing field
+    likeliest = max(forms, key=lambda form: len(entry.keys() & form.model_fields.keys() - {"along"}))  # its error names the missing field
     form = next((form for form in forms if next(iter(form.model_fields)) in entry), likeliest)
     with field_below(where):
         table = form(**entry)
@@ -193,7 +193,8 @@ def read_distribution(entry: Any, quantity: str, where: str, folder: Path = Path
 def _with_error(text: str, quantity: str, where: str) -> Distribution:
     """Return the normal distribution, in SI units, that text such as "0.5 +/- 0.1 GPa" or "0.5 GPa +/- 20 %" states.
 
-    quantity: name of the quantity. where: address for errors. Raises InputError.
+    quantity: name of the quantity. where: address for errors. Raises InputError for other text, and for a standard deviation
+    that is not positive.
     """
     match = _ERROR.fullmatch(text)
     if match is None:
@@ -220,10 +221,10 @@ def _example(quantity: str) -> str:
 
 
 def _values(table: _Samples, quantity: str, where: str, folder: Path) -> np.ndarray:
-    """Return the samples (n,) in a file, in SI units.
+    """Read the samples (n,) of an uncertain number from a file, in SI units.
 
     table: entry of the case that names file, column and unit. where: address of the entry for errors. folder: folder at which
-    relative paths start. Raises InputError.
+    relative paths start. Raises InputError for a missing unit and for a file without such numbers.
     """
     rows = _table(folder / table.samples, f"{where}.samples", table.samples)
     heads = None if _is_number(rows[0][0]) else [head.strip() for head in rows[0]]
@@ -249,9 +250,10 @@ def _values(table: _Samples, quantity: str, where: str, folder: Path) -> np.ndar
 
 
 def _table(path: Path, where: str, name: str) -> list[list[str]]:
-    """Return the cells of each line of a text file as text, without comments and empty lines.
+    """Read a text file as a list of rows, each a list of cells, without comments and empty lines.
 
-    where: address in the case for errors. name: path as the user wrote it, for errors. Raises InputError.
+    where: address in the case for errors. name: path as the user wrote it, for errors. Raises InputError if the file is empty
+    or cannot be read.
     """
     text = read_text(path, where, "a file of numbers", _LARGEST_FILE, name)
     lines = [line.partition("#")[0].strip() for line in text.splitlines()]
@@ -278,10 +280,10 @@ def _is_number(text: str) -> bool:
 
 
 def at_bodies(numbers: Mapping[Address, Uncertain], content: Mapping) -> Iterator[Uncertain]:
-    """Yield the uncertain numbers of a case with the addresses of the bodies that have them.
+    """Yield the uncertain numbers of a case, each at the address of the body that has it.
 
     numbers: uncertain numbers by address (tuple of keys). content: tables of the case. A number of a user-defined material is
-    yielded once for every body of this material, unless the body states its own value. All other numbers are yielded unchanged.
+    yielded once for every body of this material that does not state its own value. All other numbers are yielded unchanged.
     """
     for path, number in numbers.items():
         if path[0] != "materials":
@@ -312,7 +314,10 @@ def with_ranges(content: Mapping, taken: Sequence[Address]) -> Iterator[Uncertai
 
 
 def _material_of(body: Any) -> Material | None:
-    """Return the material of a body, given as a name, table or Material; None for anything else, which the contact refuses."""
+    """Return the material of a body that is given as a name, table or Material; None for anything else.
+
+    An invalid material also gives None, because the contact raises the error later.
+    """
     try:
         material = as_material(body)
         material = Material(**material) if isinstance(material, Mapping) else material

@@ -36,7 +36,7 @@ class ArealParameters:
     """Store the areal parameters of a map, with the names and definitions of ISO 25178-2.
 
     Lengths (Sp, Sv, Sal, Sk, Spk, Svk) are in m, the others are fractions (0.1 for 10 %). Sal is None if the autocorrelation
-    falls to 0.2 in no direction within the map, and Str is None if there is any direction in which it does not.
+    falls to 0.2 in no direction within the map. Str is None if it does not fall to 0.2 in every direction.
     """
 
     Sp: float
@@ -84,7 +84,7 @@ def _decay(depth: np.ndarray, pitch: tuple[float, float]) -> tuple[float | None,
 
     depth: heights (rows, columns) [m] above their mean. pitch: distance (dy, dx) of neighbouring points [m]. The
     autocorrelation is 1 at distance 0. The shortest distance is None if the autocorrelation falls to 0.2 in no direction within
-    the map, the longest one is None if there is any direction in which it does not.
+    the map. The longest distance is None if it does not fall to 0.2 in every direction.
     """
     from scipy.ndimage import label
     from scipy.signal import fftconvolve
@@ -133,7 +133,7 @@ def _material_ratio(depth: np.ndarray) -> tuple[float, float, float, float, floa
 
 
 def _positive_area(values: np.ndarray) -> float:
-    """Return the area under the parts above 0 of a polyline through the values (n,), which are one unit apart."""
+    """Return the area that a polyline through the values (n,), one unit apart, encloses above the zero line."""
     first, last = values[:-1], values[1:]
     high = np.maximum(np.maximum(first, last), 0.0)
     crossed = high**2 / (2.0 * np.maximum(np.abs(last - first), 1e-300))

@@ -19,8 +19,8 @@ if TYPE_CHECKING:
     from stiction.surfaces.heightmap import HeightMap
 
 _PER_DECADE = 40  # wave numbers of the combined spectrum in each decade
-_MOST_WAVES = 100.0  # largest weight of a bin: with more waves scans differ by their instruments and not by chance
-_MANY_WAVES = 30.0  # waves in a bin from which on its density is compared with that of another scan
+_MOST_WAVES = 100.0  # largest weight of a bin; with more waves the instruments, not chance, make scans differ
+_MANY_WAVES = 30.0  # least number of waves in a bin for its density to be compared with that of another scan
 
 
 @dataclass(frozen=True)
@@ -152,7 +152,7 @@ def _reliable(surface: "HeightMap", tip_radius: float | None, field: str) -> Bin
 
 
 def _smoothed(binned: BinnedSpectrum) -> BinnedSpectrum:
-    """Return a binned spectrum averaged in wider bins, each at most 1/_PER_DECADE of a decade of the wave number.
+    """Average a binned spectrum in wider bins, each at most 1/_PER_DECADE of a decade of the wave number.
 
     In still wider bins the mean would be too large where the spectrum is steep.
     """
@@ -163,7 +163,7 @@ def _smoothed(binned: BinnedSpectrum) -> BinnedSpectrum:
 
 
 def _at(spectrum: BinnedSpectrum, wavevector: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return ln C of a scan and its weight, (bins,) each, at wave numbers [rad/m]; C is the power spectral density.
+    """Return the logarithm of the power spectral density of a scan, and its weight, at given wave numbers, (bins,) each.
 
     wavevector: wave numbers (bins,) [rad/m]. The weight is the number of waves, at most _MOST_WAVES, and 0 outside the
     wavelengths of the scan.

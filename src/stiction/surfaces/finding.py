@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 
 def methods() -> dict[str, AsperityMethod]:
-    """Return key -> AsperityMethod record of every method that finds asperities, in display order."""
+    """Return the record of every method that finds asperities, by key, in display order."""
     known = of_kind(AsperityMethod)
     return dict(sorted(known.items(), key=lambda one: (one[1].order, one[0])))
 
@@ -42,10 +42,10 @@ def method_of_moments() -> str:
 
 
 def length_unit(surface: HeightMap, roughness_parameter: Any) -> Any:
-    """Return sqrt(R sigma) [m], the unit of length along the surface in contacts with this map.
+    """Return sqrt(R sigma) [m], the unit of length along the surface, for contacts with this map.
 
-    roughness_parameter: the dimensionless N R sigma of the contact, a number or an array. It is divided by the asperity density
-    N from the spectral moments of the map.
+    roughness_parameter: the dimensionless N R sigma of the contact, a number or an array. R sigma follows from it by division
+    by the asperity density N, which is computed from the spectral moments of the map.
     """
     return np.sqrt(roughness_parameter / asperities(surface, method_of_moments()).density)
 
@@ -101,7 +101,7 @@ SPOKEN_OF: dict[str, Callable[[Asperities], float]] = {
 
 
 def _outside(record: AsperityMethod, found: Asperities) -> list[str]:
-    """Return one sentence for each validity range of an asperity method that its asperities do not keep.
+    """Return one sentence for each validity range of an asperity method that the found asperities violate.
 
     record: the method. found: the asperities that it found.
     """
@@ -114,9 +114,10 @@ def _outside(record: AsperityMethod, found: Asperities) -> list[str]:
 
 
 def _settled(record: AsperityMethod, given: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the value of every option of an asperity method by name: the given one, or the default for None and absent ones.
+    """Return the value of every option of an asperity method, by name.
 
-    Raises InputError for an unknown option or a value that is not allowed.
+    given: values that the user states. An option that is absent or None gets its default. Raises InputError for an unknown
+    option or a value that is not allowed.
     """
     for name in given:
         if name not in record.parameters:
@@ -129,9 +130,9 @@ def _settled(record: AsperityMethod, given: Mapping[str, Any]) -> dict[str, Any]
 
 
 def _checked(name: str, option: Parameter, value: Any) -> Any:
-    """Return the value of an option of an asperity method, a length in metres; raise InputError if it is not allowed.
+    """Return the value of an option of an asperity method; raise InputError if it is not allowed.
 
-    name: of the option, for the error. value: as the user states it.
+    name: name of the option, for the error. value: as the user states it; a length is converted to metres.
     """
     if option.unit and not option.values and not isinstance(value, bool):
         value = in_metres(value, name)

@@ -28,7 +28,7 @@ SQ_OVER_RA = 1.25  # sqrt(pi/2) of Gaussian heights, rounded as is usual
 _ASPERITIES = ("asperity_height_deviation", "asperity_radius", "asperity_density")
 _HEIGHTS = ("rms_height", "mean_height")
 _SYMBOLS = ("Sq", "Rq", "Ra", "Sa")  # these are no keys, but the error of Finished then names the right key
-_RULES = 0.8  # fraction of the mean square slope from which on one of two bodies decides the kind of surface alone
+_RULES = 0.8  # least fraction of the mean square slope with which one of two bodies alone decides the kind of surface
 
 
 def _finish(value):
@@ -114,7 +114,7 @@ def _median(made: Finish, name: str) -> str:
 
 
 def _body(value):
-    """Return a table that describes a rough body as a Finished or a Roughness object; return other values unchanged.
+    """Convert a table that describes a rough body to a Finished or a Roughness; return other values unchanged.
 
     A table with sigma, R or N and without a finish gives a Roughness, any other table a Finished.
     """
@@ -129,7 +129,8 @@ _Body = Annotated[Finished | Roughness, BeforeValidator(_body, json_schema_input
 class FinishedBodies(Input):
     """Describe the rough bodies of a contact, at least one of them by a finish (how it was made, such as "ground").
 
-    first, second: the rough bodies, each a Finished or a Roughness; None for a smooth body. Raises InputError.
+    first, second: the rough bodies, each a Finished or a Roughness; None for a smooth body. Raises InputError if both bodies
+    are rough and one of them states skewness, kurtosis or texture_aspect_ratio.
     """
 
     first: _Body | None = Field(default=None, description="a table with the finish, or the numbers, of the first body")
@@ -224,8 +225,9 @@ def is_finished(table: Any) -> bool:
 
 
 def roughness_of_finish(table: Mapping[str, Any]) -> Roughness:
-    """Return the roughness of a contact from a table that states a finish, for the only rough body or for "first" and "second".
+    """Return the roughness of a contact from a table that states a finish.
 
-    Raises InputError for bad entries. `is_finished` tells which tables are accepted.
+    The table describes the only rough body, or it has the keys "first" and "second" with a table for each body. `is_finished`
+    returns which tables are accepted. Raises InputError for invalid entries.
     """
     return FinishedBodies(**(table if table.keys() & {"first", "second"} else {"first": Finished(**table)})).roughness()

@@ -58,7 +58,10 @@ class Lay(TypedDict, total=False):
 
 @dataclass(frozen=True)
 class _Periodic:
-    """Store the checked arguments of `gaussian_surface`, with the size in metres; raise InputError if one is not allowed."""
+    """Store the checked arguments of `gaussian_surface`, with the size in metres.
+
+    Raises InputError if an argument is not allowed.
+    """
 
     shape: tuple[int, int]
     size: tuple[float, float]
@@ -303,8 +306,8 @@ def _alternate(start, amplitudes, wanted, steps):
     - wanted: all heights [m] of the wanted distribution, ascending
     - steps: largest number of iterations after the first one
 
-    Returns the heights with the exact distribution, the heights with the exact spectrum, the relative rms error of the
-    amplitudes of the former, and the number of steps.
+    Returns four values: the heights with the exact distribution; the heights with the exact spectrum; the relative rms error of
+    the amplitudes of the first of these; and the number of steps.
     """
     spectral, last = start, math.inf
     size = math.sqrt(float(np.sum(amplitudes**2)))

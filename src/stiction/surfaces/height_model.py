@@ -12,10 +12,11 @@ from stiction.surfaces.roughness import Roughness
 
 MODELS = ("gaussian", "weibull", "empirical")
 
-# A distribution fits if its Kolmogorov-Smirnov distance is below the one that 1 in 20 samples from the distribution itself
-# exceeds, with mean and deviation of the sample: 0.886 / sqrt(n) for a Gaussian (Lilliefors 1967), used for Weibull's too. The
-# long waves of a surface correlate the heights of its asperities, so n is _INDEPENDENT at most. A stricter test would choose
-# the empirical distribution too often: it ends at the highest asperity of the scan, and a larger contact has higher ones.
+# A distribution fits if its Kolmogorov-Smirnov distance is below a limit that 1 in 20 samples drawn from the distribution itself
+# exceed. With the mean and deviation of the sample the limit is 0.886 / sqrt(n) for a Gaussian (Lilliefors 1967); it is used for
+# Weibull's distribution too. The long waves of a surface correlate the heights of its asperities, so n is at most _INDEPENDENT.
+# A stricter test would choose the empirical distribution too often, which ends at the highest asperity of the scan, although a
+# larger contact has higher ones.
 _ONE_IN_TWENTY = 0.886
 _INDEPENDENT = 100
 _QUANTILES = 2000  # number of quantiles that stand for the samples if there are more samples
@@ -47,9 +48,9 @@ class HeightModel:
 def height_model(found: Asperities, wanted: str | None = None) -> HeightModel:
     """Choose the simplest distribution that fits the heights of asperities: Gaussian, else Weibull, else empirical.
 
-    A distribution fits if its Kolmogorov-Smirnov distance from the heights is at most a limit, explained at _ONE_IN_TWENTY.
-    Every distribution has the mean and standard deviation of the heights; the Weibull exponent also reproduces their
-    skewness.
+    A distribution fits if its Kolmogorov-Smirnov distance from the heights is at most a limit, which 1 in 20 samples drawn
+    from the distribution itself exceed. Every distribution has the mean and standard deviation of the heights; the Weibull
+    exponent also reproduces their skewness.
 
     - found: the asperities
     - wanted: name of a distribution to use instead, whether it fits or not
@@ -86,10 +87,10 @@ def height_model(found: Asperities, wanted: str | None = None) -> HeightModel:
 
 
 def roughness(found: Asperities, model: HeightModel | None = None) -> Roughness:
-    """Return the roughness of a contact with these asperities.
+    """Return the roughness of a contact that has these asperities.
 
-    found: the asperities, for sigma, R and N. model: distribution of their heights, by default `height_model(found)`. Raises
-    InputError if sigma is 0.
+    found: the asperities, from which sigma, R and N are taken. model: distribution of their heights, by default
+    `height_model(found)`. Raises InputError if sigma is 0.
     """
     model = height_model(found) if model is None else model
     return Roughness(
@@ -102,7 +103,7 @@ def roughness(found: Asperities, model: HeightModel | None = None) -> Roughness:
 
 
 def exponent_of_skewness(skewness: float) -> float:
-    """Return the exponent of the Weibull distribution with this skewness, limited to 1 to 100.
+    """Return the exponent of the Weibull distribution with this skewness, clipped to the range 1 to 100.
 
     The exponent is 1 for skewness 2 and 3.60 for skewness 0.
     """

@@ -138,7 +138,7 @@ class HeightMap:
         return replace(self, heights=heights, size=self.size if size is None else size, history=(*self.history, step))
 
     def alone(self) -> "HeightMap":
-        """Return the map marked as not periodic, for use after a processing step that breaks the period."""
+        """Return the map marked as not periodic; called after a processing step that breaks the period."""
         return replace(self, periodic=False) if self.periodic else self
 
 
@@ -153,10 +153,10 @@ def _unmasked(heights) -> np.ndarray:
 
 
 def every_point(heights: np.ndarray, size: tuple[float, float], every: int) -> tuple[np.ndarray, tuple[float, float]]:
-    """Return every r-th point of a map along both axes, and the size (y, x) [m] of the coarser map.
+    """Return every n-th point of a map along both axes, and the size (y, x) [m] of this coarser map.
 
-    heights: (rows, columns). size: (y, x) [m] of the map. every: r; 1 for all points. The coarser map has r times the point
-    spacing.
+    heights: (rows, columns). size: (y, x) [m] of the map. every: the number n; 1 returns all points. The coarser map has n
+    times the point spacing.
     """
     points = np.ascontiguousarray(heights[::every, ::every])
     high, wide = (length / full * every * few for length, full, few in zip(size, heights.shape, points.shape, strict=True))

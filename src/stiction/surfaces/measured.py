@@ -53,7 +53,7 @@ def _body(value):
     """Return the input for one body as a Scan, a HeightMap or a Roughness; None (a smooth body) stays None.
 
     value: one of these, any input of `as_height_map`, or a table that describes a scan, a finish or a Roughness. Raises
-    InputError.
+    InputError for any other value, and for a Roughness that cannot be combined with a scan.
     """
     if value is not None and not isinstance(value, Mapping | Scan | Roughness | str | int | float | list):
         from stiction.surfaces.held import as_height_map
@@ -90,11 +90,12 @@ def _with_methods(schema: dict[str, Any]) -> None:
 class MeasuredRoughness(Input):
     """Describe the scans of one or both bodies of a contact, and how asperities are found in them.
 
-    first, second: a scan (also a HeightMap or any input of `as_height_map`) or a Roughness with Gaussian heights; at least one
-    is a scan; None: a smooth body. method: key of an asperity method, by default the first that finds enough asperities. form:
-    order of the polynomial to remove, 1 for a plane. spikes: number of robust standard deviations from the median beyond which
-    points are masked. fill: how missing points are filled. shortest, longest: limits of the wavelengths that are kept. heights:
-    distribution of the asperity heights, gaussian, weibull or empirical, by default the simplest that fits. Raises InputError.
+    first, second: a scan (also a HeightMap or any input of `as_height_map`), or a Roughness with Gaussian heights, or None for
+    a smooth body; at least one is a scan. method: key of an asperity method, by default the first that finds enough asperities.
+    form: order of the polynomial to remove, 1 for a plane. spikes: number of robust standard deviations from the median beyond
+    which points are masked. fill: how missing points are filled. shortest, longest: limits of the wavelengths that are kept.
+    heights: distribution of the asperity heights, gaussian, weibull or empirical, by default the simplest that fits. Raises
+    InputError if neither body is a scan.
     """
 
     first: _Body | None = Field(None, description="a table with the scan, or the numbers, of the first body")
@@ -148,12 +149,18 @@ class Measured:
         return found.attached(measured=self)
 
     def contacts(self, contact: _Contact) -> dict[str, _Contact]:
-        """Return method -> copy of a contact with the roughness that this method found; the chosen method comes first."""
+        """Return copies of a contact, each with the roughness that one asperity method found, by method.
+
+        The chosen method comes first.
+        """
         order = sorted(self.by_method, key=lambda name: name != self.method)
         return {name: contact.model_copy(update={"roughness": self.by_method[name]}) for name in order}
 
     def with_surface_moments(self) -> "Measured":
-        """Return a copy with only the method that computes the spectral moments; unchanged if that method failed."""
+        """Return a copy that keeps only the results of the method that computes the spectral moments.
+
+        If that method failed, the object is returned unchanged.
+        """
         if self.of_moments not in self.by_method:
             return self
         return replace(self, method=self.of_moments, by_method={self.of_moments: self.by_method[self.of_moments]})
@@ -213,7 +220,7 @@ def roughness_of(scan: Any) -> Roughness:
     """Return the roughness of a contact from a scan of the first body, or from a table of scans.
 
     scan: any input of `as_height_map`, or a mapping with the fields of MeasuredRoughness. The result also stores what all
-    methods found. Raises InputError.
+    methods found. Raises InputError if a scan cannot be read or no asperities are found.
     """
     from stiction.surfaces.held import as_height_map
 
@@ -225,7 +232,7 @@ def measure(wanted: MeasuredRoughness, folder: Path = Path()) -> Measured:
     """Read and prepare the scans of a contact, and find the asperities by every method.
 
     wanted: the scans and options. folder: folder to which the file paths are relative. Raises InputError if a scan cannot be
-    read, or if no method or not the requested one finds asperities.
+    read, if no method finds asperities, or if the requested method does not.
     """
     from stiction.surfaces.asperity_set import of_numbers
     from stiction.surfaces.finding import asperities, method_of_moments, methods
@@ -289,7 +296,10 @@ def measure(wanted: MeasuredRoughness, folder: Path = Path()) -> Measured:
 
 
 def _with_the_surface(by_method: dict[str, Roughness], surface: Roughness | None) -> dict[str, Roughness]:
-    """Return method -> roughness with the field `surface` set to the roughness from the moments, unless that is None."""
+    """Return the roughness by each method, with its field `surface` set to the roughness from the spectral moments.
+
+    surface: that roughness; if it is None, nothing is changed.
+    """
     return {
         name: one if one is surface or surface is None else one.model_copy(update={"surface": surface})
         for name, one in by_method.items()
@@ -297,7 +307,7 @@ def _with_the_surface(by_method: dict[str, Roughness], surface: Roughness | None
 
 
 def _one_map(solvable: SolvableMaps) -> "HeightMap | None":
-    """Return the single map that represents the roughness of both faces; None if the maps cannot be combined into one."""
+    """Return the single map that represents the roughness of both bodies; None if the maps cannot be combined into one."""
     try:
         return solvable.one()
     except InputError:
@@ -307,7 +317,8 @@ def _one_map(solvable: SolvableMaps) -> "HeightMap | None":
 def independent(found: "Asperities", surface: "HeightMap") -> int:
     """Return the number of separate asperities: the number found, but on a map at most density times area.
 
-    found: the asperities. A method may find the same hill on two or more neighbouring profiles and count it each time.
+    found: the asperities. The limit is needed because a method may find the same hill on two or more neighbouring profiles and
+    count it each time.
     """
     if surface.is_profile:
         return found.count
@@ -317,9 +328,9 @@ def independent(found: "Asperities", surface: "HeightMap") -> int:
 def standing_method(found: Mapping[str, "Asperities"], counts: Mapping[str, int]) -> str:
     """Return the key of the asperity method that is used if the user states none.
 
-    found: method -> asperities. counts: method -> number of separate asperities. It is the first method that finds at least FEW
-    asperities or only computes averages, else the first that found anything. Methods with `of_summits` come first, because
-    their moments can be added for two bodies (docs/how-to/surfaces.md).
+    found: asperities by method. counts: number of separate asperities by method. The result is the first method that finds at
+    least FEW asperities or only computes averages, else the first that found anything. Methods with `of_summits` come first,
+    because their moments can be added for two bodies (docs/how-to/surfaces.md).
     """
     from stiction.surfaces.asperity_set import FEW
     from stiction.surfaces.finding import methods
@@ -347,9 +358,9 @@ def _without_moments(why: str | None) -> tuple[str, ...]:
 
 
 def _validity_warnings(maps: "list[HeightMap]", numbers: bool, wanted: MeasuredRoughness) -> tuple[str, ...]:
-    """Return warnings on different or unknown resolutions (shortest wavelengths) of two rough bodies.
+    """Return warnings if the resolutions (shortest wavelengths) of two rough bodies differ, or if one of them is unknown.
 
-    maps: of the scanned bodies. numbers: whether one body is stated by sigma, R and N.
+    maps: maps of the scanned bodies. numbers: whether one body is stated by sigma, R and N.
     """
     if numbers:
         return ("the resolution is not known for the body given by numbers: it must equal that of the scan",)
@@ -390,7 +401,8 @@ def _to_solve(scan: "HeightMap", made_ready: "HeightMap", wanted: MeasuredRoughn
 def surface_of(scan: Scan, folder: Path, body: str) -> "HeightMap":
     """Read the scan of a body as a HeightMap.
 
-    folder: folder to which the file path is relative. body: "first" or "second", for errors. Raises InputError.
+    folder: folder to which the file path is relative. body: "first" or "second", for errors. Raises InputError if the scan
+    cannot be read.
     """
     from stiction.surfaces.read import read_scan
 

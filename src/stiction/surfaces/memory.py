@@ -6,9 +6,9 @@ from pathlib import Path
 from stiction.quantities.errors import InputError
 
 _NUMBER = 8  # bytes
-# Arrays as large as the map that exist at once, with some margin. Measured as the largest resident size of a fresh process:
-# up to 14.4 for periodic maps (elastic, with a hardness, with a film; 512^2 to 2048^2 points), and up to 15.6 for others
-# (elastic, with a hardness; 512^2 and 1024^2 points).
+# Number of arrays as large as the map that exist at once, with some margin. The largest resident size of a fresh process was up
+# to 14.4 such arrays for periodic maps (elastic, with a hardness, with a film; 512^2 to 2048^2 points), and up to 15.6 for
+# others (elastic, with a hardness; 512^2 and 1024^2 points).
 _PERIODIC, _FREE = 16, 18
 _GIGA = 1e9
 

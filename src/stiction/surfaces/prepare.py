@@ -21,7 +21,7 @@ from stiction.surfaces.spikes import mask_spikes
 if TYPE_CHECKING:
     from stiction.quantities.arguments import QuantityLike
 
-_APART = 5.0  # ratio of the steps across the edges to those of neighbours from which on a map is not one period
+_APART = 5.0  # least ratio of height steps across the edges to those between neighbours for which a map is not one period
 
 
 def prepared(
@@ -84,7 +84,7 @@ def prepared(
 def prepared_period(
     surface: HeightMap, spikes: float | None = None, fill: str | None = None, shortest: Any = None, longest: Any = None
 ) -> HeightMap:
-    """Return a map that is one period of a surface with its mean height removed, filtered to a band of wavelengths.
+    """Prepare a map that is one period of a surface: filter it to a band of wavelengths, and subtract its mean height.
 
     surface: the period; no form is removed from it. spikes, fill, shortest, longest: as in `prepared`. Missing points stay
     missing unless filled; a map with missing points is not filtered.
@@ -119,9 +119,9 @@ def _seam(surface: HeightMap) -> str:
 
 
 def _check_left(raw: HeightMap, surface: HeightMap) -> None:
-    """Raise InputError if only round-off remains of the heights after spikes and form are removed.
+    """Raise InputError if only round-off is left of the heights after spikes and form are removed.
 
-    raw: map before this, surface: map after it.
+    raw, surface: the map before and after the removal.
     """
     if surface is raw or not np.isfinite(surface.heights).any():
         return
@@ -338,8 +338,8 @@ def _smooth(heights: np.ndarray, pitch: tuple[float, float], cutoff: float) -> n
     return mean
 
 
-_REACH = 1.5  # padding in cutoffs; there the weight is 1e-14 of the largest, or 1e-3 for cutoffs of 2 or 3 pitches, which ring
-_AT_ONCE = 1 << 21  # how many numbers are transformed together, which bounds the memory of a filter
+_REACH = 1.5  # padding in cutoffs, where the weight is 1e-14 of the largest (1e-3 for cutoffs of 2 or 3 pitches, which ring)
+_AT_ONCE = 1 << 21  # numbers that are transformed together; the limit bounds the memory of a filter
 
 
 def _convolve(values: np.ndarray, axis: int, cutoff: float) -> None:

@@ -54,7 +54,7 @@ def no_channel(channel) -> None:
 
 
 def ends_in_a_line(path: Path) -> tuple[str, ...]:
-    """Return a tuple with a warning text if the last line of a text file has no line end; otherwise an empty tuple.
+    """Return a warning text, in a tuple, if the last line of a text file has no line end; otherwise an empty tuple.
 
     Digits of the last number may then be missing, and nothing else in the file reveals this.
     """

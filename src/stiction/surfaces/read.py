@@ -157,7 +157,7 @@ def _file(path) -> Path:
 
 
 def check_numbers(heights: np.ndarray, name: str) -> None:
-    """Raise InputError unless the heights (rows, columns) are enough points, not all missing and not all equal.
+    """Raise InputError if heights (rows, columns) are too few, all missing or all equal.
 
     The unit of the heights does not matter. name: name of the file, for the error.
     """

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 def _rough(value):
-    """Return the input for the roughness of a contact as a Roughness if it is a scan or a finish; else unchanged."""
+    """Convert the input for the roughness of a contact to a Roughness if it is a scan or a finish; else return it unchanged."""
     if isinstance(value, Roughness | str | int | float | None):
         return value
     if is_finished(value):

@@ -136,7 +136,7 @@ class Roughness(Input):
         """Return a copy of the roughness with the fields in `changes` replaced.
 
         A roughness made from a finish (how the surface was made) also accepts finish, rms_height, mean_height, first and
-        second. Raises InputError.
+        second. Raises InputError for an unknown field or a value that is not allowed.
         """
         if self._finished is None or not changes.keys() & {"finish", "rms_height", "mean_height", "first", "second"}:
             return super().replace(**changes)
@@ -144,7 +144,7 @@ class Roughness(Input):
         return changed(**changes).roughness()
 
     def part(self, name: str) -> object:
-        """Return the value of the field `name`; for "first" or "second" the finish and height that this body states.
+        """Return the value of the field `name`; for "first" or "second", the finish and height stated for that body.
 
         The result is None if there is no such field, or if no finish was stated.
         """
@@ -217,7 +217,7 @@ class Roughness(Input):
 
     @property
     def shape(self) -> dict[str, float]:
-        """Return the stated ones of skewness, kurtosis and texture_aspect_ratio by name."""
+        """Return the values of skewness, kurtosis and texture_aspect_ratio that the user stated, by name."""
         return {name: value for name in SHAPE if (value := getattr(self, name)) is not None}
 
     @property

@@ -19,8 +19,8 @@ _ALIKE = 1e-6  # relative difference up to which the sizes of two maps count as 
 class SolvableMaps:
     """Store the height maps of the rough bodies of a contact, prepared for a point-by-point solution.
 
-    maps: "first" or "second" -> HeightMap of this body. some_numbers: whether a rough body has no map, but only stated sigma, R
-    and N.
+    maps: HeightMap of each body, by "first" or "second". some_numbers: whether a rough body has no map, but only stated sigma,
+    R and N.
     """
 
     maps: "Mapping[str, HeightMap]" = field(default_factory=dict)
@@ -32,12 +32,12 @@ class SolvableMaps:
         return max((one.heights.size for one in self.maps.values()), default=0)
 
     def filled(self) -> "list[HeightMap]":
-        """Return the maps without profiles; missing points of a map get the mean height of this map."""
+        """Return the maps that are not profiles, with missing points set to the mean height of their map."""
         maps = [one for one in self.maps.values() if not one.is_profile]
         return [replace(one, heights=np.where(np.isnan(one.heights), np.nanmean(one.heights), one.heights)) for one in maps]
 
     def attributes(self) -> dict[str, str]:
-        """Return the attributes of results that were solved on the maps: no asperity method, and the steps of processing."""
+        """Return attributes for results that were solved on the maps: no asperity method, and the processing steps."""
         scans = "\n".join(f"{body} body: {step}" for body, one in self.maps.items() for step in one.history)
         return {"roughness_method": "none: the map itself", "scans": scans}
 

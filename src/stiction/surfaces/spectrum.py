@@ -266,9 +266,10 @@ def _sums_in_bins(q, density, waves, edges) -> np.ndarray:
 
 
 def _average_over_directions(spectrum: PowerSpectrum, edges: np.ndarray, block: int = 128) -> np.ndarray:
-    """Return the number of waves, the sum of C and the sum of |q| of a spectrum in rings of |q|, as (3, rings).
+    """Sum a spectrum over all directions: return the number of waves, the sum of C and the sum of |q| in each ring, (3, rings).
 
-    edges: edges of the rings [rad/m]. C: power spectral density. The sum runs over `block` rows at a time to save memory.
+    edges: edges of the rings of |q| [rad/m]. C: power spectral density. The sum runs over `block` rows at a time to save
+    memory.
     """
     qy, qx = spectrum.wavevectors
     sums = np.zeros((3, len(edges) - 1))

@@ -25,7 +25,7 @@ from stiction.surfaces.theory.moments import Moments
 
 _SHARES = {1: (1.0, 1.0, 1.0), 2: (1.0, 1.0 / 2.0, 3.0 / 8.0)}  # m_k / M_k of a profile for k = 0, 2, 4, by dimensions
 _SOLID = {1: math.pi, 2: 2.0 * math.pi}  # (2 pi)^d over the solid angle of all directions of q, by dimensions d
-_EDGE = 1e-9  # relative; includes a wave on an edge of the spectrum in spite of round-off
+_EDGE = 1e-9  # relative margin that includes a wave on an edge of the spectrum in spite of round-off
 
 
 def line_moments(dimensions: int, integrals: Iterable[float]) -> Moments:

@@ -29,8 +29,9 @@ def eight_neighbour(surface: HeightMap, fit_points: int) -> Asperities:
     """Find the points of a map that are higher than all eight neighbours, as asperities.
 
     fit_points: number of points of the paraboloid fitted around each, a key of FITS. A neighbour of equal height disqualifies a
-    point, so plateaus are not counted. A summit with a fitted point off the map or missing is excluded; the area of the density
-    excludes such positions too. Raises InputError for a profile or if fewer than two summits are found.
+    point, so plateaus are not counted. A summit is excluded if a fitted point is missing or off the map. The density is the
+    number of summits divided by the area of the positions where they could be counted. Raises InputError for a profile or if
+    fewer than two summits are found.
     """
     heights = areal(surface)
     middle = heights[1:-1, 1:-1]

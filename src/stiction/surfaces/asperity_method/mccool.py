@@ -30,8 +30,8 @@ def mccool(surface: HeightMap, cutoff: float | None) -> Asperities:
 
     The moments are computed by finite differences. The surface is isotropic, or stretched along one direction (a lay). cutoff:
     shortest wavelength [m], as in `moments_by_differences`; None for twice the larger pitch. Differences underestimate waves
-    near the cutoff; for moments from the spectrum see `of_moments`. Raises InputError as both functions do, and for grooves all
-    along one line.
+    near the cutoff; for moments from the spectrum see `of_moments`. Raises InputError as these two functions do, and for a
+    surface with slopes along one direction only.
     """
     moments = moments_by_differences(surface, cutoff).equivalent
     if moments is None:

@@ -60,17 +60,17 @@ def persistence(surface: HeightMap, threshold: float | None, fit_points: int) ->
     )
 
 
-# Steps (row, column) to the eight neighbours of a point, around it; the last four have a larger flat index than the point.
+# Steps (row, column) to the eight neighbours of a point, in circular order; the last four have a larger flat index.
 _AROUND = ((0, -1), (-1, -1), (-1, 0), (-1, 1), (0, 1), (1, 1), (1, 0), (1, -1))
 _MISSING = -1
 
 
 @cache
 def _groups() -> np.ndarray:
-    """Return the number of connected groups of higher neighbours for each of the 256 patterns of higher neighbours, (256,).
+    """Return a table (256,): the number of connected groups of higher neighbours, for each pattern of higher neighbours.
 
-    Bit k of the pattern is set if neighbour k, in the order of _AROUND, is higher. Neighbours that touch at sides or corners
-    are connected.
+    Bit k of a pattern is set if neighbour k, in the order of _AROUND, is higher. Neighbours that touch at sides or corners are
+    connected.
     """
     from scipy.ndimage import label  # slow to import
 
@@ -136,10 +136,10 @@ def _above(heights, one, other):
 
 @formula
 def _top(parent, point):
-    """Return the index of the highest point of the hill that a point belongs to.
+    """Return the index of the highest point of the hill to which a point belongs.
 
-    parent: index of a higher point of the same hill, for each point. The search shortens the paths in `parent`, in place, so
-    that later calls are faster.
+    parent: for each point the index of a higher point of the same hill, or its own index at the top. The search shortens the
+    paths in `parent`, in place, so that later calls are faster.
     """
     while parent[point] != point:
         parent[point] = parent[parent[point]]
@@ -149,10 +149,10 @@ def _top(parent, point):
 
 @kernel
 def _joined(heights, columns, parent, ascending, threshold):
-    """Return a mask (n,) of the maxima that stand out by more than the threshold.
+    """Join hills at their saddles, and return a mask (n,) of the maxima that stand out by more than the threshold.
 
     heights: flat map (n,) [m]. columns: number of columns of the map. parent: index of a higher point of the same hill, for
-    each point; changed in place where hills are joined. ascending: indices of the saddle points, sorted by height. Saddles are
+    each point; changed in place where hills are joined. ascending: indices of the saddle points, sorted by height; they are
     processed from the highest down. The highest maximum of each connected region is always in the mask.
     """
     kept = np.zeros(heights.size, dtype=np.bool_)

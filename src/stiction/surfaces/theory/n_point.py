@@ -92,8 +92,8 @@ def n_point_asperities(profile, spacing: float, level: float) -> NPointAsperitie
 def rate_of_rows(level, correlation):
     """Return the expected number of n-point asperities, of any n, per sampled point of a Gaussian profile.
 
-    It is the probability that a point is below the level and its next neighbour above it. level: in standard deviations of the
-    profile. correlation: of neighbouring heights, 0 <= correlation < 1. Both may be arrays.
+    It is the probability that a point is below the level and its next neighbour above it. level: level in standard deviations
+    of the profile. correlation: correlation of neighbouring heights, 0 or more and below 1. Both may be arrays.
     """
     return 2.0 * owens_t(level, np.sqrt((1.0 - correlation) / (1.0 + correlation)))
 
@@ -193,8 +193,8 @@ def solved_mean_height(level: float, correlation: float, heights: int = 48, fine
 def _kernel(x, y, correlation):
     """Return the joint Gaussian density of two neighbouring heights x and y divided by sqrt(phi(x) phi(y)).
 
-    Heights are in standard deviations of the profile, correlation is theirs, and phi is the standard Gaussian density. The
-    division makes the kernel of the Markov chain symmetric.
+    Heights are in standard deviations of the profile. correlation: correlation of the two heights. phi is the standard Gaussian
+    density. The division makes the kernel of the Markov chain symmetric.
     """
     variance = 1.0 - correlation * correlation
     spread = correlation / (2.0 * variance) * (x - y) ** 2
@@ -205,7 +205,8 @@ def _kernel(x, y, correlation):
 def _falls(x, level, correlation):
     """Return sqrt(phi(x)) times the probability that, after a point at the height x, the next point is below the level.
 
-    x and level are in standard deviations of the profile. correlation: of neighbouring heights. phi: standard Gaussian density.
+    x and level are in standard deviations of the profile. correlation: correlation of neighbouring heights. phi is the standard
+    Gaussian density.
     """
     root = np.exp(-0.25 * x * x) / (2.0 * math.pi) ** 0.25
     return ndtr((level - correlation * x) / math.sqrt(1.0 - correlation * correlation)) * root
@@ -217,8 +218,8 @@ def _falls(x, level, correlation):
 def peaks_per_point(correlation):
     """Return the fraction of the points of a Gaussian profile that are higher than both neighbours.
 
-    correlation: rho of neighbouring heights, of an exponential autocorrelation. The differences to the two neighbours are
-    Gaussian, with correlation (1 - rho)/2. Source: Whitehouse & Archard 1970.
+    correlation: correlation rho of neighbouring heights; the autocorrelation is exponential. The differences to the two
+    neighbours are Gaussian, with correlation (1 - rho)/2. Source: Whitehouse & Archard 1970.
     """
     return 0.25 + np.arcsin((1.0 - correlation) / 2.0) / (2.0 * math.pi)
 
@@ -227,7 +228,7 @@ def peak_curvature(correlation):
     """Return the mean of 2 y0 - y-1 - y1 over the three-point peaks of a Gaussian profile, a dimensionless curvature.
 
     y0 is the height of the peak, y-1 and y1 the heights of its neighbours, all in standard deviations of the profile.
-    correlation: of neighbouring heights, of an exponential autocorrelation. Source: Whitehouse & Archard 1970.
+    correlation: correlation of neighbouring heights; the autocorrelation is exponential. Source: Whitehouse & Archard 1970.
     """
     return (3.0 - correlation) * np.sqrt(1.0 - correlation) / (2.0 * math.sqrt(math.pi) * peaks_per_point(correlation))
 
@@ -249,11 +250,11 @@ LARGEST_BANDWIDTH = (_MATCH / float(_match(LARGEST_CORRELATION))) ** 2
 
 
 def correlation_of_bandwidth(alpha: np.ndarray) -> np.ndarray:
-    """Return the correlation (n,) of neighbouring profile points that represents a surface with Nayak's alpha (n,).
+    """Return the correlation (n,) of neighbouring points of a profile that represents a surface with Nayak's alpha (n,).
 
-    alpha: bandwidth parameter m0 m4/m2^2. A profile with exponential autocorrelation and this correlation has three-point peaks
-    with the number and curvature of the peaks on a Gaussian surface with alpha. The equation is solved by bisection. Raises
-    InputError unless alpha is LEAST_BANDWIDTH to LARGEST_BANDWIDTH.
+    alpha: bandwidth parameter m0 m4/m2^2. The profile has an exponential autocorrelation. With this correlation, its
+    three-point peaks have the same number and curvature as the peaks of a profile on a Gaussian surface with alpha. The
+    equation is solved by bisection. Raises InputError unless alpha is LEAST_BANDWIDTH to LARGEST_BANDWIDTH.
     """
     alpha = np.asarray(alpha, dtype=float)
     bad = ~((alpha >= LEAST_BANDWIDTH) & (alpha <= LARGEST_BANDWIDTH))

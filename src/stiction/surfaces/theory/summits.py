@@ -287,8 +287,8 @@ def _put_panels(d, farthest, rise, rest, ends):
     """Write the ends of integration panels over sqrt(q) into `ends`, and return the number of panels.
 
     q: dimensionless summit curvature. d: separation from the mean plane. farthest: largest separation, which sets the end of
-    the range. rise: mean summit height divided by q. rest: standard deviation of summit heights at fixed q. Panels have
-    one width in q up to q = d / rise, where the mean summit height equals the separation, and usually widen beyond.
+    the range. rise: mean summit height divided by q. rest: standard deviation of summit heights at fixed q. Panels have equal
+    widths in q up to q = d / rise, where the mean summit height equals the separation; beyond it they usually widen.
     """
     whole = math.sqrt(rest * rest + 2.0 * rise * rise)  # sqrt(m0)
     width = math.sqrt(2.0) * rest / whole  # deviation of q at a given height

@@ -43,10 +43,10 @@ def directions_of(surface: HeightMap, directions: str) -> str:
 
 
 def places_of(points: Sequence[tuple[np.ndarray, np.ndarray]], surface: HeightMap, directions: str) -> np.ndarray:
-    """Return row and column (n, 2) in the map of points that are given by line and index on the line.
+    """Convert points on profiles to rows and columns (n, 2) of the map.
 
-    points: for each direction, arrays (line numbers, indices along the line). directions: "x", "y" or "xy". The result lists
-    one direction after the other.
+    points: for each direction, two arrays: line numbers, and indices along the line. directions: "x", "y" or "xy". The result
+    lists one direction after the other.
     """
     chosen = directions_of(surface, directions)
     along = [one if way == "x" else one[::-1] for way, one in zip(chosen, points, strict=True)]

@@ -71,11 +71,11 @@ def _whole_windows(heights: np.ndarray, reach: int, complete: bool) -> np.ndarra
 
 
 def _square(reach: int) -> Callable[[float, float], np.ndarray]:
-    """Return a function of the pitch (dy, dx) [m] that returns the weights of the heights in the curvature of a summit.
+    """Return a function of the pitch (dy, dx) [m] that computes the weights of the heights in the curvature of a summit.
 
-    The least-squares paraboloid is fitted to a square of (2 reach + 1)^2 points. The function x^2 minus its mean, w, is
-    orthogonal to all terms of the paraboloid but d x^2. The coefficient is therefore d = sum(w z) / sum(w^2) with the heights
-    z.
+    The least-squares paraboloid is fitted to a square of (2 reach + 1)^2 points. The function w, x^2 minus its mean, is
+    orthogonal to all terms of the paraboloid except d x^2. The coefficient is therefore d = sum(w z) / sum(w^2) with the
+    heights z.
     """
 
     def weights(dy: float, dx: float) -> np.ndarray:

@@ -10,7 +10,7 @@ from stiction.quantities.errors import InputError
 
 @contextmanager
 def quiet():
-    """Within the context, suppress NumPy's warnings about unusual but valid file headers."""
+    """Suppress NumPy's warnings about unusual but valid file headers, inside a with-block."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
         yield

@@ -17,7 +17,7 @@ def check_packed(path: Path) -> None:
     """Raise InputError if a compressed scan file would unpack to far more bytes than a scan of its size can have.
 
     The limit is _DENSEST times the file size, and at least _HARMLESS bytes. Compressed files are .zip archives (.npz, .x3p and
-    others) and HDF5 files, whose directories state the unpacked sizes. Other and damaged files pass.
+    others) and HDF5 files, whose directories state the unpacked sizes. Other files and damaged files are accepted.
     """
     try:
         held = _held(path)

@@ -63,9 +63,10 @@ def gridded(x: np.ndarray, y: np.ndarray, z: np.ndarray) -> tuple[np.ndarray, tu
 
 
 def _places(x: np.ndarray, name: str) -> tuple[np.ndarray, float, int, tuple[str, ...]]:
-    """Return grid indices (n,) of coordinates, the pitch, the number of grid points along this axis, and notes for the history.
+    """Return the grid index (n,) of each coordinate, the pitch, the number of grid points along the axis, and history notes.
 
-    x: coordinates (n,). name: "x" or "y", for errors. The pitch is 0 if all coordinates are equal.
+    x: coordinates (n,). name: "x" or "y", for errors. The pitch is 0 if all coordinates are equal. Raises InputError if the
+    coordinates are not equally spaced.
     """
     if not np.isfinite(x).all():
         raise InputError("scan", f"missing {name}", "finite positions x y of all points")
@@ -92,7 +93,7 @@ def _rounding(off: float, pitch: float) -> tuple[str, ...]:
 
 
 def _last_digit(x: np.ndarray) -> float:
-    """Return the largest power of ten such that all positions (n,) are multiples of it: the place of their last written digit.
+    """Return the place value of the last written digit of positions (n,): the largest power of ten that divides all of them.
 
     The result is 0 if the positions have more than ten digits.
     """

@@ -12,7 +12,7 @@ from stiction.surfaces.readers.shared.positions import equally_spaced
 
 @contextmanager
 def quiet_library():
-    """Within the context, suppress Python warnings, log lines and floating-point warnings of the library SurfaceTopography.
+    """Suppress Python warnings, log lines and floating-point warnings of SurfaceTopography, inside a with-block.
 
     Errors of the library are not suppressed; callers report them as InputError.
     """
