@@ -175,7 +175,8 @@ def read_distribution(entry: Any, quantity: str, where: str, folder: Path = Path
     if isinstance(entry, str):
         return _with_error(entry, quantity, where)
     forms = [form for _, form in FORMS]
-    likeliest = max(forms, key=lambda form: len(entry.keys() & form.model_fields.keys() - {"along"}))  # its error names the missing field
+    # Without a clear form, the one sharing most keys is used, so that its error names the missing field.
+    likeliest = max(forms, key=lambda form: len(entry.keys() & form.model_fields.keys() - {"along"}))
     form = next((form for form in forms if next(iter(form.model_fields)) in entry), likeliest)
     with field_below(where):
         table = form(**entry)

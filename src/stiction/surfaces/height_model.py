@@ -12,11 +12,11 @@ from stiction.surfaces.roughness import Roughness
 
 MODELS = ("gaussian", "weibull", "empirical")
 
-# A distribution fits if its Kolmogorov-Smirnov distance is below a limit that 1 in 20 samples drawn from the distribution itself
-# exceed. With the mean and deviation of the sample the limit is 0.886 / sqrt(n) for a Gaussian (Lilliefors 1967); it is used for
-# Weibull's distribution too. The long waves of a surface correlate the heights of its asperities, so n is at most _INDEPENDENT.
-# A stricter test would choose the empirical distribution too often, which ends at the highest asperity of the scan, although a
-# larger contact has higher ones.
+# A distribution fits if its Kolmogorov-Smirnov distance is below a limit that 1 in 20 samples drawn from the distribution
+# itself exceed. With the mean and deviation of the sample the limit is 0.886 / sqrt(n) for a Gaussian (Lilliefors 1967); it is
+# used for Weibull's distribution too. The long waves of a surface correlate the heights of its asperities, so n is at most
+# _INDEPENDENT. A stricter test would choose the empirical distribution too often, which ends at the highest asperity of the
+# scan, although a larger contact has higher ones.
 _ONE_IN_TWENTY = 0.886
 _INDEPENDENT = 100
 _QUANTILES = 2000  # number of quantiles that stand for the samples if there are more samples

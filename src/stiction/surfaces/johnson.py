@@ -32,7 +32,7 @@ _WEIGHT = np.exp(-0.5 * _Z * _Z) * (_Z[1] - _Z[0]) / math.sqrt(2.0 * math.pi)
 
 _NEAR = 2e-3  # a kurtosis this close to the lognormal line counts as on it, because the other two functions end there
 _AGREED = 1e-6  # largest remaining difference in skewness and kurtosis
-_LARGEST = 50.0  # largest kurtosis; above it, the mean fourth power of heights does not converge on a map of usual size
+_LARGEST = 50.0  # largest kurtosis; above it, no map has enough points for the mean fourth power to converge
 
 
 def johnson(skewness: float, kurtosis: float) -> Callable[[np.ndarray], np.ndarray]:
