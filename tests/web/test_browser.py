@@ -147,6 +147,11 @@ def _card(page):
     return page.get_by_role("status").first.inner_text().splitlines()[0]
 
 
+def _until_changed(page, before):
+    """Wait until the first line of the answer card is another one than before."""
+    _until(page, "before => !document.querySelector('[role=status]').innerText.startsWith(before)", arg=before)
+
+
 def _number(page):
     return page.locator("header").inner_text().splitlines()[1]
 
@@ -212,7 +217,7 @@ def test_a_film_is_switched_off_and_on_and_the_last_change_is_undone(fresh):
     before, film = _card(page), page.get_by_role("switch", name="there is a film")
     thickness = "film thickness, of both films together if there are two t"
     film.click()
-    _until(page, "before => !document.querySelector('[role=status]').innerText.startsWith(before)", arg=before)
+    _until_changed(page, before)
     assert not page.get_by_label(thickness, exact=True).count()
     page.get_by_text("Hardened steel 52100 on hardened steel 52100", exact=True).wait_for()
     page.wait_for_timeout(1.5 * SECOND)
@@ -229,13 +234,15 @@ def test_a_film_is_switched_off_and_on_and_the_last_change_is_undone(fresh):
 
 def test_a_comparison_follows_a_knob_that_moves_while_it_runs(fresh):
     page = fresh
+    before = _card(page)
     page.get_by_role("combobox", name="interface", exact=True).click()
     page.get_by_role("option", name="soft-metal film", exact=True).click()
+    _until_changed(page, before)
     _tab(page, "Compare")
     page.get_by_text(re.compile(r".+, \d+ s$")).first.wait_for()
     before = _card(page)
     page.get_by_label("film thickness, of both films together if there are two t", exact=True).fill("1 um")
-    _until(page, "before => !document.querySelector('[role=status]').innerText.startsWith(before)", arg=before)
+    _until_changed(page, before)
     page.get_by_text("These fit the contact").wait_for(timeout=60 * SECOND)
     _until(page, "() => !document.querySelector('.old') && !document.body.classList.contains('waiting')")
     coating = SILVER["contact"]["coating"] | {"thickness": "1 um"}
