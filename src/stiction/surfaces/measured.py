@@ -90,12 +90,12 @@ def _with_methods(schema: dict[str, Any]) -> None:
 class MeasuredRoughness(Input):
     """Describe the scans of one or both bodies of a contact, and how asperities are found in them.
 
-    first, second: a scan (also a HeightMap or any input of `as_height_map`), or a Roughness with Gaussian heights, or None for
-    a smooth body; at least one is a scan. method: key of an asperity method, by default the first that finds enough asperities.
-    form: order of the polynomial to remove, 1 for a plane. spikes: number of robust standard deviations from the median beyond
-    which points are masked. fill: how missing points are filled. shortest, longest: limits of the wavelengths that are kept.
-    heights: distribution of the asperity heights, gaussian, weibull or empirical, by default the simplest that fits. Raises
-    InputError if neither body is a scan.
+    first, second: a scan (also a HeightMap or any input of `as_height_map`), a Roughness with Gaussian heights, or None for a
+    smooth body; at least one must be a scan. method: key of an asperity method, by default the first that finds enough
+    asperities. form: order of the polynomial to remove, 1 for a plane. spikes: number of robust standard deviations from the
+    median beyond which points are masked. fill: how missing points are filled. shortest, longest: limits of the wavelengths
+    that are kept. heights: gaussian, weibull or empirical: distribution of the asperity heights, by default the simplest that
+    fits.
     """
 
     first: _Body | None = Field(None, description="a table with the scan, or the numbers, of the first body")
@@ -149,18 +149,12 @@ class Measured:
         return found.attached(measured=self)
 
     def contacts(self, contact: _Contact) -> dict[str, _Contact]:
-        """Return copies of a contact, each with the roughness that one asperity method found, by method.
-
-        The chosen method comes first.
-        """
+        """Return copies of a contact with the roughness that each method found, by method, the chosen method first."""
         order = sorted(self.by_method, key=lambda name: name != self.method)
         return {name: contact.model_copy(update={"roughness": self.by_method[name]}) for name in order}
 
     def with_surface_moments(self) -> "Measured":
-        """Return a copy that keeps only the results of the method that computes the spectral moments.
-
-        If that method failed, the object is returned unchanged.
-        """
+        """Return a copy with only the method that computes the spectral moments; unchanged if that method failed."""
         if self.of_moments not in self.by_method:
             return self
         return replace(self, method=self.of_moments, by_method={self.of_moments: self.by_method[self.of_moments]})
@@ -296,10 +290,7 @@ def measure(wanted: MeasuredRoughness, folder: Path = Path()) -> Measured:
 
 
 def _with_the_surface(by_method: dict[str, Roughness], surface: Roughness | None) -> dict[str, Roughness]:
-    """Return the roughness by each method, with its field `surface` set to the roughness from the spectral moments.
-
-    surface: that roughness; if it is None, nothing is changed.
-    """
+    """Return the roughness by method, with its field `surface` set to that from the spectral moments unless it is None."""
     return {
         name: one if one is surface or surface is None else one.model_copy(update={"surface": surface})
         for name, one in by_method.items()
@@ -317,8 +308,7 @@ def _one_map(solvable: SolvableMaps) -> "HeightMap | None":
 def independent(found: "Asperities", surface: "HeightMap") -> int:
     """Return the number of separate asperities: the number found, but on a map at most density times area.
 
-    found: the asperities. The limit is needed because a method may find the same hill on two or more neighbouring profiles and
-    count it each time.
+    A method may find the same hill on two or more neighbouring profiles and count it each time.
     """
     if surface.is_profile:
         return found.count
@@ -399,10 +389,9 @@ def _to_solve(scan: "HeightMap", made_ready: "HeightMap", wanted: MeasuredRoughn
 
 
 def surface_of(scan: Scan, folder: Path, body: str) -> "HeightMap":
-    """Read the scan of a body as a HeightMap.
+    """Read the scan of a body as a HeightMap; raise InputError if it cannot be read.
 
-    folder: folder to which the file path is relative. body: "first" or "second", for errors. Raises InputError if the scan
-    cannot be read.
+    folder: folder to which the file path is relative. body: "first" or "second", for errors.
     """
     from stiction.surfaces.read import read_scan
 
