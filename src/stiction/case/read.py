@@ -72,7 +72,7 @@ class Case:
 
     @property
     def tables(self) -> dict[str, Subject]:
-        """Return {"contact": subject} or {"indices": subject}, so that the first key of an address finds the subject."""
+        """Return {"contact": subject} or {"indices": subject}, in which addresses such as ("contact", ...) can be looked up."""
         return {"contact" if isinstance(self.subject, Contact) else "indices": self.subject}
 
     def at(self, numbers: Mapping[Address, Any]) -> "Case":

@@ -81,7 +81,7 @@ class Choice:
         return cls(model, options=words, beside=beside, **laws)
 
     def laws(self) -> dict[str, str | None]:
-        """Return the keys of the model and of all laws, by keyword; None for a default."""
+        """Return the keys of the model and of all laws, by keyword of `solve`; None for a default."""
         return {name: getattr(self, name) if name in _OF_MODEL else self.beside.get(name) for name in LAWS}
 
     @property

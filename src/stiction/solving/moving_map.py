@@ -68,11 +68,14 @@ class MovingMap:
         return self.remark
 
     def results(self, paths: "list[SlidingPath]") -> "dict[str, np.ndarray]":
-        """Return further results of each load (m,), by name, from the paths of all loads."""
+        """Return additional results at each load, as arrays (m,) by name; this class has none."""
         return {}
 
     def curves(self, paths: "list[SlidingPath]") -> "dict[str, np.ndarray]":
-        """Return further results of each load and displacement (m, k), by name; areas [m2] refer to the solved map."""
+        """Return additional results at each load and displacement, as arrays (m, k) by name; this class has none.
+
+        Areas [m2] are those of the solved map.
+        """
         return {}
 
 

@@ -54,7 +54,7 @@ class MapProblem(Problem):
 
     @property
     def menisci(self) -> bool:
-        """Return whether menisci between the faces are solved; False without a liquid or if it is neglected."""
+        """Return whether menisci between the surfaces are solved; False without a liquid, or if the liquid is neglected."""
         liquid = self.groups.meniscus_index is not None
         return liquid and not self.chosen.dry and not self.adheres
 

@@ -137,7 +137,7 @@ def _parameters(record: Record) -> dict[str, list[str]]:
 
 
 def _limit(limit: Limit) -> str:
-    """Return one limiting case of a law as text: parent model, values of groups, results that agree, and tolerance."""
+    """Describe one limiting case of a law: parent model, values of groups, results that agree, and tolerance."""
     values = [f"{name} = {value:g}" for name, value in limit.groups.items()]
     values += [f"{name} {value}" for name, value in limit.options.items()]
     return f"{limit.parent} at {', '.join(values)}: {' and '.join(limit.quantities)} within {limit.within:.0e}"

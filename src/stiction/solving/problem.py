@@ -178,7 +178,7 @@ class AsperitySum(Problem):
 
     @cached_property
     def most_pull(self) -> np.ndarray | None:
-        """Return two factors (2, n) of the upper bound of meniscus pull; None without menisci, or if the bound is unknown."""
+        """Return two factors (2, n) that define the upper bound of meniscus pull; None without menisci, or if it is unknown."""
         return most_pull(self.groups) if "meniscus" in self.chosen.additions else None
 
     def sums(self, h: np.ndarray, law: np.ndarray) -> np.ndarray:

@@ -54,7 +54,7 @@ class Problem(ABC):
 
     @property
     def friction(self) -> bool:
-        """Return whether the problem has a tangential law."""
+        """Return whether the problem has a tangential law, so that friction is computed."""
         return self.chosen.tangential is not None
 
     @property
@@ -112,23 +112,23 @@ class Problem(ABC):
         return self.loads(h.ravel(), np.broadcast_to(law.astype(int), h.shape).ravel()).reshape(h.shape)
 
     def loads_on_grid(self, h: np.ndarray) -> np.ndarray:
-        """Return the net load per asperity (n, H), normalised, at the separations h (H,) common to all contacts."""
+        """Return the normalised net load per asperity (n, H) at the separations h (H,), over sigma, common to all contacts."""
         self.refuse_separation()
 
     def on_grid(self, h: np.ndarray) -> dict[str, np.ndarray]:
-        """Return the results (n, H) by name at the separations h (H,) common to all contacts."""
+        """Return the results at the separations h (H,), over sigma, common to all contacts, as arrays (n, H) by name."""
         self.refuse_separation()
 
     def at(self, h: np.ndarray) -> dict[str, np.ndarray]:
-        """Return the results (n, m) by name at the separations h (n, m)."""
+        """Return the results at the separations h (n, m), over sigma, as arrays (n, m) by name."""
         self.refuse_separation()
 
     def at_load(self, load: np.ndarray) -> dict[str, np.ndarray]:
-        """Return the results (n, m) by name at normalised loads (n, m), for models that compute no separations."""
+        """Return the results at normalised loads (n, m), as arrays (n, m) by name; for models that compute no separations."""
         raise AssertionError(f"{self.record.key} is solved at separations")
 
     def refuse_separation(self) -> NoReturn:
-        """Raise the InputError of a model that computes no separations."""
+        """Raise InputError, because the model computes no separations."""
         raise InputError(
             "separation", InWords("given"), f"a load instead, because {self.record.key} does not compute a separation"
         )

@@ -299,7 +299,7 @@ def _points_in_loss(problem: MapProblem, moving: MovingMap, weakening: "Weakenin
 def _said(
     known: dict[str, Any], moving: MovingMap, residual: float, weakening: "Weakening | None", paths: "list[SlidingPath]"
 ) -> dict[str, Any]:
-    """Return the attributes of the result: residual strength, neglected effects, and whether the force converged."""
+    """Return attributes for the result of `slide`: residual strength, neglected effects, and whether the force converged."""
     how = "a point that slips keeps all of its strength"
     if weakening is not None:
         how = f"a point that slips {weakening.slip:.3g} m keeps {weakening.residual:g} of its strength"

@@ -124,7 +124,7 @@ def _laws_that_use(group: str, problem: Problem) -> dict[str, list[str]]:
 
 
 def _uses(record: Record, group: str, known: Groups) -> bool:
-    """Return whether a law would use a dimensionless group, and all inputs that it requires are known.
+    """Return whether a law would use a dimensionless group and has all inputs that it requires.
 
     known: groups of the contact.
     """
@@ -146,6 +146,6 @@ def as_attributes(listed: Iterable[Unused]) -> dict[str, str]:
 
 
 def unused_of(data: "xarray.Dataset") -> list[Unused]:
-    """Return the unused inputs that the attributes of a result list."""
+    """Read the list of unused inputs from the attributes of a result."""
     rows: list[dict[str, Any]] = json.loads(data.attrs.get("unused_inputs", "[]"))
     return [Unused(**row) for row in rows]

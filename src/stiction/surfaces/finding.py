@@ -44,8 +44,8 @@ def method_of_moments() -> str:
 def length_unit(surface: HeightMap, roughness_parameter: Any) -> Any:
     """Return sqrt(R sigma) [m], the unit of length along the surface, for contacts with this map.
 
-    roughness_parameter: the dimensionless N R sigma of the contact, a number or an array. R sigma follows from it by division
-    by the asperity density N, which is computed from the spectral moments of the map.
+    roughness_parameter: the dimensionless N R sigma of the contact, a number or an array. It is divided by the asperity density
+    N from the spectral moments of the map, which gives R sigma.
     """
     return np.sqrt(roughness_parameter / asperities(surface, method_of_moments()).density)
 

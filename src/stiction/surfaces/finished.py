@@ -138,7 +138,7 @@ class FinishedBodies(Input):
 
     @property
     def bodies(self) -> dict[str, Finished | Roughness]:
-        """Return the rough bodies of the contact by the names "first" and "second"."""
+        """Return the rough bodies of the contact, by "first" and "second"."""
         return {name: body for name in ("first", "second") if (body := getattr(self, name)) is not None}
 
     @property
@@ -166,7 +166,7 @@ class FinishedBodies(Input):
         return both.asperities()
 
     def roughness(self) -> Roughness:
-        """Return the roughness of the contact, with uncertain quantities at their medians; it stores this object too."""
+        """Return the roughness of the contact, with uncertain quantities at their medians; the result keeps this object."""
         numbers = dict(zip(_ASPERITIES, self.asperities({}), strict=True))
         shape = {} if len(self.bodies) > 1 else {number: getattr(self._only, number) for number in SHAPE}
         return Roughness(**numbers, **shape, kind=self._kind()).attached(finished=self)

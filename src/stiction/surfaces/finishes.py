@@ -97,7 +97,7 @@ def mixture_of_kinds(shares: Mapping[str, float]) -> str:
 
 
 def shares_of_kinds(kind: str) -> dict[str, float]:
-    """Return the shares of the kinds in a text from `mixture_of_kinds`; one kind has the share 1."""
+    """Return the share of each kind of surface in a text from `mixture_of_kinds`; a single kind has the share 1."""
     parts = [_SHARE_OF_KIND.fullmatch(part) for part in kind.split(" + ")]
     return {part[2]: float(part[1]) for part in parts if part} if all(parts) else {kind: 1.0}
 

@@ -33,11 +33,11 @@ def of_moments(method: str, moments: Moments, note: str) -> Asperities:
 def combine(first: Asperities, second: Asperities) -> Asperities:
     """Return the asperities of the sum of two independent rough surfaces.
 
-    The contact of two rough surfaces is equivalent to the contact of their sum with a smooth plane. The spectral moments m0,
-    m2 and m4 of independent surfaces add. Each set of sigma, R and N is converted to the moments of a Gaussian surface
-    (McCool 1986), and the sums are converted back. The variance of the surface heights adds exactly. The variance sigma^2 of
-    the summit heights adds only approximately; the error falls as Nayak's alpha grows. No isotropic Gaussian surface has sums
-    with alpha below 1.5: the note of the result then contains a warning. Raises InputError for alpha of 0.897 or less.
+    The contact of two rough surfaces is equivalent to the contact of their sum with a smooth plane. The spectral moments m0, m2
+    and m4 of independent surfaces add. Each set of sigma, R and N is converted to the moments of a Gaussian surface (McCool
+    1986), and the sums are converted back. The variance of the surface heights adds exactly. The variance sigma^2 of the summit
+    heights adds only approximately; the error falls as Nayak's alpha grows. No isotropic Gaussian surface has alpha below 1.5;
+    if the sums do, the note of the result contains a warning. Raises InputError for alpha of 0.897 or less.
     """
     one, other = (Moments.from_asperities(each.deviation, each.radius, each.density) for each in (first, second))
     both = added(one, other)

@@ -94,8 +94,7 @@ class MeasuredRoughness(Input):
     smooth body; at least one must be a scan. method: key of an asperity method, by default the first that finds enough
     asperities. form: order of the polynomial to remove, 1 for a plane. spikes: number of robust standard deviations from the
     median beyond which points are masked. fill: how missing points are filled. shortest, longest: limits of the wavelengths
-    that are kept. heights: gaussian, weibull or empirical: distribution of the asperity heights, by default the simplest that
-    fits.
+    that are kept. heights: distribution of asperity heights: gaussian, weibull, empirical; by default the simplest that fits.
     """
 
     first: _Body | None = Field(None, description="a table with the scan, or the numbers, of the first body")
@@ -142,7 +141,7 @@ class Measured:
     solvable: SolvableMaps = field(default_factory=SolvableMaps, repr=False, compare=False)
 
     def roughness(self) -> Roughness:
-        """Return the roughness that the chosen method found; it stores this object as its origin."""
+        """Return the roughness that the chosen method found; the result keeps this object as its origin."""
         found, reduced = self.by_method[self.method], self.with_surface_moments()
         if reduced is not self:
             found = found.replace(surface=self.by_method[self.of_moments].attached(measured=reduced))
@@ -290,7 +289,7 @@ def measure(wanted: MeasuredRoughness, folder: Path = Path()) -> Measured:
 
 
 def _with_the_surface(by_method: dict[str, Roughness], surface: Roughness | None) -> dict[str, Roughness]:
-    """Return the roughness by method, with its field `surface` set to that from the spectral moments unless it is None."""
+    """Set the field `surface` of every roughness to `surface`; return them by method, unchanged if `surface` is None."""
     return {
         name: one if one is surface or surface is None else one.model_copy(update={"surface": surface})
         for name, one in by_method.items()
@@ -318,9 +317,9 @@ def independent(found: "Asperities", surface: "HeightMap") -> int:
 def standing_method(found: Mapping[str, "Asperities"], counts: Mapping[str, int]) -> str:
     """Return the key of the asperity method that is used if the user states none.
 
-    found: asperities by method. counts: number of separate asperities by method. The result is the first method that finds at
-    least FEW asperities or only computes averages, else the first that found anything. Methods with `of_summits` come first,
-    because their moments can be added for two bodies (docs/how-to/surfaces.md).
+    found: asperities by method. counts: number of separate asperities by method. The result is the first method that finds FEW
+    asperities or more, or only computes averages, else the first that found any. Methods with `of_summits` come first, because
+    their moments can be added for two bodies.
     """
     from stiction.surfaces.asperity_set import FEW
     from stiction.surfaces.finding import methods

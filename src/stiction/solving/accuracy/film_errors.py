@@ -256,7 +256,7 @@ def as_attributes(problem: Problem, results: Mapping[str, np.ndarray]) -> dict[s
 
 
 def in_words(row: Mapping[str, Any]) -> str:
-    """Describe one dictionary of `film_errors` in one line."""
+    """Describe one dictionary of `film_errors` in one line of text."""
     near = ", ".join(f"{name} = {span(ends)}" for name, ends in row.get("near", {}).items() if ends)
     head = f"{row['law']} against {row['against']}" + (f", near {near}" if near else "")
     if "why_not" in row:

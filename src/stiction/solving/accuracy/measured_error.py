@@ -1,20 +1,17 @@
 """Estimate the error of a model at a contact from its errors on similar benchmark surfaces.
 
-The benchmark set (docs/explanation/truth.md) holds many surfaces. For each it holds the contact area by a reference solution,
-and by every model and asperity method, at a range of mean pressures, hardnesses and films. The errors on each surface are
-interpolated to the pressure and hardness of the contact, both over E* h' (E*: contact modulus, h': rms slope). They are then
-averaged over the surfaces with the weight exp(-d^2/2). The distance d counts differences in Nayak's alpha and, for a map, in
-skewness, lay and the slope of its highest parts.
-
-For a contact given by numbers the kind of surface is unknown. Its mean error is then computed over Gaussian surfaces, for which
-models are ranked. Its interval is computed over all kinds: skewed, worn, with a lay, with two wave bands. If the kind is
-stated, mean and interval are computed over surfaces of that kind.
+The benchmark set (docs/explanation/truth.md) holds the contact area of many surfaces by a reference solution, and by every
+model and asperity method, at a range of mean pressures, hardnesses and films. The errors on each surface are interpolated to
+the pressure and hardness of the contact, both over E* h' (E*: contact modulus, h': rms slope). They are then averaged over the
+surfaces with the weight exp(-d^2/2). The distance d counts differences in Nayak's alpha and, for a map, in skewness, lay and
+the slope of its highest parts. For a contact given by numbers the kind of surface is unknown. Its mean error is then computed
+over Gaussian surfaces, for which models are ranked, and its interval over all kinds: skewed, worn, with a lay, with two wave
+bands. If the kind is stated, mean and interval are computed over surfaces of that kind.
 
 Friction of an interface is its shear strength times the area, so it has the error of the area. The error is smaller if the
 strength rises with pressure, and unknown if the stated strength exceeds the strength of the bodies. The set has no adhesion.
 
-A solution on the map itself has a discretisation error. If the map is a window of a larger surface, it also has a sampling
-error.
+A solution on the map itself has a discretisation error, and a sampling error if the map is a window of a larger surface.
 """
 
 import json
@@ -61,15 +58,14 @@ class MeasuredErrors:
     """Store the measured errors of a model's contact area at k points (one contact at one load); arrays are (k,) unless stated.
 
     The error is ln(A/A_ref), with A the area by the model and A_ref by the reference solution. column: model and asperity
-    method. area: mean of the error over benchmark surfaces of the stated kind, or over Gaussian surfaces if neither map nor
-    kind is known. levels (k, 5): quantiles of the error at the probabilities errors_near.LEVELS over the nearest surfaces,
-    however far they are; NaN where nothing was measured. relative: root mean square of A/A_ref - 1 over these surfaces.
-    friction: error of ln(mu) due to the area, for laws of the interface. distance: distance of the nearest surface. surfaces:
-    number of surfaces with a noticeable weight. trust: 1 for a near surface, 0 where nothing was measured, continuous between.
-    sample: standard error of ln(A) because the map is one window of a larger surface, for models that solve the map. why_not:
-    why no error is known at some points, "" if all are known. nearest: for each point a function that describes how the nearest
-    surface differs, or returns "" if it hardly does. kind_known: whether the map or the user gives the kind of surface. kind:
-    the stated kind, for a contact without a map.
+    method. area: mean error over benchmark surfaces of the stated kind, or over Gaussian surfaces if neither map nor kind is
+    known. levels (k, 5): quantiles of the error at the probabilities errors_near.LEVELS over the nearest surfaces, however far
+    they are; NaN where nothing was measured. relative: root mean square of A/A_ref - 1 over these surfaces. friction: error of
+    ln(mu) due to the area, for laws of the interface. distance: distance of the nearest surface. surfaces: number of surfaces
+    with a noticeable weight. trust: 1 for a near surface, 0 where nothing was measured, continuous between. sample: standard
+    error of ln(A) because the map is one window of a larger surface, for models that solve the map. why_not: why no error is
+    known at some points, or "". nearest: for each point a function that describes how the nearest surface differs, or returns
+    "". kind_known: whether the map or the user gives the kind of surface. kind: the stated kind.
     """
 
     column: str
@@ -104,10 +100,9 @@ class MeasuredErrors:
     def as_data(self) -> dict[str, Any]:
         """Return the errors as data for JSON, by name.
 
-        Lists over the points, None where nothing was measured: mean relative error of area and of mu, 5 % and 95 % quantiles
-        and root mean square of the relative area error, standard error of the sample, distance, and number of surfaces. These
-        lists are empty if no point has a benchmark surface. Single values: the name of the model in the benchmark set, the kind
-        of surface and whether it is known, and why no error is known.
+        Lists over the points, None where nothing was measured, empty without any benchmark surface: mean relative error of area
+        and of mu, quantiles and root mean square of the area error, standard error of the sample, distance, number of surfaces.
+        Single values: name of the model in the benchmark set, kind of surface, whether it is known, and why no error is known.
         """
         some = slice(None) if np.isfinite(self.distance).any() else slice(0)
         return {
@@ -157,7 +152,7 @@ def _plain(values: np.ndarray) -> list[float | None]:
 
 
 def column_of(problem: Problem) -> str:
-    """Return the name of a model in the benchmark set, "model|asperity method"; "" if this variant was not measured."""
+    """Return the name of a model in the benchmark set, "model|asperity method"; "" if this variant is not in the set."""
     chosen, record = problem.chosen, problem.record
     if any(problem.options[name] != values[0] for one in problem.records() for name, values in one.options.items()):
         return ""
@@ -223,15 +218,15 @@ def _of_solution(problem: MapProblem, load: np.ndarray, area: np.ndarray, most_p
 
 
 def _share(problem: Problem, area: np.ndarray) -> np.ndarray:
-    """Return the real over the nominal contact area (k,) from normalised areas (n, m), k = n m; 0 where nothing touches."""
+    """Return the ratio of real to nominal contact area (k,) from normalised areas (n, m), k = n m; 0 where nothing touches."""
     return np.nan_to_num(np.minimum(math.pi * np.reshape(problem.groups.roughness_parameter, (-1, 1)) * area, 1.0)).ravel()
 
 
 def _own_error(surface: "HeightMap", share: np.ndarray, every_point: bool = False) -> np.ndarray:
     """Return the standard deviation (k,) of ln of a contact area that was solved on a map, due to the point spacing.
 
-    It depends on the number of points in contact. For a map too large to be solved, it is the error of the formula that
-    replaces the solution. share: area fraction (k,). every_point: whether all points of the map are solved, or only a sample.
+    It depends on the number of points in contact. For a map too large to be solved, it is the error of the formula used
+    instead. share: area fraction (k,). every_point: whether all points of the map are solved, or only a sample.
     """
     area = _map_area(surface)
     if not area.solvable and not every_point:
@@ -282,8 +277,8 @@ def _on_other_maps(problem: Problem, place: ContactFeatures, points: int, area: 
     """Return the errors of an area law for films, measured on rough surfaces with films; None if it was not measured.
 
     Source: truth/films.csv. If the law solves the contact's own map, the errors are 0, because the discretisation error is
-    added later. Without a map they are wider, because the surface may not be Gaussian; a stated kind shifts them. points: loads
-    per contact.
+    added later. Without a map they are wider, as the surface may not be Gaussian; a stated kind shifts them. points: loads per
+    contact.
     """
     found = on_solved_maps(problem, points)
     surface = problem.map if isinstance(problem, ClosedFormProblem) else None
@@ -315,11 +310,9 @@ def _unknown(column: str, points: int, why: str) -> MeasuredErrors:
 
 
 def _far(distance: np.ndarray, nearest: np.ndarray) -> str:
-    """Return the reason, as text, why no error is known at some points.
+    """Return the reason, as text, why no error is known at some points: the film, the nearest surface, or the load.
 
-    The reason is a film that the benchmark set does not contain, a nearest surface that is too different (with the difference),
-    or a load that the model cannot carry. distance (k,): distance of the nearest benchmark surface at k points. nearest: for
-    each point a function that describes the difference.
+    distance (k,): distance of the nearest benchmark surface at k points. nearest: for each point a function that describes it.
     """
     at = int(np.argmin(distance))
     if math.isinf(distance[at]):

@@ -81,7 +81,7 @@ class SolvedSet:
 
     @cached_property
     def areas(self) -> np.ndarray:
-        """Return the solved real over nominal contact area (surfaces, hardnesses, pressures); NaN where it was not solved."""
+        """Return the solved over the nominal contact area (surfaces, hardnesses, pressures); NaN where it was not solved."""
         found = self["areas"]
         return np.where(found == 65535, np.nan, np.exp(-2e-4 * found.astype(float)))
 
