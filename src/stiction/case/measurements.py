@@ -98,7 +98,7 @@ def read_measurements(path: Any, content: Mapping) -> Measurements:
     - `note` and `source`, which are ignored
 
     A cell may be empty. Commas separate cells. If semicolons separate the column names, they separate all cells, and numbers
-    may have decimal commas. Raises InputError with the line and the column.
+    may have decimal commas. Raises InputError, which states line and column, for an invalid file.
     """
     if not isinstance(path, str | PathLike):
         raise InputError("--data", path, "the path of a CSV file")
@@ -201,8 +201,8 @@ def _entries(line_number: int, cells: Mapping[str, str], columns: Mapping[str, _
     """Return one tuple for each measured value in a line of the file.
 
     cells: text of each cell by column name. columns: description of each column by column name. A tuple is (quantity, sample,
-    load, value, standard error, numbers of the contact by address (tuple of keys), line number), in SI units. Raises
-    InputError.
+    load, value, standard error, numbers of the contact by address (tuple of keys), line number), in SI units. Raises InputError
+    for a cell that is not allowed.
     """
     sample, load, known = "", float("nan"), {}
     values: dict[str, float] = {}

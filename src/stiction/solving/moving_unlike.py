@@ -49,7 +49,7 @@ class UnlikeBodies(MovingMap):
 
     @cached_property
     def surface(self) -> "HeightMap":
-        """Return the periodic map itself, or a window completed to one period by its mirror images."""
+        """Return one period of the surface: the periodic map itself, or a window completed by its mirror images."""
         return _period(self.problem.surface())
 
     @cached_property

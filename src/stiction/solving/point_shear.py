@@ -32,8 +32,8 @@ def points_of(map_contact: "MapContact") -> Iterator[tuple[str, np.ndarray, floa
     """Yield each group of points of a solved map: state, pressures [Pa], area of a pixel [m2], contact area of each point [m2].
 
     The group "elastic" holds the points below the hardness, the group "plastic" those at the hardness; a group without points
-    is not yielded. The contact area of a point is smaller than its pixel, because pixels at contact edges touch in part. The
-    total excess is subtracted from the elastic points, each by the same factor; if their area does not suffice, all points are
+    is not yielded. Pixels at contact edges touch only in part, so that all pixels together are larger than the contact area.
+    The excess is subtracted from the elastic points, each by the same factor. If their area does not suffice, all points are
     reduced by one factor.
     """
     assert map_contact.pressure is not None

@@ -59,8 +59,8 @@ def efficiency(spread, residual, constants=FITTED):
 def spot_radius(share, deviation, radius, density):
     """Return the mean radius of contact spots [m], by Greenwood & Williamson's model with Gaussian heights.
 
-    share: real over nominal contact area, 0 to 1. deviation [m], radius [m], density [1/m2]: standard deviation of the heights,
-    radius and number per area of the asperities. The shapes broadcast.
+    share: ratio of real to nominal contact area, 0 to 1. deviation [m], radius [m], density [1/m2]: standard deviation of the
+    heights, radius and number per area of the asperities. The shapes broadcast.
     """
     t = np.linspace(_HIGHEST, _DEEPEST, _NODES)
     tail = ndtr(-t)
@@ -73,8 +73,8 @@ def spread_of_spots(radius, share, roughness_parameter):
     """Return the standard deviation of the shear displacement of contact spots, without the effect of the edges.
 
     The result is divided by strength times shear compliance, so its unit is [m]; it is the first term of equation (3) of this
-    module. radius: radius of the spots [m]. share: real over nominal contact area. roughness_parameter: density times radius
-    times rms height of the asperities.
+    module. radius: radius of the spots [m]. share: ratio of real to nominal contact area. roughness_parameter: density times
+    radius times rms height of the asperities.
     """
     return _OF_SPOTS * radius * roughness_parameter**_BY_DENSITY * (1.0 - share) ** _BY_SHARE
 
@@ -83,6 +83,6 @@ def spread_of_edges(side, share):
     """Return the standard deviation of the shear displacement due to the edges of a square nominal area.
 
     The result is divided by strength times shear compliance, so its unit is [m]; it is the second term of equation (3) of this
-    module. side: side of the square [m]. share: real over nominal contact area.
+    module. side: side of the square [m]. share: ratio of real to nominal contact area.
     """
     return _OF_EDGES * side * share

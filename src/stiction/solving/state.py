@@ -67,7 +67,7 @@ def state_of(problem: Problem, results: Mapping[str, np.ndarray]) -> dict[str, n
 
 
 def area_fraction(groups: Groups, area: np.ndarray) -> np.ndarray:
-    """Return the real over the nominal contact area (n, m) from normalised areas (n, m) of n contacts.
+    """Return the ratio of real to nominal contact area (n, m) from normalised areas (n, m) of n contacts.
 
     The asperity density of the contacts must be known.
     """
@@ -174,7 +174,7 @@ def _grown(groups: Groups, pressure: np.ndarray) -> dict[str, np.ndarray]:
 
 
 def _below_film(groups: Groups, load: np.ndarray, area: np.ndarray, touching: np.ndarray) -> dict[str, np.ndarray]:
-    """Return the mean pressure (n, m) of spots on hard films, divided by two limits, by name; {} without a hard film.
+    """Return the mean contact pressure (n, m) on hard films over each of two limits, by name; {} without a hard film.
 
     load, area, touching: normalised load and area, and fraction of touching asperities. One limit is the pressure at which the
     body below the film yields. The other is the pressure that punches the film, at most H_b + 2 (t/a) tau_f for a plug of

@@ -235,7 +235,7 @@ def _one_of(subject: Subject, **either: Any) -> Any:
 
 
 def _make_unloading(contact: Subject, choice: Choice, heights) -> _Unloading:
-    """Combine a contact and laws to its unloading; raise InputError if the laws do not define unloading."""
+    """Build the `_Unloading` of a contact under selected laws; raise InputError if the laws do not define unloading."""
     if choice.options.get("branch") is not None:
         raise InputError("branch", choice.options["branch"], "no value, because unload() always follows the unloading branch")
     for name, key in choice.laws().items():

@@ -27,7 +27,8 @@ _STRENGTH = ("shear_strength", "pressure_coefficient")
 class Unused:
     """Store an input that changes no result.
 
-    input: its name. laws: keys of laws that would use it, by keyword of `solve`. why: another reason, in words.
+    input: its name. laws: keys of laws that would use it, by keyword of `solve`. why: another reason why it is not used, in
+    words.
     """
 
     input: str

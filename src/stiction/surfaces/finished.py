@@ -92,7 +92,7 @@ class Finished(Input):
     def moments(self, levels: Mapping[str, Any]) -> Moments:
         """Return the spectral moments of the surface, with its uncertain quantities at given quantile levels.
 
-        levels: name in `unknowns` -> level between 0 and 1. A quantity without a level has its median.
+        levels: quantile level between 0 and 1, by name in `unknowns`. A quantity without a level has its median.
         """
         made = finish(self.finish)
         slope, density, *drawn = (made.quantile(name, levels.get(name, 0.5)) for name in self.unknowns)
@@ -159,7 +159,8 @@ class FinishedBodies(Input):
     def asperities(self, levels: Mapping[str, Any]) -> tuple[Any, Any, Any]:
         """Return sigma [m], R [m] and N [1/m^2] of the contact, with its uncertain roughness at given quantile levels.
 
-        levels: name in `unknowns` -> level between 0 and 1, numbers or arrays. A quantity without a level has its median.
+        levels: quantile levels between 0 and 1, numbers or arrays, by name in `unknowns`. A quantity without a level has its
+        median.
         """
         each = [_moments(body, name, levels) for name, body in self.bodies.items()]
         both = each[0] if len(each) == 1 else combine(*each)
@@ -228,6 +229,6 @@ def roughness_of_finish(table: Mapping[str, Any]) -> Roughness:
     """Return the roughness of a contact from a table that states a finish.
 
     The table describes the only rough body, or it has the keys "first" and "second" with a table for each body. `is_finished`
-    returns which tables are accepted. Raises InputError for invalid entries.
+    checks whether a table is accepted. Raises InputError for invalid entries.
     """
     return FinishedBodies(**(table if table.keys() & {"first", "second"} else {"first": Finished(**table)})).roughness()

@@ -89,7 +89,7 @@ def surface_kind_of(word: Any) -> str:
 
 
 def mixture_of_kinds(shares: Mapping[str, float]) -> str:
-    """Return a text for a surface between several kinds, e.g. "0.7 lay + 0.3 gaussian".
+    """Return a text that describes a mixture of kinds of surface, e.g. "0.700 lay + 0.300 gaussian".
 
     shares: share by the name of a kind or of a finish; the shares sum to 1.
     """

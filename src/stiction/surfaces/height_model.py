@@ -55,8 +55,8 @@ def height_model(found: Asperities, wanted: str | None = None) -> HeightModel:
     - found: the asperities
     - wanted: name of a distribution to use instead, whether it fits or not
 
-    The result is Gaussian, whatever is wanted, if only averages of the heights are known, if there are fewer than FEW heights,
-    or if all heights are equal. Raises InputError if `wanted` is not gaussian, weibull or empirical.
+    The result is Gaussian, regardless of `wanted`, if only averages of the heights are known, if there are fewer than FEW
+    heights, or if all heights are equal. Raises InputError if `wanted` is not gaussian, weibull or empirical.
     """
     if wanted is not None and wanted not in MODELS:
         raise InputError("heights", wanted, ", ".join(MODELS))

@@ -249,9 +249,9 @@ def filter_band(surface: HeightMap, shortest=None, longest=None) -> HeightMap:
     shortest, longest: cutoffs, numbers in metres or text with a unit ("800 nm"); None for no such cutoff. The transmission is
     50 % at a cutoff (ISO 16610-21 and -61). The weights are exp(-pi (x / (alpha lambda))^2) / (alpha lambda) with the cutoff
     lambda and alpha = sqrt(ln 2 / pi), along x times along y, and pass exp(-ln 2 (lambda / wavelength)^2). At edges and missing
-    points the remaining weights are renormalised. They do not follow a slope there, so level first, and exclude half a cutoff
-    from each edge from statistics. Missing points stay missing. Raises InputError unless 2 pitch <= shortest < longest <= size
-    (of the longest side).
+    points the remaining weights are renormalised, and the filter does not follow a slope. Therefore level the map first, and
+    exclude half a cutoff at each edge from statistics. Missing points stay missing. Raises InputError unless 2 pitch <=
+    shortest < longest <= size (of the longest side).
     """
     low, high, band = _band(surface, shortest, longest)
     heights = surface.heights
@@ -265,8 +265,8 @@ def filter_band(surface: HeightMap, shortest=None, longest=None) -> HeightMap:
 def filter_period(surface: HeightMap, shortest=None, longest=None) -> HeightMap:
     """Return one period of a surface with only the wavelengths between two cutoffs; the result is a period too.
 
-    The Gaussian filters of `filter_band` wrap around the edges. shortest, longest and errors: as there. Raises InputError also
-    for missing points.
+    The Gaussian filters of `filter_band` wrap around the edges. shortest, longest: as in `filter_band`. Raises InputError as
+    `filter_band` does, and for missing points.
     """
     low, high, band = _band(surface, shortest, longest)
     if not surface.complete:

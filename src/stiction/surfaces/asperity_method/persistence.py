@@ -42,8 +42,8 @@ def persistence(surface: HeightMap, threshold: float | None, fit_points: int) ->
     - threshold: height difference [m] >= 0; None for 5 % of the range of heights
     - fit_points: number of points of the paraboloid fitted around each summit, a key of FITS
 
-    A summit with a fitted point off the map or missing is excluded; the area of the density excludes such positions too. Raises
-    InputError for a profile or if fewer than two summits are found.
+    A summit is excluded if a fitted point is missing or off the map. The density is the number of summits divided by the area
+    of the positions where they could be counted. Raises InputError for a profile or if fewer than two summits are found.
     """
     heights = areal(surface)
     if threshold is None:

@@ -62,9 +62,9 @@ def _library(reader, channel, path: Path) -> RawScan | None:
 
 
 def _no_line_lost(path: Path, points: int) -> None:
-    """Raise InputError if a text file has more lines of numbers than the library read points.
+    """Raise InputError if the library read fewer points from a text file than the file has lines of numbers.
 
-    The library silently skips all lines above one that it cannot read.
+    points: number of points that the library read. The library silently skips all lines above one that it cannot read.
     """
     with path.open("rb") as file:
         lines = sum(line.lstrip()[:1] in b"+-.0123456789" and bool(line.strip()) for line in file)

@@ -52,8 +52,8 @@ class Moments:
         """Return the spectral moments of the Gaussian surface whose summits have these statistics.
 
         deviation: standard deviation sigma of the summit heights [m]. radius: R, one over the mean curvature of the summits
-        [m]. density: summits per area N [1/m^2]. All may be arrays. Source: McCool 1986, solved for the moments; R and N are
-        Nayak's (1971).
+        [m]. density: summits per area N [1/m^2]. All may be arrays. Source: McCool 1986, solved for the moments; the relations
+        for R and N are from Nayak (1971).
         """
         m4 = 9.0 * math.pi / (64.0 * radius * radius)
         m2 = m4 / (6.0 * math.pi * math.sqrt(3.0) * density)

@@ -37,7 +37,8 @@ def fitted(
     - tops: (row numbers, column numbers) of the summits, (n,) each
     - fit_points: number of points of the fitted paraboloid, a key of FITS
 
-    A summit counts only if all its fitted points have heights; the area of the density includes only such positions.
+    A summit counts only if all its fitted points have heights. The density is the number of summits divided by the area of the
+    positions where this holds.
     """
     row, column = tops
     dy, dx = surface.pitch

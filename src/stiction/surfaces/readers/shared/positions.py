@@ -37,7 +37,7 @@ def equally_spaced(x: np.ndarray, z: np.ndarray) -> tuple[np.ndarray, tuple[floa
 
 
 def gridded(x: np.ndarray, y: np.ndarray, z: np.ndarray) -> tuple[np.ndarray, tuple[float, float], tuple[str, ...]]:
-    """Return heights (rows, columns) of points on a regular grid, size (y, x), and notes for the history.
+    """Arrange points on a regular grid; return heights (rows, columns), size (y, x), and notes for the history.
 
     x, y, z: positions and heights (n,), in any order. Grid points without a height get NaN. Points along one line, parallel to
     x or y, are a profile. Raises InputError if the points are not on a grid, or fill less than a quarter of it.
