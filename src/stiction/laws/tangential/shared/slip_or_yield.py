@@ -204,9 +204,9 @@ def kinks_of(
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return the kinks (n, 5 or 11) of the smaller of slip and yield resistance, and a branch point (n,) of the latter.
 
-    Both are values of the coordinate u of an adhesive elastic asperity. At the branch point the yield resistance ceases to be
-    real. K_beta (n,): K beta times the mode-mixity share. last (n,): u at the end of the elastic asperity. printed: use eq (10)
-    of soft_coating_2015 as printed. unloading: start at the smallest stable contact instead of first touch; this adds six
+    Both are values of the coordinate u of an adhesive elastic asperity. The yield resistance is a real number from the branch
+    point on. K_beta (n,): K beta times the mode-mixity share. last (n,): u at the end of the elastic asperity. printed: use eq
+    (10) of soft_coating_2015 as printed. unloading: start at the smallest stable contact instead of first touch; this adds six
     kinks. A kink that does not exist is placed at an end of the segment or outside it.
     """
     scale = np.sqrt(6.0 * math.pi / groups.theta) ** (1.0 / 3.0)
