@@ -2,11 +2,11 @@ r"""Growth of static friction with the logarithm of the hold time, by creep: Ber
 
 *Assumes*: the junctions creep under the load. The real contact area, and with it the shear force $\tau_0A$, grows with the
 logarithm of the hold time $t_\mathrm w$, the time at rest under load. The growth is small before the reference time
-$t_\mathrm c$ and has no end. No shear force acts during the rest. *Source*: [dieterich_1978], abstract, for rocks (first
-[dieterich_1972]); [berthoud_1999] for rough polymers; [baumberger_caroli_2006], abstract: slow growth of the real area by
-creep. The formula is written from memory and derived below. [jagla_2010], abstract, finds it in a model of creep at low loads;
-there the area tends to a limit. In [dillavou_rubinstein_2020], abstract, static friction and area both grow this way, and
-friction grows faster than area if a shear load acts at rest.
+$t_\mathrm c$ and has no upper limit. No shear force acts during the rest. *Source*: [dieterich_1978], abstract, for rocks
+(first [dieterich_1972]); [berthoud_1999] for rough polymers; [baumberger_caroli_2006], abstract: slow growth of the real area
+by creep. The formula is written from memory and derived below. [jagla_2010], abstract, finds it in a model of creep at low
+loads; there the area tends to a limit. In [dillavou_rubinstein_2020], abstract, static friction and area both grow this way,
+and friction grows faster than area if a shear load acts at rest.
 
 $$
 \tau_0\,A\;\to\;\tau_0\,A\left[1+m\ln\left(1+\frac{t_\mathrm w}{t_\mathrm c}\right)\right]

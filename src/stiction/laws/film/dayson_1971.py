@@ -4,7 +4,8 @@ r"""A plastic film that roughness penetrates, with two shear strengths: after Da
 more of it; this is stronger on rougher surfaces. According to the 2015 paper, [soft_coating_2015], the contact is plastic.
 *Source*: [dayson_1971], its abstract. *Reconstruction*: the geometry of [`chang_1997`](#chang_1997) with film and substrate
 both plastic. An asperity at the displacement $\omega$ touches on the area $2\pi R\omega$. Where it is deeper than the film
-thickness $t$, it touches the substrate on the area $A_s$ at the substrate's hardness $H$; the rest, $A_f$, is film,
+thickness $t$, it touches the substrate on the area $A_s$ at the substrate's hardness $H$; the other part of the area, $A_f$, is
+film,
 
 $$
 A_f=2\min(w,\tau),\qquad A_s=2\max(w-\tau,0),\qquad P=\eta\,(pA_f+A_s),\qquad

@@ -12,8 +12,9 @@ $$
 *Reconstruction*: friction is the film's shear strength over the mean pressure, $\mu=\tau_0/p$. The cube root then requires a
 pressure proportional to $W^{1/3}$, which on the area $2\pi R\omega$ of a plastic contact is $p\propto\sqrt{\omega/t}$. The
 pressure lies between the film's hardness $H_f$, where the film carries the load, and the substrate's hardness $H$, where the
-substrate does ([bowden_tabor_1943]). At both limits Amontons's law holds, in agreement with the abstract. Friction is higher
-where the film carries the load, as in the abstract of [rabinowicz_1967]. With $p$ over $H$ times $\eta$ in the units here,
+substrate carries it ([bowden_tabor_1943]). At both limits Amontons's law holds, in agreement with the abstract. Friction is
+higher where the film carries the load, as in the abstract of [rabinowicz_1967]. With $p$ over $H$ times $\eta$ in the units
+here,
 
 $$
 A=2w,\qquad P=pA,\qquad p=\eta\,\min\left[1,\ n_H\max\left(1,\ q\sqrt{w/\tau}\right)\right]

@@ -1,8 +1,8 @@
 r"""A soft film that deforms alone up to its own thickness, then the substrate: corrected variant of the 2015 paper.
 
 *Assumes*: the film deforms alone, as a half-space, until the displacement equals its thickness. Beyond, it keeps its load and
-resistance, and the substrate deforms by the rest of the displacement. *Source*: [soft_coating_2015], eqs. (6) and (15),
-corrected: [theory, section 5](theory.md#5-coated-surface), [departures D4, D5 and
+resistance, and the substrate deforms by the displacement minus the film thickness. *Source*: [soft_coating_2015], eqs. (6) and
+(15), corrected: [theory, section 5](theory.md#5-coated-surface), [departures D4, D5 and
 D10](theory-limits.md#8-departures-from-the-print). With any asperity law, film (index c) and substrate (index s) have the
 loads $P_c(w)$ and $P_s(w)$ and the tangential forces $T_c(w)$ and $T_s(w)$ of half-spaces, each in the units of its own
 modulus; $n_E$ converts forces of the film. $A_c(w)$ is the contact area on the film. Then
@@ -14,7 +14,7 @@ $$
 and the same for the tangential force; a law of the interface uses the whole load and the outer area instead. But film and
 substrate transmit the same force in series, so that their forces do not add up. The paper's sum is therefore too large by the
 force of the film; the record states the excess for zero film thickness. With `film_shear="in_series"` the smaller tangential
-force applies: the film's at the whole displacement, or the substrate's at the rest,
+force applies: the film's at the whole displacement, or the substrate's at the displacement minus the film thickness,
 
 $$
 T=\min\left[n_ET_c(w),\,T_s(w-\tau)\right]\quad(w\ge\tau)

@@ -12,10 +12,10 @@ c=.617-.041\ln\alpha
 $$
 
 and with the hardness $H$ the area is $A=\left[A_\text{el}^{3.5}+(pA_n/H)^{3.5}\right]^{1/3.5}$ (here $p$ in Pa). This formula
-is used if the surface is given by $\sigma$, $R$ and $N$. Most of its error comes from what these leave out: skewness, wear, a
-lay, and the scatter of a small map. If the contact names scans, the contact of their map is solved at every pressure, elastic
-or up to the hardness. The solution uses the fewest points that are sufficient (four per shortest wavelength, eight across a
-lay, 3000 in contact). A map with too many points uses one of the formulas of
+is used if the surface is given by $\sigma$, $R$ and $N$. Most of its error comes from properties that these do not describe:
+skewness, wear, a lay, and the scatter of a small map. If the contact names scans, the contact of their map is solved at every
+pressure, elastic or up to the hardness. The solution uses the fewest points that are sufficient (four per shortest wavelength,
+eight across a lay, 3000 in contact). A map with too many points uses one of the formulas of
 `solvers/boundary_elements/area_estimates.py`. The result `area_by` names the method.
 
 *Check*: at light load $A/A_n=\kappa\,p/(E^*h')$ with $\kappa\to(1+c)\sqrt{8/\pi}$; $c=0$ gives

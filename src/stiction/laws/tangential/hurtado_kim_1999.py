@@ -1,4 +1,4 @@
-r"""A shear strength that falls with the size of the contact: Hurtado & Kim 1999, as Adams, Muftu & Mohd Azhar 2003 put it.
+r"""A shear strength that falls with the size of the contact: Hurtado & Kim 1999, in the form of Adams, Muftu & Mohd Azhar 2003.
 
 *Assumes*: a small contact slips as a whole, at a strength that does not depend on its size; a larger one slips by a
 dislocation that glides across it, at a strength that falls with its radius; a very large one by many dislocations, at a lower

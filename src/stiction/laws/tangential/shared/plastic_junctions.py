@@ -1,7 +1,7 @@
 """Give yielded junctions the resistance of another law, chosen with the option plastic_junctions.
 
 The published law stays unchanged. The other law is used only where the published one gives no resistance: beyond a
-displacement or on a whole segment. What the other law requires of elastic asperities is not checked.
+displacement or on a whole segment. The requirements of the other law on elastic asperities are not checked there.
 """
 
 from collections.abc import Callable
