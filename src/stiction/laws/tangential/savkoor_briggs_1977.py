@@ -83,7 +83,7 @@ def tangential_resistance(segment: NormalSegment, groups: Groups) -> TangentialR
         return None
     share = mode_mixity_share(groups)
     # In G_N + zeta G_T = gamma, G_T is proportional to T^2 beta, so that zeta multiplies the tangential compliance.
-    return TangentialResistance(resistance, (groups.theta, groups.K_beta * share), no_resistance(segment, groups))
+    return TangentialResistance(resistance, (groups.theta, groups.K_beta * share), pull_off_coordinate(segment, groups))
 
 
 def mode_mixity_share(groups: Groups) -> np.ndarray:
@@ -97,7 +97,7 @@ def mode_mixity_share(groups: Groups) -> np.ndarray:
     return share
 
 
-def no_resistance(segment: NormalSegment, groups: Groups) -> np.ndarray | None:
+def pull_off_coordinate(segment: NormalSegment, groups: Groups) -> np.ndarray | None:
     """Return the coordinate (n, 1) at which the load alone pulls a JKR contact off, or None for a segment in loading.
 
     There the peeling force is 0 and has a kink, because it is proportional to |u^3 - S/2|. u: coordinate of the JKR contact. S

@@ -22,7 +22,7 @@ import math
 from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
 from stiction.laws.segment import NormalSegment, TangentialResistance
-from stiction.laws.tangential.savkoor_briggs_1977 import no_resistance
+from stiction.laws.tangential.savkoor_briggs_1977 import pull_off_coordinate
 from stiction.records.registry import Limit, TangentialLaw
 from stiction.records.sources import Source
 
@@ -50,7 +50,7 @@ def resistance(u, w, load, area, theta, K_beta):
 def tangential_resistance(segment: NormalSegment, groups: Groups) -> TangentialResistance | None:
     if segment.state != "elastic":
         return None
-    return TangentialResistance(resistance, (groups.theta, groups.K_beta), no_resistance(segment, groups))
+    return TangentialResistance(resistance, (groups.theta, groups.K_beta), pull_off_coordinate(segment, groups))
 
 
 RECORD = TangentialLaw(

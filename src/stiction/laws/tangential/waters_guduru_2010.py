@@ -49,7 +49,7 @@ from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
 from stiction.laws.joining import coordinates
 from stiction.laws.segment import NormalSegment, TangentialResistance
-from stiction.laws.tangential.savkoor_briggs_1977 import mode_mixity_share, no_resistance
+from stiction.laws.tangential.savkoor_briggs_1977 import mode_mixity_share, pull_off_coordinate
 from stiction.records.registry import Limit, TangentialLaw
 from stiction.records.sources import Source
 
@@ -129,12 +129,12 @@ def tangential_resistance(segment: NormalSegment, groups: Groups) -> TangentialR
     if segment.state != "elastic":
         return None
     share = mode_mixity_share(groups)
-    kinks = [_to_hertz(segment, groups, 1.0 - share)[:, None], no_resistance(segment, groups)]
+    kinks = [_coordinate_of_hertz(segment, groups, 1.0 - share)[:, None], pull_off_coordinate(segment, groups)]
     parameters = (groups.theta, groups.K_beta, 1.0 - share)
     return TangentialResistance(resistance, parameters, np.concatenate([array for array in kinks if array is not None], axis=1))
 
 
-def _to_hertz(segment: NormalSegment, groups: Groups, kappa: np.ndarray) -> np.ndarray:
+def _coordinate_of_hertz(segment: NormalSegment, groups: Groups, kappa: np.ndarray) -> np.ndarray:
     """Return the coordinate u (n,) of a JKR contact above which shear shrinks the contact to Hertz's area before it slides.
 
     kappa (n,): 1 - zeta, with `peeling` zeta of the contact. The result is limited to the ends of the segment; for kappa = 0 it

@@ -149,7 +149,7 @@ def cut_at_yield(
             break
     last = np.maximum(at_yield[:, 0], elastic.edges[:, 0])
     until = replace(elastic, edges=np.minimum(elastic.edges, last[:, None]))
-    return until, _following(until, segments, at_yield, hardness, pull)
+    return until, _plastic_segments(until, segments, at_yield, hardness, pull)
 
 
 def _pressure_at_yield(segments: list[NormalSegment], own: Groups) -> np.ndarray:
@@ -166,7 +166,7 @@ def _last_elastic(segments: list[NormalSegment]) -> NormalSegment:
     return next(before for before, after in pairwise(segments) if after.state != "elastic")
 
 
-def _following(elastic, segments, at_yield, hardness: Hardness, pull) -> list[NormalSegment]:
+def _plastic_segments(elastic, segments, at_yield, hardness: Hardness, pull) -> list[NormalSegment]:
     """Return the plastic segments of an asperity law, shifted to the point at which the asperity on a film yields.
 
     elastic: segment of the asperity on the film up to yield. segments: those of the asperity law on the uniform half-space at
@@ -191,14 +191,14 @@ def _following(elastic, segments, at_yield, hardness: Hardness, pull) -> list[No
     for segment in segments:
         if segment.state == "elastic":
             continue
-        normal, coordinate = _moved(segment.normal, segment.coordinate, hardness.value, len(segment.parameters))
+        normal, coordinate = _shifted_formulas(segment.normal, segment.coordinate, hardness.value, len(segment.parameters))
         shifted = NormalSegment(normal, coordinate, (*segment.parameters, *move), segment.edges, segment.state)
-        kinks = _places(shifted, hardness.depths - shallower[:, None])
+        kinks = _coordinates_at(shifted, hardness.depths - shallower[:, None])
         moved.append(replace(shifted, edges=np.sort(np.concatenate([segment.edges, kinks], axis=1), axis=1)))
     return moved
 
 
-def _places(segment: NormalSegment, w: np.ndarray) -> np.ndarray:
+def _coordinates_at(segment: NormalSegment, w: np.ndarray) -> np.ndarray:
     """Return the coordinates (n, m) of a segment at the displacements w (n, m), limited to its ends; w: in units of sigma."""
     out, edges = np.empty(w.shape), np.ascontiguousarray(segment.edges)
     fill = _filling(segment.normal, segment.coordinate, len(segment.parameters))
@@ -224,7 +224,7 @@ def _filling(normal: Any, coordinate: Any, parameters: int) -> Any:
 
 
 @cache
-def _moved(normal: Any, coordinate: Any, hardness: Any, parameters: int) -> tuple[Any, Any]:
+def _shifted_formulas(normal: Any, coordinate: Any, hardness: Any, parameters: int) -> tuple[Any, Any]:
     """Return the formulas `along` and `back` of a plastic segment, shifted to the point at which a coated asperity yields.
 
     along(u) returns displacement, its derivative, load and area; back(w) returns u at the displacement w. normal, coordinate:

@@ -74,11 +74,11 @@ def weaker_regimes(law: Law, groups: Groups) -> list[Regime]:
             start, end = (np.where(np.isfinite(above.edges[:, side]), ends[side], np.inf) for side in (0, -1))
             first, last = coordinates(segment, start - tau), coordinates(segment, end - tau)
             first = np.where(start <= tau, coordinates(segment, 0.0), first)
-            regimes.append(_shared(below, above, segment, tau, first, np.minimum(last, deepest)))
+            regimes.append(_in_series(below, above, segment, tau, first, np.minimum(last, deepest)))
     return regimes
 
 
-def _shared(
+def _in_series(
     below: Regime, above: Regime, segment: NormalSegment, tau: np.ndarray, first: np.ndarray, last: np.ndarray
 ) -> Regime:
     """Return the regime of one substrate segment below one film regime, with the weaker resistance of the two.
@@ -87,7 +87,7 @@ def _shared(
     first, last (n,): coordinates of the substrate segment between which both film and substrate resist. The edges of the
     returned regime are the kinks of both, and the coordinates at which the weaker of the two changes.
     """
-    inner = [_mapped(above, number, segment, tau) for number in range(above.edges.shape[1])]
+    inner = [_edge_on_substrate(above, number, segment, tau) for number in range(above.edges.shape[1])]
     edges = np.sort(np.concatenate([below.edges, np.stack(inner, axis=1)], axis=1), axis=1)
     edges = np.minimum(np.maximum(edges, first[:, None]), np.maximum(first, last)[:, None])
     back = _back(above.coordinate, len(above.parameters))
@@ -123,7 +123,7 @@ def _branches(below: Regime, above: Regime, segment: NormalSegment, tau: np.ndar
     return np.concatenate(branches, axis=1) if branches else None
 
 
-def _mapped(above: Regime, number: int, segment, tau: np.ndarray) -> np.ndarray:
+def _edge_on_substrate(above: Regime, number: int, segment, tau: np.ndarray) -> np.ndarray:
     """Return one edge of the film's regime as a coordinate (n,) of the substrate segment.
 
     above: regime of the film. number: index of the edge. segment: segment of the substrate. tau (n,): film thickness in units

@@ -119,7 +119,7 @@ def _displaced(
         if strength is None:
             return None
         more = groups.K_beta, displacement, *parameters
-        begins = _begins(segment, strength, more[:2])
+        begins = _sliding_onsets(segment, strength, more[:2])
         branches = [begins] if strength.branch is None else [np.reshape(strength.branch, (len(begins), -1)), begins]
         kinks = begins if strength.kinks is None else np.concatenate([strength.kinks, begins], axis=1)
         return TangentialResistance(
@@ -164,7 +164,7 @@ def sticking_law(tangential: TangentialLaw) -> TangentialLaw:
     return replace(tangential, tangential_resistance=resistance)
 
 
-def _begins(segment: NormalSegment, strength: TangentialResistance, more: tuple[np.ndarray, ...]) -> np.ndarray:
+def _sliding_onsets(segment: NormalSegment, strength: TangentialResistance, more: tuple[np.ndarray, ...]) -> np.ndarray:
     """Return the coordinates (n, 4) on a segment at which asperities change between sticking and sliding.
 
     strength: resistance of the asperities to sliding. more: K beta and the tangential displacement in units of sigma, arrays

@@ -164,10 +164,10 @@ def _curves(segment: NormalSegment, groups: Groups) -> tuple[tuple[np.ndarray, .
     ends = [np.broadcast_to(np.log(value), laws) for value in (film, groups.K_beta)]
     values = np.empty((laws, SEGMENTS + 1))
     _fill(columns(segment.parameters, laws), per_root(groups), np.column_stack([*ends, shapes]), first, values)
-    return (first, *(values @ to_coefficients().T).T), _vanishes(first, values)
+    return (first, *(values @ to_coefficients().T).T), _sign_change(first, values)
 
 
-def _vanishes(first: np.ndarray, values: np.ndarray) -> np.ndarray:
+def _sign_change(first: np.ndarray, values: np.ndarray) -> np.ndarray:
     """Return the coordinate (n,) at which the values at the knots change sign, by linear interpolation.
 
     values (n, SEGMENTS + 1): at the knots, negative before the sign change. first (n,): coordinate u at the first knot, which
