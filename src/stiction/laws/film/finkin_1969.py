@@ -57,9 +57,10 @@ BOUNDS = {
 
 @formula
 def normal(w, stiffness, power, widening):
-    """Return displacement w, dw/du = 1, load stiffness w^power and contact area widening w; the coordinate u is w itself.
+    """Return displacement w, dw/du = 1, load and contact area of an asperity on a thin layer; the coordinate u is w itself.
 
-    power: 2 or 3. Units: w in sigma, load in K R^(1/2) sigma^(3/2), area in pi R sigma.
+    The load is stiffness times w^power, the area widening times w. power: 2 or 3. Units: w in sigma, load in K R^(1/2)
+    sigma^(3/2), area in pi R sigma.
     """
     return w, 1.0, stiffness * w * w * (w if power == 3.0 else 1.0), widening * w
 

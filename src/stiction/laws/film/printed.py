@@ -95,11 +95,12 @@ def _film_weights(segment: NormalSegment) -> tuple[Weights, Weights]:
 
 
 def regimes(groups: Groups, law: Law) -> list[Regime]:
-    """Return the regimes of a coated surface by the equations as printed; `law`, the corrected law, is not used.
+    """Return the regimes of a coated surface by the equations of soft_coating_2015 as printed.
 
-    A regime is one smooth part of an asperity's behaviour. groups: dimensionless groups of n coated contacts. An integral whose
-    lower limit exceeds the upper one is empty (D9). In the film only asperities with a displacement below the film thickness
-    resist shear (D10). The contact area, which the paper does not define, is the film's.
+    A regime is one smooth part of an asperity's behaviour. groups: dimensionless groups of n coated contacts. `law` is not
+    used, because the printed equations contain their own laws. An integral whose lower limit exceeds the upper one is empty
+    (D9). In the film only asperities with a displacement below the film thickness resist shear (D10). The contact area, which
+    the paper does not define, is the film's.
     """
     tau = groups.tau
     film_part = film_regimes(LAW, groups, tau, _film_weights)

@@ -231,11 +231,11 @@ def _sum(y, series, first, terms):
 def resistance(u, w, load, area, *row):
     """Return the slip-limited and the yield-limited force of an elastic asperity, (0, Q) with Q = (q0/p0) P.
 
-    load, area: P and contact area. u, w: not used. row: hardness group eta; k = H/Y; Poisson's ratio; three values of s = p0/Y,
-    of which yield is inside the contact up to the first, below the surface from the second on, and caused by the load alone
-    from the third on; two factors that turn s into the variable y of either series; coefficients of both series (`series_for`).
-    s = 1.5 k P/(eta A), because the mean pressure is H where P = eta A (theory.md) and H = k Y. Units: load and forces in K
-    R^(1/2) sigma^(3/2), area in pi R sigma.
+    load, area: P and contact area. u, w: not used. row: hardness group eta; k = H/Y; Poisson's ratio; three values of s = p0/Y
+    (first yield is inside the contact up to the first, below the surface from the second on, and due to the load alone from the
+    third on); two factors that turn s into the variable y of either series; coefficients of both series (`series_for`). s = 1.5
+    k P/(eta A), because the mean pressure is H where P = eta A (theory.md) and H = k Y. Units: load and forces in K R^(1/2)
+    sigma^(3/2), area in pi R sigma.
     """
     eta, k, nu, inside_until, below_from, end, to_inside, to_below = row[:8]
     series = row[8:]
@@ -254,8 +254,8 @@ def resistance(u, w, load, area, *row):
 def series_for(nu: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return the numbers of `resistance` that depend on Poisson's ratio alone: (5, n) and coefficients (INSIDE + BELOW, n).
 
-    The first array holds three values of s = p0/Y and two factors that turn s into the variables of the series. Yield is inside
-    the contact up to the first s, below the surface from the second on, and caused by the load alone from the third on. The
+    The first array holds three values of s = p0/Y and two factors that turn s into the variables of the series. First yield is
+    inside the contact up to the first s, below the surface from the second on, and due to the load alone from the third on. The
     second array holds the coefficients of both series. nu: Poisson's ratio (n,).
     """
     known, which = np.unique(nu, return_inverse=True)

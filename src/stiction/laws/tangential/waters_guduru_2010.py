@@ -102,10 +102,10 @@ def _phase(p, kappa):
 
 @formula
 def peeling_force(p, kappa):
-    """Return the largest (sqrt(g) + sqrt(g + p)) sqrt(q) over the phase angle psi, the dimensionless peeling force.
+    """Return the dimensionless peeling force, the maximum of (sqrt(g) + sqrt(g + p)) sqrt(q) over the phase angle psi.
 
-    p: load over pull-off force. kappa: 1 - zeta, with `peeling` zeta of the contact. g = cos^2(psi)/cos^2(kappa psi),
-    q = sin^2(psi)/cos^2(kappa psi). The result is sqrt(1 + p) for kappa = 0.
+    p: load over pull-off force. kappa: 1 - zeta, with `peeling` zeta of the contact. g = cos^2(psi)/cos^2(kappa psi), q =
+    sin^2(psi)/cos^2(kappa psi). The result is sqrt(1 + p) for kappa = 0.
     """
     p = max(p, -1.0)
     psi = _phase(p, kappa)

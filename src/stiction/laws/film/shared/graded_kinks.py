@@ -155,7 +155,7 @@ def _regained(low, high, above, law, level):
 
 @lazy_kernel(worth=100_000)
 def _add_plateaus(law, edges, count, part, levels, places, loads, slopes):
-    """Append the ends of the load plateaus to the edges, and return the new number of edges.
+    """Append start and end of each load plateau to the edges, and return the new number of edges.
 
     On a plateau the load of an asperity stays constant, because by the law it would fall. law: parameters of an asperity on a
     graded film. The first `count` edges are sorted. part: number for body and state of each segment, from `_name_parts`.
@@ -231,7 +231,7 @@ def _scan(start, top, law, places, values):
     """Sample all signals from the coordinate `start` to `top`, and return the number of samples.
 
     Signals are functions of u whose zeros are kinks. places, values: filled with coordinates and signals. law: parameters of an
-    asperity on a graded film. Samples are dense near the start, because the effect of a thin film is limited to it.
+    asperity on a graded film. Samples are dense near the start, because a thin film has an effect only there.
     """
     pull, _, n_H, linear, square = law[:5]
     slope = contact(start, math.sqrt(6.0 * pull), law[ALONE:])[1]

@@ -131,7 +131,7 @@ def cut_at_yield(
 
     elastic: the segment without yield. law: asperity law. groups: dimensionless groups of n coated contacts with all defaults
     filled in. hardness: hardness of film and substrate together. pull (n,): adhesive force on a plastic asperity. If the
-    asperity law has no yield, `elastic` is returned whole with an empty list.
+    asperity law has no yield, `elastic` is returned unchanged with an empty list.
     """
     ones = np.ones(len(groups))
     segments = law.segments(half_space_at_yield(groups, groups.n_E, hardness.n_H, -ones))

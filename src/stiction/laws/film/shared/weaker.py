@@ -59,8 +59,9 @@ def weaker_regimes(law: Law, groups: Groups) -> list[Regime]:
     """Return regimes that add only friction, by the weaker of film and substrate, where the film is pressed through (w > tau).
 
     Their load and area are zero. The resistance is the smaller of the film's at the displacement w and the substrate's at w -
-    tau, in the units of the substrate. w: displacement, tau: film thickness, both in units of sigma. law: asperity law, and a
-    tangential law that does not describe the interface. groups: dimensionless groups of n coated contacts.
+    tau, in units of K R^(1/2) sigma^(3/2) with K = (4/3) E* of the substrate. w: displacement, tau: film thickness, both in
+    units of sigma. law: asperity law, and a tangential law that does not describe the interface. groups: dimensionless groups
+    of n coated contacts.
     """
     film_groups, substrate = groups.film(), groups.substrate()
     tau = np.broadcast_to(np.asarray(groups.tau, dtype=float), len(groups))

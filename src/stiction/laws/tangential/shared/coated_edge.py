@@ -28,11 +28,12 @@ def _curve(z, row):
 
 @formula
 def edge_root(u, load, area, row):
-    """Return the discriminant and the larger root T of D (A P^2 + 2 B P T + T^2) = S^2, yield at the edge of a coated contact.
+    """Return the discriminant and the larger root T of the yield condition at the trailing edge of a coated contact.
 
-    P: load. T: tangential force, valid if both returned numbers are positive. S: yield stress times contact area. A, B, D:
-    functions of contact radius over film thickness. u: coordinate, u^4 = a^2/(R sigma) with the contact radius a. row:
-    parameters from `edge_columns`. Units: load and T in K R^(1/2) sigma^(3/2), area in pi R sigma.
+    The condition is D (A P^2 + 2 B P T + T^2) = S^2. P: load. T: tangential force, valid if both returned numbers are positive.
+    S: yield stress times contact area. A, B, D: functions of contact radius over film thickness. u: coordinate, u^4 = a^2/(R
+    sigma) with the contact radius a. row: parameters from `edge_columns`. Units: load and T in K R^(1/2) sigma^(3/2), area in
+    pi R sigma.
     """
     z = 1.0 - 2.0 / (row[1] * u + 1.0)
     A, B = _curve(z, row[_A:_B]), _curve(z, row[_B:_END])

@@ -32,7 +32,7 @@ _STEP, _LEAST, _MOST = 1.06, 1e-9, 1e30
 
 @formula
 def _norms_at(p, table, angle, film_strength, film):
-    """Return the larger of two ratios, of film and of body: largest von Mises stress over the yield stress of that material.
+    """Return the larger of two ratios, for film and for body: largest von Mises stress over yield stress of the material.
 
     The stress belongs to a mean pressure s and a mean traction q with s^2 + q^2 = 1 in units of the body's yield stress. p:
     (a/t)^(1/2), with the contact radius a and the film thickness t. table: largest stresses in film and body over p and angle.

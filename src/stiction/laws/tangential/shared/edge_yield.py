@@ -12,9 +12,10 @@ from stiction.engine.compiled import formula
 
 @formula
 def coefficients(nu):
-    """Return n = (1-2nu)/(2 pi), p = 3(4+nu)/16 and q = 9nu/16 of the stresses at the trailing edge of a Hertz contact.
+    """Return the coefficients n, p and q of the stresses at the trailing edge of a Hertz contact.
 
-    nu: Poisson's ratio. The stresses are derived in docs/explanation/theory.md, yield at the edge.
+    n = (1-2nu)/(2 pi), p = 3(4+nu)/16 and q = 9nu/16, with Poisson's ratio nu. The stresses are derived in
+    docs/explanation/theory.md, yield at the edge.
     """
     return (1.0 - 2.0 * nu) / (2.0 * math.pi), 3.0 * (4.0 + nu) / 16.0, 9.0 * nu / 16.0
 

@@ -63,7 +63,7 @@ def _numerator(y, shape, printed):
 def _steepness(y, shape, printed):
     """Return the logarithmic slope d ln G / d ln y of the function G of this module.
 
-    y, shape, printed: as in `_numerator`.
+    G, y, shape, printed: as in `_numerator`.
     """
     value, slope = _numerator(y, shape, printed)
     return y * slope / value - 8.0 / 3.0
@@ -73,8 +73,8 @@ def _steepness(y, shape, printed):
 def _turning_point(low, high, shape, printed):
     """Return the y between low and high at which the function G of this module has an extremum, or `high` if there is none.
 
-    shape, printed: as in `_numerator`. The search is regula falsi (Illinois variant). An accuracy of 1e-8 is enough: G is flat
-    at an extremum, so that its value there is accurate to 1e-16.
+    G, y, shape, printed: as in `_numerator`. The search is regula falsi (Illinois variant). An accuracy of 1e-8 is enough: G is
+    flat at an extremum, so that its value there is accurate to 1e-16.
     """
     at_low, at_high = _steepness(low, shape, printed), _steepness(high, shape, printed)
     if (at_low < 0.0) == (at_high < 0.0):
@@ -98,8 +98,8 @@ def _turning_point(low, high, shape, printed):
 def _dip(nu, shape, printed):
     """Return the two y between which the function G of this module falls; if G only rises, both are the y of first touch.
 
-    nu: Poisson's ratio. shape, printed: as in `_numerator`. d ln G/d ln y falls from first touch to a single lowest value, then
-    rises to 4/3.
+    nu: Poisson's ratio. G, y, shape, printed: as in `_numerator`. d ln G/d ln y falls from first touch to a single lowest
+    value, then rises to 4/3.
     """
     lowest, least, ratio = _TOUCH, 0.1, 1.4
     y = _TOUCH
