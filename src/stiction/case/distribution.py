@@ -32,8 +32,8 @@ class _Values:
 
     values: np.ndarray
 
-    def ppf(self, share: Any) -> np.ndarray:
-        index = (np.asarray(share) * self.values.size).astype(int)
+    def ppf(self, level: Any) -> np.ndarray:
+        index = (np.asarray(level) * self.values.size).astype(int)
         return self.values[np.minimum(index, self.values.size - 1)]
 
     def cdf(self, value: Any) -> Any:
@@ -51,10 +51,10 @@ class _Normal:
     deviation: float
     log: bool = False
 
-    def ppf(self, share: Any) -> np.ndarray:
+    def ppf(self, level: Any) -> np.ndarray:
         from scipy.special import ndtri
 
-        values = self.mean + self.deviation * ndtri(share)
+        values = self.mean + self.deviation * ndtri(level)
         return np.exp(values) if self.log else values
 
     def cdf(self, value: float) -> float:
@@ -73,8 +73,8 @@ class _Even:
     high: float
     log: bool = False
 
-    def ppf(self, share: Any) -> np.ndarray:
-        return self.low * (self.high / self.low) ** share if self.log else self.low + (self.high - self.low) * share
+    def ppf(self, level: Any) -> np.ndarray:
+        return self.low * (self.high / self.low) ** level if self.log else self.low + (self.high - self.low) * level
 
 
 # By kind of distribution, the function that makes its law (an object with ppf) from its parameters.
@@ -122,10 +122,10 @@ class Distribution:
         low, high = self._ends
         return low + 1.0 - high
 
-    def ppf(self, share: Any) -> np.ndarray:
-        """Return the quantiles of the input, in SI units, at quantile levels `share` from 0 to 1, both of shape (n,)."""
+    def ppf(self, level: Any) -> np.ndarray:
+        """Return the quantiles of the input, in SI units, at quantile levels from 0 to 1, both of shape (n,)."""
         low, high = self._ends
-        inside = np.clip(np.asarray(share, dtype=float), _LEAST_SHARE, 1.0 - _LEAST_SHARE)
+        inside = np.clip(np.asarray(level, dtype=float), _LEAST_SHARE, 1.0 - _LEAST_SHARE)
         return np.asarray(self._law.ppf(low + inside * (high - low)), dtype=float)
 
     def as_table(self) -> dict[str, Any]:
@@ -202,8 +202,8 @@ def from_scipy(quantity: str, law: Any, field: str) -> Distribution:
         raise InputError(field, stated, "a distribution with its parameters, e.g. scipy.stats.norm(5e8, 1e8)") from None
     if not np.isfinite(median):
         raise InputError(field, stated, "a distribution with a finite median")
-    shares = np.array([0.001, 0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 0.99, 0.999])
-    parameters = tuple(np.asarray(law.ppf(shares), dtype=float).tolist())
+    levels = np.array([0.001, 0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 0.99, 0.999])
+    parameters = tuple(np.asarray(law.ppf(levels), dtype=float).tolist())
     return _checked(Distribution(quantity, median, stated, parameters, stated, law), field, stated)
 
 

@@ -100,15 +100,15 @@ class Case:
             by_dimension.setdefault(number.dimension, []).append(number)
         return by_dimension
 
-    def numbers_at(self, shares: np.ndarray) -> dict[Address, Any]:
+    def numbers_at(self, levels: np.ndarray) -> dict[Address, Any]:
         """Return all swept numbers, and the uncertain numbers at given quantile levels, as arrays by address (tuple of keys).
 
-        shares: quantile levels (n, k), one column for each of the k dimensions in `unknowns`. The values of uncertain numbers
+        levels: quantile levels (n, k), one column for each of the k dimensions in `unknowns`. The values of uncertain numbers
         are arrays along the dimension `sample` of length n, in SI units.
         """
         columns = list(self.unknowns)
         samples = {
-            number.path: number.array(number.at(shares[:, columns.index(number.dimension)]), SAMPLE)
+            number.path: number.array(number.at(levels[:, columns.index(number.dimension)]), SAMPLE)
             for number in self.uncertain
         }
         return {**self.swept, **samples}

@@ -85,25 +85,25 @@ def _attraction(problem: MapProblem) -> tuple[float, float]:
     return attraction_of(problem.surface(), problem.contact, bodies_of(problem.contact), problem.options["adhesion"])
 
 
-def _adhesive_state(problem: MapProblem, one: "MapContact") -> "AdhesiveState":
-    """Solve the adhesive map again at the load of the contact `one`, and return the state with the gap of every point."""
+def _adhesive_state(problem: MapProblem, map_contact: "MapContact") -> "AdhesiveState":
+    """Solve the adhesive map again at the load of `map_contact`, and return the state with the gap of every point."""
     from stiction.solvers.boundary_elements.adhesive import adhesive_state
 
     surface, bodies = problem.surface(), bodies_of(problem.contact)
     work, reach = _attraction(problem)
     return adhesive_state(
-        surface.heights, surface.size, modulus=bodies.modulus, load=one.load, work=work, reach=reach, film=bodies.film,
+        surface.heights, surface.size, modulus=bodies.modulus, load=map_contact.load, work=work, reach=reach, film=bodies.film,
         finer=True,
     )  # fmt: skip
 
 
-def _strength(problem: MapProblem, one: "MapContact", contact: "AdhesiveState") -> np.ndarray:
+def _strength(problem: MapProblem, map_contact: "MapContact", state: "AdhesiveState") -> np.ndarray:
     """Return the shear strength of every point [Pa] (rows, columns), 0 for points that do not touch.
 
     It is the friction force of the whole contact, divided equally among the touching points.
     """
-    touching = contact.touching
+    touching = state.touching
     count = int(np.count_nonzero(touching))
     if count == 0:
         return np.zeros(touching.shape)
-    return np.where(touching, problem.map_friction(replace(one, area=contact.area)) / (count * contact.pixel), 0.0)
+    return np.where(touching, problem.map_friction(replace(map_contact, area=state.area)) / (count * state.pixel), 0.0)

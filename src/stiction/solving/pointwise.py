@@ -71,7 +71,7 @@ def solve_batch(
     """
     points = points_of(make_problem(subject, choice, heights), load, separation)
     problem = points.problem
-    solved, why_not = _solved(points)
+    solved, why_not = _solve(points)
     tables = with_shares(problem, solved.tables)
     refused = why_not == 1 << REFUSED
     variables = variables_of(points, solved, tables, keep, refused.all(axis=1))
@@ -88,20 +88,20 @@ def meanings_of(rules: Sequence[Validity]) -> list[str]:
     return [*WHY_NOT, *(f"{rule.quantity} is not {rule.range}: {rule.why}" for rule in rules)]
 
 
-def _solved(points: Points) -> tuple[Solved, np.ndarray]:
+def _solve(points: Points) -> tuple[Solved, np.ndarray]:
     """Return the results at the points, and bits (contacts, points) that state why results are missing.
 
     Bit i is set if the reason WHY_NOT[i] prevents a result.
     """
     try:
-        return _taken(points)
+        return _solve_together(points)
     except (InputError, ArithmeticError):
         if len(points.problem.groups) == 1:
             raise
-    return _in_parts(points)
+    return _solve_in_parts(points)
 
 
-def _in_parts(points: Points) -> tuple[Solved, np.ndarray]:
+def _solve_in_parts(points: Points) -> tuple[Solved, np.ndarray]:
     """Solve contacts in parts: contacts that the model does not accept get NaN, and all others get results.
 
     Returns the results and the bits of WHY_NOT (contacts, points). Raises the last error if no contact is accepted.
@@ -109,7 +109,9 @@ def _in_parts(points: Points) -> tuple[Solved, np.ndarray]:
     shape, every = points.table.shape, np.arange(len(points.problem.groups))
     tables: dict[str, np.ndarray] = {}
     inversion, refusal, why_not = None, None, np.full(shape, 1 << REFUSED, dtype=np.uint32)
-    for region, part in bisected({"contact": slice(0, len(every))}, lambda some: _taken(points.rows(every[some["contact"]]))):
+    for region, part in bisected(
+        {"contact": slice(0, len(every))}, lambda some: _solve_together(points.rows(every[some["contact"]]))
+    ):
         rows = every[region["contact"]]
         if isinstance(part, Exception):
             refusal = part
@@ -174,7 +176,7 @@ def _halves(region: Region) -> list[Region]:
     return [region | {dim: slice(middle, region[dim].stop)}, region | {dim: slice(region[dim].start, middle)}]
 
 
-def _taken(points: Points) -> tuple[Solved, np.ndarray]:
+def _solve_together(points: Points) -> tuple[Solved, np.ndarray]:
     """Return the results at the points, NaN where a load cannot be carried, and the bits of WHY_NOT (contacts, points).
 
     For a model that computes no separations, tensile loads count as not carried.

@@ -91,7 +91,7 @@ def slide_on_map(problem: MapProblem, points: Points, move: Move) -> "xarray.Dat
     known = summary_of(problem.subject, problem, static | ends)
     peels = ("peeling",) if problem.options["mode_mixity"] != "none" else ()
     known |= used_by_sliding(problem, ("residual_strength", "weakening_slip", *peels))
-    return data.assign_attrs(known | _said(known, moving, move.residual, weakening, paths))
+    return data.assign_attrs(known | _attributes(known, moving, move.residual, weakening, paths))
 
 
 def _moving(problem: MapProblem, loads: np.ndarray) -> MovingMap:
@@ -146,10 +146,10 @@ def _displacements(problem: MapProblem, moving: MovingMap, weakening: "Weakening
     if move.displacement is not None:
         return move.displacement
     far = max(full_shift(moving.operator, strength) for strength in moving.strengths)
-    return _way(moving.farther * far, weakening)
+    return _default_displacements(moving.farther * far, weakening)
 
 
-def _shown(table: np.ndarray) -> np.ndarray:
+def _thinned(table: np.ndarray) -> np.ndarray:
     """Return all points of a map, or an evenly spaced selection with at most 160 points along a side."""
     every = -(-max(table.shape) // _MOST_SHOWN)
     return table[::every, ::every]
@@ -160,7 +160,7 @@ def _point_states(paths: "list[SlidingPath]") -> np.ndarray:
 
     Large maps are reduced to an evenly spaced selection of points.
     """
-    states = [[_shown(state.touching).astype(np.int8) + _shown(state.slides) for state in path.states] for path in paths]
+    states = [[_thinned(state.touching).astype(np.int8) + _thinned(state.slides) for state in path.states] for path in paths]
     return np.array(states, dtype=np.int8)
 
 
@@ -172,7 +172,7 @@ def used_by_sliding(problem: Problem, names: tuple[str, ...]) -> dict[str, str]:
     return as_attributes(unused for unused in unused_inputs(problem) if unused.input not in names)
 
 
-def _way(elastic: float, weakening: "Weakening | None") -> np.ndarray:
+def _default_displacements(elastic: float, weakening: "Weakening | None") -> np.ndarray:
     """Return the displacements [m] to solve: evenly spaced up to `elastic`, then until all points have weakened.
 
     elastic: displacement at which all points slide. weakening: None if strength is constant.
@@ -296,7 +296,7 @@ def _points_in_loss(problem: MapProblem, moving: MovingMap, weakening: "Weakenin
     )
 
 
-def _said(
+def _attributes(
     known: dict[str, Any], moving: MovingMap, residual: float, weakening: "Weakening | None", paths: "list[SlidingPath]"
 ) -> dict[str, Any]:
     """Return attributes for the result of `slide`: residual strength, neglected effects, and whether the force converged."""

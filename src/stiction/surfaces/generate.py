@@ -84,7 +84,7 @@ class _Periodic:
         self._colour(waves)
         return irfft2(waves, s=self.shape, workers=_WORKERS, overwrite_x=True)
 
-    def said(self, kind: str) -> str:
+    def history_line(self, kind: str) -> str:
         """Return one line that describes how the surface was made, for its history; kind: "Gaussian" or "non-Gaussian"."""
         text = f"made: {kind} {'profile' if self.shape[0] == 1 else 'surface'}, seed {self.seed}, spectrum {self.spectrum}"
         if self.stretch != 1.0:
@@ -185,7 +185,7 @@ def gaussian_surface(
     10.0 nm
     """
     asked = _Periodic(shape, size_in_metres(size), spectrum, seed, stretch, angle, random_amplitudes)
-    return HeightMap(asked.heights(), asked.size, (asked.said("Gaussian"),), periodic=True)
+    return HeightMap(asked.heights(), asked.size, (asked.history_line("Gaussian"),), periodic=True)
 
 
 @with_keywords(Lay)
@@ -236,7 +236,7 @@ def non_gaussian_surface(
     wanted = curve(ndtri((np.arange(start.size) + 0.5) / start.size))
     wanted = (wanted - wanted.mean()) * (start.std() / wanted.std())
     ranked, spectral, error, taken = _alternate(start, amplitudes, wanted, steps)
-    step = asked.said("non-Gaussian")
+    step = asked.history_line("non-Gaussian")
     step += f", aimed at skewness {skewness:g} and kurtosis {kurtosis:g}; after {taken} steps the amplitudes of its waves "
     step += f"were {100.0 * error:.2g} % off in rms, and "
     step += "the spectrum was given back exactly" if exact_spectrum else "the heights are those of the distribution"

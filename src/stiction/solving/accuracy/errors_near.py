@@ -108,14 +108,14 @@ class _Table(NamedTuple):
         return values, weights
 
 
-def _interval(grid: np.ndarray, place: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def _interval(grid: np.ndarray, numbers: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Find the interval of an ascending grid that contains each of k numbers: index of its upper end (k,), position (k, 1).
 
-    place (k,): the numbers. The position runs from 0 at the lower end to 1 at the upper end, linearly in the logarithm of the
+    The position runs from 0 at the lower end to 1 at the upper end, linearly in the logarithm of the
     number. Numbers outside the grid are moved to its ends.
     """
-    upper = np.clip(np.searchsorted(grid, place), 1, len(grid) - 1)
-    part = np.log(place / grid[upper - 1]) / np.log(grid[upper] / grid[upper - 1])
+    upper = np.clip(np.searchsorted(grid, numbers), 1, len(grid) - 1)
+    part = np.log(numbers / grid[upper - 1]) / np.log(grid[upper] / grid[upper - 1])
     return upper, np.clip(part, 0.0, 1.0)[:, None]
 
 
@@ -131,39 +131,39 @@ def _tables(known: SolvedSet, column: str) -> tuple[_Table, _Table]:
     return _Table.of(known, errors), _Table.of(known, np.where(any_result[:, None, None], known.areas, np.nan))
 
 
-def bare_errors(known: SolvedSet, column: str, place: ContactFeatures, anywhere: bool) -> ErrorsNear | None:
+def bare_errors(known: SolvedSet, column: str, features: ContactFeatures, anywhere: bool) -> ErrorsNear | None:
     """Return the errors of a model at k points, averaged over similar benchmark surfaces without a film.
 
     The result is None if the set does not contain the model. known: the benchmark set. column: "model|asperity method", a
-    column of the set. place: features of the contact at k points. anywhere: True for a model that solves the map, which is
+    column of the set. features: features of the contact at k points. anywhere: True for a model that solves the map, which is
     equally accurate on any surface; then only the pressure decides how near a benchmark surface is.
     """
     errors = known.errors(column)
     if errors is None:
         return None
     tables = _tables(known, column)
-    return _in_blocks(place, errors.shape[0], lambda rows: _bare_errors(known, *tables, place.some(rows), anywhere))
+    return _in_blocks(features, errors.shape[0], lambda rows: _bare_errors(known, *tables, features.some(rows), anywhere))
 
 
-def _in_blocks(place: ContactFeatures, surfaces: int, errors_of: Callable[[slice], ErrorsNear]) -> ErrorsNear:
+def _in_blocks(features: ContactFeatures, surfaces: int, errors_of: Callable[[slice], ErrorsNear]) -> ErrorsNear:
     """Compute the errors for blocks of points one after the other and join them, to limit the memory.
 
-    place: features of the contact at all points. surfaces: number of benchmark surfaces. errors_of: function that returns the
-    errors for a slice of the points.
+    features: features of the contact at all points. surfaces: number of benchmark surfaces. errors_of: function that returns
+    the errors for a slice of the points.
     """
-    parts = [errors_of(rows) for rows in blocks(place.pressure.size, _TABLES * surfaces)]
+    parts = [errors_of(rows) for rows in blocks(features.pressure.size, _TABLES * surfaces)]
     return ErrorsNear(*(np.concatenate(columns) for columns in zip(*parts, strict=True)))
 
 
-def _bare_errors(known: SolvedSet, errors: _Table, areas: _Table, place: ContactFeatures, anywhere: bool) -> ErrorsNear:
+def _bare_errors(known: SolvedSet, errors: _Table, areas: _Table, features: ContactFeatures, anywhere: bool) -> ErrorsNear:
     """Return the errors of a model at k points, averaged over similar benchmark surfaces without a film.
 
     errors: table of the errors ln(A/A_ref) of the model's area A. areas: table of the reference areas A_ref of the surfaces on
-    which the model has any result. place: features of the contact at k points. anywhere: whether only the pressure decides how
-    near a benchmark surface is.
+    which the model has any result. features: features of the contact at k points. anywhere: whether only the pressure decides
+    how near a benchmark surface is.
     """
-    positive = (place.pressure > 0.0) & (place.hardness > 0.0)
-    pressure, hardness = np.where(positive, place.pressure, 1.0), np.where(positive, place.hardness, 1.0)
+    positive = (features.pressure > 0.0) & (features.hardness > 0.0)
+    pressure, hardness = np.where(positive, features.pressure, 1.0), np.where(positive, features.hardness, 1.0)
     of_pressure, inside, solved_hardness = pressure_difference(known, pressure, hardness)
     found, there = errors.at(known, inside, solved_hardness)
     times = np.maximum(of_pressure.theirs[:, 0] / of_pressure.ours, 1.0)
@@ -171,39 +171,39 @@ def _bare_errors(known: SolvedSet, errors: _Table, areas: _Table, place: Contact
     softer = np.divide(hardness, solved_hardness, out=np.ones(hardness.shape), where=hardness < solved_hardness)
     found = found * softer[:, None]  # softer than all benchmark surfaces: every area tends to load over hardness
     _, asked = areas.at(known, inside, solved_hardness)
-    of_kind = known.of_kind(None if anywhere else place.kind)
-    apart = [*([] if anywhere else differences(known, place)), of_pressure]
-    presumed = of_kind > 0.0 if place.kind_known or anywhere else known.gaussian
+    of_kind = known.of_kind(None if anywhere else features.kind)
+    apart = [*([] if anywhere else differences(known, features)), of_pressure]
+    presumed = of_kind > 0.0 if features.kind_known or anywhere else known.gaussian
     return _averaged(found, there * real * of_kind, asked * of_kind * positive[:, None], apart, presumed)
 
 
-def film_errors_near(known: SolvedSet, errors: np.ndarray, place: ContactFeatures, like: np.ndarray) -> ErrorsNear:
+def film_errors_near(known: SolvedSet, errors: np.ndarray, features: ContactFeatures, like: np.ndarray) -> ErrorsNear:
     """Return the errors of a model at k points, averaged over similar benchmark surfaces with a film.
 
     known: the benchmark set. errors: array (coated surfaces, films, loads) of ln(A/A_ref), with A the area by the model and
-    A_ref by the reference solution. place: features of the contact at k points. like: mask (k,) of the points whose film is of
-    the kind that the benchmark set contains; the others get NaN.
+    A_ref by the reference solution. features: features of the contact at k points. like: mask (k,) of the points whose film is
+    of the kind that the benchmark set contains; the others get NaN.
     """
     surfaces = math.prod(errors.shape[:2])
-    return _in_blocks(place, surfaces, lambda rows: _film_errors(known, errors, place.some(rows), like[rows]))
+    return _in_blocks(features, surfaces, lambda rows: _film_errors(known, errors, features.some(rows), like[rows]))
 
 
-def _film_errors(known: SolvedSet, errors: np.ndarray, place: ContactFeatures, like: np.ndarray) -> ErrorsNear:
+def _film_errors(known: SolvedSet, errors: np.ndarray, features: ContactFeatures, like: np.ndarray) -> ErrorsNear:
     """Return the errors of `film_errors_near` for one block of points; the arguments are the same."""
-    positive = place.pressure > 0.0
-    place = replace(place, pressure=np.where(positive, place.pressure, 1.0))
+    positive = features.pressure > 0.0
+    features = replace(features, pressure=np.where(positive, features.pressure, 1.0))
     loads = known["film_loads"]
     found = np.empty((len(positive), *loads.shape[:2]))
     for one in np.ndindex(*loads.shape[:2]):
-        found[:, *one] = np.interp(np.log(place.pressure), np.log(loads[one]), errors[one])
+        found[:, *one] = np.interp(np.log(features.pressure), np.log(loads[one]), errors[one])
     of_kind, gaussian = (
         np.broadcast_to(mask[known["film_surfaces"], None], loads.shape[:2]).ravel()
-        for mask in (known.of_kind(place.kind), known.gaussian)
+        for mask in (known.of_kind(features.kind), known.gaussian)
     )
     found = found.reshape(len(found), -1)
     asked = (of_kind * (positive & like)[:, None]).astype(float)
-    presumed = of_kind > 0.0 if place.kind_known else gaussian
-    return _averaged(found, np.isfinite(found) * of_kind.astype(float), asked, film_differences(known, place), presumed)
+    presumed = of_kind > 0.0 if features.kind_known else gaussian
+    return _averaged(found, np.isfinite(found) * of_kind.astype(float), asked, film_differences(known, features), presumed)
 
 
 def quantiles(values: np.ndarray, weights: np.ndarray) -> np.ndarray:
@@ -227,48 +227,55 @@ def quantiles(values: np.ndarray, weights: np.ndarray) -> np.ndarray:
 
 
 def _at_lighter_load(
-    known: SolvedSet, errors: _Table, found: np.ndarray, times: np.ndarray, lightest: np.ndarray, hardness: np.ndarray
+    known: SolvedSet,
+    errors: _Table,
+    at_lightest: np.ndarray,
+    pressure_ratio: np.ndarray,
+    lightest: np.ndarray,
+    hardness: np.ndarray,
 ) -> tuple[np.ndarray, np.ndarray]:
     """Extrapolate errors (k, s) to loads lighter than all solved ones; return them with a weight (k, s) of each surface.
 
-    errors: table of the errors. found (k, s): errors at the lightest solved pressures. times (k,): lightest solved pressure
-    over the pressure of the contact, 1 or more. lightest, hardness (k,): lightest solved pressure, and hardness of the contact,
-    both over E* h'. On elastic surfaces the error continues linearly in ln of the pressure. On surfaces that flow plastically
-    it decreases with the square root of the pressure, because the finest roughness of a plateau flows too. A surface whose
-    error changes fast has smooth plateaus, whereas real plateaus are rough; such a surface therefore loses weight as the load
-    decreases. Both rules are judgements of the authors (grade C).
+    errors: table of the errors. at_lightest (k, s): errors at the lightest solved pressures. pressure_ratio (k,): lightest
+    solved pressure over the pressure of the contact, 1 or more. lightest, hardness (k,): lightest solved pressure, and hardness
+    of the contact, both over E* h'. On elastic surfaces the error continues linearly in ln of the pressure. On surfaces that
+    flow plastically it decreases with the square root of the pressure, because the finest roughness of a plateau flows too. A
+    surface whose error changes fast has smooth plateaus, whereas real plateaus are rough; such a surface therefore loses weight
+    as the load decreases. Both rules are judgements of the authors (grade C).
     """
-    if not (times > 1.0).any():
-        return found, np.ones(found.shape)
+    if not (pressure_ratio > 1.0).any():
+        return at_lightest, np.ones(at_lightest.shape)
     elastic = (1.0 / (1.0 + (_FLOWS / np.minimum(hardness, ELASTIC)) ** 2))[:, None]
     heavier, _ = errors.at(known, _SLOPE * lightest, hardness)
-    slope = np.nan_to_num(found - heavier) / math.log(_SLOPE)
-    farther = (np.log(times) / math.log(_FARTHEST))[:, None]
+    slope = np.nan_to_num(at_lightest - heavier) / math.log(_SLOPE)
+    farther = (np.log(pressure_ratio) / math.log(_FARTHEST))[:, None]
     real = np.minimum(_STEEP / np.maximum(np.abs(slope), 1e-9), 1.0) ** (2.0 * elastic * farther)
-    going_on = found + elastic * slope * math.log(_FARTHEST) * np.minimum(farther, 1.0)
-    return going_on * times[:, None] ** (-0.5 * (1.0 - elastic)), real
+    going_on = at_lightest + elastic * slope * math.log(_FARTHEST) * np.minimum(farther, 1.0)
+    return going_on * pressure_ratio[:, None] ** (-0.5 * (1.0 - elastic)), real
 
 
 def _averaged(
-    found: np.ndarray, there: np.ndarray, asked: np.ndarray, apart: list[Difference], presumed: np.ndarray
+    errors: np.ndarray, with_result: np.ndarray, all_surfaces: np.ndarray, apart: list[Difference], presumed: np.ndarray
 ) -> ErrorsNear:
     """Return statistics of errors (k, s) over s surfaces, for each of k points (one contact at one load).
 
-    found: the errors. there, asked: weights (k, s), 0 to 1, of the surfaces for which the model has a result, and of all
-    benchmark surfaces; asked is 0 in the rows of points that get no error. apart: differences that add up to the squared
+    with_result, all_surfaces: weights (k, s), 0 to 1, of the surfaces for which the model has a result, and of all
+    benchmark surfaces; all_surfaces is 0 in the rows of points that get no error. apart: differences that add up to the squared
     distances. presumed: mask (s,) of the surfaces of the stated or assumed kind, over which `ErrorsNear.middle` is averaged.
     """
     distances = squared_distance(apart)
-    squared = np.where(asked > 0.0, distances.reshape(len(distances), -1), np.inf)
+    squared = np.where(all_surfaces > 0.0, distances.reshape(len(distances), -1), np.inf)
     known = np.atleast_1d(np.isfinite(squared).any(axis=1))
-    mine = (there > 0.0) & known[:, None]
+    mine = (with_result > 0.0) & known[:, None]
     ranked = mine & presumed
     answered = np.atleast_1d(ranked.any(axis=1))
     weights, ranks = _weights(squared, np.ones_like(mine)), _weights(squared, ranked)
-    coverage = np.divide((weights * there).sum(axis=1), (weights * asked).sum(axis=1), out=np.zeros(len(known)), where=answered)
+    coverage = np.divide(
+        (weights * with_result).sum(axis=1), (weights * all_surfaces).sum(axis=1), out=np.zeros(len(known)), where=answered
+    )
     count = np.where(answered, np.count_nonzero(mine & (weights > _COUNTED), axis=1), 0)
-    weights, ranks = np.where(mine, weights * there, 0.0), ranks * there
-    values = np.where(mine, found, 0.0)
+    weights, ranks = np.where(mine, weights * with_result, 0.0), ranks * with_result
+    values = np.where(mine, errors, 0.0)
     levels, relative, middle = np.full((len(known), len(LEVELS)), math.nan), *np.full((2, len(known)), math.nan)
     relative[answered] = np.sqrt(np.average(np.expm1(values[answered]) ** 2, axis=1, weights=weights[answered]))
     middle[answered] = np.average(values[answered], axis=1, weights=ranks[answered])

@@ -141,10 +141,10 @@ def on_solved_maps(problem: Problem, points: int) -> ErrorsNear | None:
     return ErrorsNear(*(np.repeat(np.broadcast_to(one, (len(middle), *one.shape[1:])), points, axis=0) for one in each))
 
 
-def on_other_kinds(problem: Problem, place: ContactFeatures, found: ErrorsNear, area: np.ndarray) -> ErrorsNear:
+def on_other_kinds(problem: Problem, features: ContactFeatures, found: ErrorsNear, area: np.ndarray) -> ErrorsNear:
     """Return the errors of the area law for films on a surface that may not be Gaussian, for a contact without a map.
 
-    place: features of the contact at k points. found: errors of the law on Gaussian surfaces. area: normalised contact area.
+    features: features of the contact at k points. found: errors of the law on Gaussian surfaces. area: normalised contact area.
     Two further errors widen them. The first is the error of the law for bare surfaces on all kinds of surface, read at the
     pressure with the same elastic area (Persson 2001), and at the hardness at which the same fraction of this area flows. The
     second is the additional error due to a film, from the benchmark surfaces with films; it is omitted for the kind "gaussian".
@@ -152,25 +152,25 @@ def on_other_kinds(problem: Problem, place: ContactFeatures, found: ErrorsNear, 
     """
     from stiction.surfaces.theory.widened_area import MEETING
 
-    elastic, flowing = shares_on_film(problem, place, area)
+    elastic, flowing = shares_on_film(problem, features, area)
     pressure = _pressure_of(elastic)
     with np.errstate(divide="ignore", invalid="ignore"):
         hardness = np.where(flowing > 0.0, pressure / flowing, np.inf)
         of_elastic = np.nan_to_num(1.0 / (1.0 + (flowing / elastic) ** MEETING))
-    loaded = np.asarray(place.pressure) > 0.0
-    bare_place = replace(place, pressure=np.where(loaded, pressure, place.pressure), hardness=hardness)
-    bare = bare_errors(solved_set(), _BARE, bare_place, anywhere=False)
+    loaded = np.asarray(features.pressure) > 0.0
+    bare_features = replace(features, pressure=np.where(loaded, pressure, features.pressure), hardness=hardness)
+    bare = bare_errors(solved_set(), _BARE, bare_features, anywhere=False)
     if bare is None:
         return found
     apart, shift = [errors.levels - errors.middle[:, None] for errors in (found, bare)], bare.middle
     beyond = _beyond_bare(solved_set())
-    if beyond is not None and place.kind != "gaussian":  # on Gaussian surfaces the law itself was measured
-        more = film_errors_near(solved_set(), beyond, place, np.ones(loaded.shape, dtype=bool))
+    if beyond is not None and features.kind != "gaussian":  # on Gaussian surfaces the law itself was measured
+        more = film_errors_near(solved_set(), beyond, features, np.ones(loaded.shape, dtype=bool))
         middle = np.nan_to_num(more.middle) * of_elastic
         levels = np.nan_to_num(more.levels) * of_elastic[:, None]
         apart.append(levels - middle[:, None])
         shift = shift + middle
-    middle = np.where(loaded, found.middle + shift if place.kind_known else found.middle, np.nan)  # NaN without contact
+    middle = np.where(loaded, found.middle + shift if features.kind_known else found.middle, np.nan)  # NaN without contact
     largest = np.take_along_axis(np.array(apart), np.abs(apart).argmax(axis=0)[None], axis=0)[0]
     levels = middle[:, None] + np.sign(largest) * np.sqrt(np.sum(np.square(apart), axis=0))
     relative = np.hypot(found.relative, bare.relative)
@@ -205,10 +205,10 @@ def _beyond_bare(known: SolvedSet) -> np.ndarray | None:
     return errors - np.array(of_bare)
 
 
-def shares_on_film(problem: Problem, place: ContactFeatures, area: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def shares_on_film(problem: Problem, features: ContactFeatures, area: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return two fractions (k,): real over nominal area without plastic flow, and nominal pressure over flow pressure.
 
-    The film law computes the area fraction as a power mean of the two. place: features of the contact at k points. area:
+    The film law computes the area fraction as a power mean of the two. features: features of the contact at k points. area:
     normalised contact area.
     """
     from stiction.laws.rough_surface.rough_on_film import elastic_share  # only coated contacts need this
@@ -216,7 +216,7 @@ def shares_on_film(problem: Problem, place: ContactFeatures, area: np.ndarray) -
 
     groups = problem.groups.resolved()
     share = np.minimum(math.pi * np.reshape(groups.roughness_parameter, (-1, 1)) * area, 1.0 - 1e-9)
-    elastic = np.minimum(elastic_share(np.maximum(place.pressure, 0.0).reshape(share.shape), groups), share)
+    elastic = np.minimum(elastic_share(np.maximum(features.pressure, 0.0).reshape(share.shape), groups), share)
     return elastic.ravel(), ((share**MEETING - elastic**MEETING) ** (1.0 / MEETING)).ravel()
 
 

@@ -182,10 +182,10 @@ def measured_errors(problem: Problem, results: Mapping[str, np.ndarray], most_po
     near_none, why = _adhesion(problem, results)
     if why:
         return _unknown(column, load.size, why)
-    place = ContactFeatures.of(problem, load)
-    found = _near(problem, column, place, load.size // len(problem.groups), area)
+    features = ContactFeatures.of(problem, load)
+    found = _near(problem, column, features, load.size // len(problem.groups), area)
     if found is None:
-        kind = "" if place.kind is None else f" on {place.kind} surfaces"
+        kind = "" if features.kind is None else f" on {features.kind} surfaces"
         return _unknown(column, load.size, f"this model was not compared with solved surfaces{kind}")
     far = ~(found.distance <= FAR) | ~(found.coverage > _LEAST_TOLD)
     relative, error = (np.where(far, np.nan, one) for one in (found.relative, found.middle))
@@ -194,11 +194,11 @@ def measured_errors(problem: Problem, results: Mapping[str, np.ndarray], most_po
     trust, levels = np.clip(FAR - found.distance, 0.0, 1.0) * coverage, found.levels * coverage[:, None]
     own = sample = np.zeros(load.size)
     if isinstance(problem, ClosedFormProblem) and problem.map is not None:
-        own, sample = _own_error(problem.map, _share(problem, area)), _sample_error(problem.map, place, most_points)
+        own, sample = _own_error(problem.map, _share(problem, area)), _sample_error(problem.map, features, most_points)
     return MeasuredErrors(
         column, error, _widened(found.middle * coverage, levels, own), np.hypot(relative, own),
         _of_friction(problem, results, error), found.distance, found.surfaces, trust * near_none,
-        sample, why, found.nearest, place.kind_known, place.kind,
+        sample, why, found.nearest, features.kind_known, features.kind,
     )  # fmt: skip
 
 
@@ -208,12 +208,12 @@ def _of_solution(problem: MapProblem, load: np.ndarray, area: np.ndarray, most_p
     load, area: normalised (1, m).
     """
     surface = problem.surface()
-    place = ContactFeatures.of(problem, load, surface)
+    features = ContactFeatures.of(problem, load, surface)
     there = np.where(np.isfinite(area.ravel()), 0.0, np.nan)
     own, nothing = there + _own_error(surface, _share(problem, area), every_point=True), np.zeros(load.size)
     levels = _widened(there, np.repeat(there[:, None], len(LEVELS), axis=1), own)
     return MeasuredErrors(
-        _ITSELF, there, levels, own, there, nothing, nothing + 1.0, nothing + 1.0, _sample_error(surface, place, most_points)
+        _ITSELF, there, levels, own, there, nothing, nothing + 1.0, nothing + 1.0, _sample_error(surface, features, most_points)
     )
 
 
@@ -245,35 +245,35 @@ def _widened(middle: np.ndarray, levels: np.ndarray, more: np.ndarray) -> np.nda
     return middle[:, None] + np.where(apart == 0.0, np.sign(scores), np.sign(apart)) * np.hypot(apart, scores * more[:, None])
 
 
-def _sample_error(surface: "HeightMap", place: ContactFeatures, most_points: float) -> np.ndarray:
+def _sample_error(surface: "HeightMap", features: ContactFeatures, most_points: float) -> np.ndarray:
     """Return the standard error (k,) of ln of the area because the map is one window of a larger surface; 0 for a periodic map.
 
-    place: features of the contact at k points. The error is NaN if there are more than most_points points.
+    features: features of the contact at k points. The error is NaN if there are more than most_points points.
     """
-    if place.pressure.size > most_points:
-        return np.full(place.pressure.size, np.nan)
-    area, found = _map_area(surface), np.empty(place.pressure.size)
+    if features.pressure.size > most_points:
+        return np.full(features.pressure.size, np.nan)
+    area, found = _map_area(surface), np.empty(features.pressure.size)
     h = area.slopes.gradient
-    for hardness in np.unique(place.hardness):
-        at = place.hardness == hardness
-        found[at] = area.sample_error(np.maximum(place.pressure[at], 0.0) * h, float(hardness) * h)
+    for hardness in np.unique(features.hardness):
+        at = features.hardness == hardness
+        found[at] = area.sample_error(np.maximum(features.pressure[at], 0.0) * h, float(hardness) * h)
     return found
 
 
-def _near(problem: Problem, column: str, place: ContactFeatures, points: int, area: np.ndarray) -> ErrorsNear | None:
+def _near(problem: Problem, column: str, features: ContactFeatures, points: int, area: np.ndarray) -> ErrorsNear | None:
     """Return the errors of the model at each point of the contacts; None for a model that was not measured.
 
-    column: "model|asperity method". place: features of the contact at all points. points: number of loads of each contact.
+    column: "model|asperity method". features: features of the contact at all points. points: number of loads of each contact.
     area: normalised contact area.
     """
     known = solved_set()
     if not problem.groups.has_film:
-        return bare_errors(known, column, place, anywhere=column.endswith(f"|{_MAP}"))
-    found = None if problem.record.on_film else _on_film(known, column, place, problem)
-    return _on_other_maps(problem, place, points, area) if found is None else found
+        return bare_errors(known, column, features, anywhere=column.endswith(f"|{_MAP}"))
+    found = None if problem.record.on_film else _on_film(known, column, features, problem)
+    return _on_other_maps(problem, features, points, area) if found is None else found
 
 
-def _on_other_maps(problem: Problem, place: ContactFeatures, points: int, area: np.ndarray) -> ErrorsNear | None:
+def _on_other_maps(problem: Problem, features: ContactFeatures, points: int, area: np.ndarray) -> ErrorsNear | None:
     """Return the errors of an area law for films, measured on rough surfaces with films; None if it was not measured.
 
     Source: truth/films.csv. If the law solves the contact's own map, the errors are 0, because the discretisation error is
@@ -284,7 +284,7 @@ def _on_other_maps(problem: Problem, place: ContactFeatures, points: int, area: 
     surface = problem.map if isinstance(problem, ClosedFormProblem) else None
     if found is not None and surface is not None and _map_area(surface).solvable:
         return _none_but_own(found)
-    return found if found is None or place.shape is not None else on_other_kinds(problem, place, found, area)
+    return found if found is None or features.shape is not None else on_other_kinds(problem, features, found, area)
 
 
 def _map_area(surface: "HeightMap") -> "MapArea":
@@ -354,7 +354,7 @@ def _largest(share: np.ndarray | None) -> float:
     return float(np.max(known, initial=-np.inf))
 
 
-def _on_film(known: SolvedSet, column: str, place: ContactFeatures, problem: Problem) -> ErrorsNear | None:
+def _on_film(known: SolvedSet, column: str, features: ContactFeatures, problem: Problem) -> ErrorsNear | None:
     """Return the errors of a model on benchmark surfaces with a film, at each point; None if it was not measured there.
 
     On these surfaces one body has an elastic film and the other is rigid.
@@ -364,11 +364,11 @@ def _on_film(known: SolvedSet, column: str, place: ContactFeatures, problem: Pro
     own = film is not None and f"{film.key}|mccool"
     candidates = [f"{name} + {film.key}|{one}" if film else column for one in ("mccool", "moments")] + [own or column]
     errors = next((one for one in map(known.film_errors, candidates) if one is not None), None)
-    if errors is None or not known.of_kind(place.kind)[known["film_surfaces"]].any():
+    if errors is None or not known.of_kind(features.kind)[known["film_surfaces"]].any():
         return None
-    elastic = (groups.n_H * place.hardness.reshape(len(groups), -1)[:, 0] / np.maximum(groups.film_modulus, 1.0)) > 1.0
+    elastic = (groups.n_H * features.hardness.reshape(len(groups), -1)[:, 0] / np.maximum(groups.film_modulus, 1.0)) > 1.0
     like = elastic & (groups.coated_share >= _LEAST_SHARE) & (groups.films == 1.0)
-    return film_errors_near(known, errors, place, np.repeat(like, place.pressure.size // len(groups)))
+    return film_errors_near(known, errors, features, np.repeat(like, features.pressure.size // len(groups)))
 
 
 def _of_friction(problem: Problem, results: Mapping[str, np.ndarray], error: np.ndarray) -> np.ndarray:

@@ -151,18 +151,18 @@ def _difference(name: str, ours: float | np.ndarray, theirs: np.ndarray, squared
     return Difference(np.array([name]), np.atleast_1d(ours), np.atleast_2d(theirs), np.atleast_2d(squared))
 
 
-def differences(known: SolvedSet, place: ContactFeatures) -> list[Difference]:
+def differences(known: SolvedSet, features: ContactFeatures) -> list[Difference]:
     """Return the differences between k points of a contact and every benchmark surface, one for each feature.
 
     With a map the features are Nayak's alpha, skewness, lay and slope of the highest parts; otherwise alpha and the stated
     statistics.
     """
     theirs = known.feature("alpha")
-    apart = ((np.log(theirs) - np.log(place.alpha)[:, None]) / _SCALES["alpha"]) ** 2
-    alpha = _difference(_NAMES["alpha"], place.alpha, theirs, apart)
-    if place.shape is None:
-        return [alpha, *(_of_stated(known, name, value) for name, value in place.stated.items())]
-    return [alpha, *_of_shape(known, place.shape)]
+    apart = ((np.log(theirs) - np.log(features.alpha)[:, None]) / _SCALES["alpha"]) ** 2
+    alpha = _difference(_NAMES["alpha"], features.alpha, theirs, apart)
+    if features.shape is None:
+        return [alpha, *(_of_stated(known, name, value) for name, value in features.stated.items())]
+    return [alpha, *_of_shape(known, features.shape)]
 
 
 def _of_stated(known: SolvedSet, name: str, ours: float) -> Difference:
@@ -210,28 +210,29 @@ def kind_of_map(surface: "HeightMap") -> str | None:
     return max(OF_KIND, key=lambda kind: float(weights[known.of_kind(kind)].sum()))
 
 
-def film_differences(known: SolvedSet, place: ContactFeatures) -> list[Difference]:
+def film_differences(known: SolvedSet, features: ContactFeatures) -> list[Difference]:
     """Return the differences between k points with a film and every film of every coated benchmark surface, by feature.
 
     Arrays are (k or 1, s, f) for s coated surfaces with f films each.
     """
-    assert place.modulus is not None and place.thickness is not None
+    assert features.modulus is not None and features.thickness is not None
     some = known["film_surfaces"]
     moduli, thicknesses = known["films"].T
     waves = (known["gradient_over_shortest"][some] / known.feature("wave")[some])[:, None]
-    modulus, thickness, pressure = (one[:, None, None] for one in (place.modulus, place.thickness, place.pressure))
+    modulus, thickness, pressure = (one[:, None, None] for one in (features.modulus, features.thickness, features.pressure))
     by_film = (np.log(moduli / modulus) / FILM_SCALES[0]) ** 2
     by_thickness = (np.log(thicknesses * waves / thickness) / FILM_SCALES[1]) ** 2
     low, high = known["film_loads"][..., 0], known["film_loads"][..., -1]
     beyond = np.maximum(np.maximum(np.log(low / pressure) / _LIGHTER, np.log(pressure / high) / _PRESSURE), 0.0)
     bare = [
-        replace(one, theirs=one.theirs[:, some, None], squared=one.squared[:, some, None]) for one in differences(known, place)
+        replace(one, theirs=one.theirs[:, some, None], squared=one.squared[:, some, None])
+        for one in differences(known, features)
     ]
     return [
         *bare,
-        _difference("film modulus over that of the body", place.modulus, moduli[None, None, :], by_film),
-        _difference("film thickness over sqrt(m2/m4)", place.thickness, (thicknesses * waves)[None], by_thickness),
-        _difference(_OVER_STIFFNESS, place.pressure, np.clip(pressure, low, high), beyond**2),
+        _difference("film modulus over that of the body", features.modulus, moduli[None, None, :], by_film),
+        _difference("film thickness over sqrt(m2/m4)", features.thickness, (thicknesses * waves)[None], by_thickness),
+        _difference(_OVER_STIFFNESS, features.pressure, np.clip(pressure, low, high), beyond**2),
     ]
 
 
@@ -255,28 +256,28 @@ def pressure_difference(
     return Difference(names, pressure / unit, theirs, squared), inside, hardness
 
 
-def squared_distance(found: Iterable[Difference]) -> np.ndarray:
+def squared_distance(parts: Iterable[Difference]) -> np.ndarray:
     """Add the squared differences in all features; return the squared distance (k or 1, s) of each point from each surface.
 
     For films it is (k or 1, s, f).
     """
-    return np.asarray(sum(one.squared for one in found))
+    return np.asarray(sum(one.squared for one in parts))
 
 
-def nearest_in_words(found: Sequence[Difference], point: int, at: int) -> str:
+def nearest_in_words(parts: Sequence[Difference], point: int, at: int) -> str:
     """Describe the features in which a point differs most from one benchmark surface.
 
-    For example "the nearest has Nayak's alpha 5 instead of 24". found: differences in all features. point: index of the point.
+    For example "the nearest has Nayak's alpha 5 instead of 24". parts: differences in all features. point: index of the point.
     at: flat index of the surface.
     """
-    shape = np.broadcast_shapes(*(one.squared.shape[1:] for one in found))
+    shape = np.broadcast_shapes(*(one.squared.shape[1:] for one in parts))
 
     def of_point(table: np.ndarray) -> np.ndarray:
         return table[point % len(table)]
 
-    squared = [float(np.broadcast_to(of_point(one.squared), shape).flat[at]) for one in found]
+    squared = [float(np.broadcast_to(of_point(one.squared), shape).flat[at]) for one in parts]
     said = []
-    for part, one in sorted(zip(squared, found, strict=True), key=lambda row: -row[0]):
+    for part, one in sorted(zip(squared, parts, strict=True), key=lambda row: -row[0]):
         if part >= _SAID * sum(squared):
             their = np.broadcast_to(of_point(one.theirs), shape).flat[at]
             said.append(f"{of_point(one.names)} {their:.2g} instead of {of_point(one.ours):.2g}")
