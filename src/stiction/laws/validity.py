@@ -32,7 +32,7 @@ def warnings_about(subject: Subject, rules: Iterable[Validity], results: Mapping
 def violated_ranges(
     subject: Subject, rules: Iterable[Validity], results: Mapping[str, Any]
 ) -> Iterator[tuple[Validity, np.ndarray, np.ndarray]]:
-    """Yield each validity range that some values lie outside, with all values of its quantity and a mask of those outside.
+    """Yield each validity range that some values lie outside, with all values of its quantity and a mask of the values outside.
 
     rules: the validity ranges. results: dimensionless results by name; a result that is None is not checked. A quantity that is
     not in `results` is taken from the contact, `subject`. NaN counts as inside.

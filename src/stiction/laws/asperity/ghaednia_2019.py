@@ -25,7 +25,7 @@ is rigid and $E=(1-\nu^2)E^*$. $\Upsilon=0$ for $e=0$. $H_G$ is constant beyond 
 has the opposite sign and $\omega$ in place of $\omega-\omega_c$, and call it wrong. Eq. (31) is used without its printed
 factor $\pi$, which Hertz's force does not have.
 
-*Limits*: at $e=0$ the area is exactly that of `jackson_green_2005`. The load is the same for blunt asperities only, because
+*Limits*: at $e=0$ the area equals the area of `jackson_green_2005`. The load is the same for blunt asperities only, because
 the limiting pressures differ if $a/R$ is not small. At $e\to1$ the area is Hertz's, and the load is $P_p$ plus 96 % of the
 difference between Hertz's load and $P_p$. *Coordinate* of integration: $u=\sqrt w$.
 

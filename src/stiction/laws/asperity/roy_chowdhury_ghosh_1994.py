@@ -1,8 +1,8 @@
 r"""One adhesive asperity, elastic (JKR) until its mean pressure reaches the hardness, then plastic: Roy Chowdhury & Ghosh 1994.
 
-*Assumes*: the contact follows [`jkr`](#jkr) until its mean pressure reaches the hardness. Then it is fully plastic: the area is
-$2\pi R\omega$, twice that of a Hertz contact at this displacement, and the load is the hardness times this area minus the
-adhesion $2\pi\gamma R$. It is the asperity of the 2015 paper, its eqs. (1) to (4): [theory, section
+*Assumes*: the contact follows [`jkr`](#jkr) until its mean pressure reaches the hardness. Then it is fully plastic: the area
+is $2\pi R\omega$, twice the area of a Hertz contact at this displacement, and the load is the hardness times this area minus
+the adhesion $2\pi\gamma R$. It is the asperity of the 2015 paper, its eqs. (1) to (4): [theory, section
 2](theory.md#2-one-asperity-under-normal-load). *Source*: [roy_chowdhury_ghosh_1994], as [soft_coating_2015] states it. With
 $S=\sqrt{6\pi/\theta}$ and the coordinate $u$ of JKR's contact, the plastic segment is
 

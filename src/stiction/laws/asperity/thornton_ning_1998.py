@@ -37,7 +37,7 @@ P_\text{pull-off}=\tfrac32\pi\gamma R_p
 $$
 
 These equations are used when a whole surface is [unloaded](#unloading). The sum over heights then runs over $u_m$ of the
-asperities. *Limit*: `jkr` for $\lambda\to\infty$ (no yield). *Trap*: the contact area is that of JKR at the same displacement;
+asperities. *Limit*: `jkr` for $\lambda\to\infty$ (no yield). *Trap*: the contact area equals JKR's at the same displacement;
 it does not grow by plastic flow.
 
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ in units of $KR^{1/2}\sigma^{3/2}$ and contact area $A$ in units of

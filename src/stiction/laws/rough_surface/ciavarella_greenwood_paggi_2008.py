@@ -1,9 +1,9 @@
 r"""Asperities that interact, all lowered by the same displacement: Ciavarella, Greenwood & Paggi 2008.
 
 *Assumes*: the loads on Greenwood and Williamson's asperities lower all other asperities. To first order all are lowered by the
-same displacement, that of the nominal area under the mean pressure $p$. *Source*: [ciavarella_greenwood_paggi_2008]; *unknown*:
-its text. *Reconstruction*: the nominal area is a square of side $L$ on a half-space and is displaced by its mean displacement
-under uniform pressure (Love's solution, [johnson_1985]), $0.9464\,pL/E^*$:
+same displacement, by which the mean pressure $p$ displaces the nominal area. *Source*: [ciavarella_greenwood_paggi_2008];
+*unknown*: its text. *Reconstruction*: the nominal area is a square of side $L$ on a half-space and is displaced by its mean
+displacement under uniform pressure (Love's solution, [johnson_1985]), $0.9464\,pL/E^*$:
 
 $$
 \bar P=F_{3/2}(h^*),\quad\bar A=F_1(h^*),\quad h^*=h+c\,F_{3/2}(h^*),\quad

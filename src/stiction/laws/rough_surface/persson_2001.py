@@ -16,7 +16,7 @@ $$
 |---|---|---|---|---|---|---|
 | $A/A_n$ | 0.01596 | 0.07966 | 0.15852 | 0.31084 | 0.68269 | 0.95450 |
 
-$h'$ is that of the isotropic Gaussian surface with $N$ summits per area of the mean curvature $1/R$, $h'^2=\sqrt3/(64NR^2)$.
+$h'$ belongs to the isotropic Gaussian surface with $N$ summits per area of the mean curvature $1/R$: $h'^2=\sqrt3/(64NR^2)$.
 The theory does not compute the separation.
 """
 

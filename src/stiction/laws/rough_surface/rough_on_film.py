@@ -30,7 +30,7 @@ spectrum of the map, and with $F$ from the slopes of the map as in [`persson_wid
 solved uses the law alone. The result `area_by` names the method.
 
 *Limit*: the area law of bare surfaces, with the modulus of the bodies for zero film thickness and with the film's own for
-infinite thickness. *Check*: if film and bodies have the same modulus, the area is that of the bare surface, for example at
+infinite thickness. *Check*: if film and bodies have the same modulus, the area equals the bare surface's, for example at
 $p=0.05\,E^*h'$ and $NR\sigma=0.05$ (Nayak's $\alpha=6.93$); also with a film of ten times the modulus for $a/t\to\infty$.
 """
 

@@ -13,7 +13,7 @@ M=\frac{\ln30}{\ln(8\cdot10^4/28)}=0.42742,\qquad T=\tau\,\pi a^2
 $$
 
 The lines meet by this choice of $M$. $G=2G_1G_2/(G_1+G_2)$ is taken as $(1-\nu)E^*$, which equals it for bodies of one
-Poisson's ratio $\nu$, and for a rigid counterbody; $\nu$ is that of the softer body. In the units here, with
+Poisson's ratio $\nu$, and for a rigid counterbody; $\nu$ is the softer body's. In the units here, with
 $s=\sqrt{\sigma/R}$,
 
 $$
@@ -26,7 +26,7 @@ $$
 |---|---|---|---|---|---|---|---|
 | $1000\,\tau/G$ | 23.2558 | 23.2558 | 13.4970 | 5.04454 | 1.88541 | 0.775194 | 0.775194 |
 
-The strength is not limited by that of the bodies, $Y/\sqrt3$. *Measured*: a smooth gold asperity of nanometres slid on mica at
+The strength of the bodies, $Y/\sqrt3$, does not limit it. *Measured*: a smooth gold asperity of nanometres slid on mica at
 264 MPa; one of micrometres with a rough surface slid at 40.5 MPa, where Hurtado and Kim's model gave 208 to 245 MPa
 ([li_kim_2008], abstract). *Limits*: a constant strength [`bowden_tabor_1943`](#bowden_tabor_1943) of $G/43$ for
 contacts below $28\,b$ and $G/1290$ above $8\cdot10^4\,b$.

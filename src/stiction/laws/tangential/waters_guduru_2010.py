@@ -20,7 +20,7 @@ T=\frac{4\sqrt3\,\pi}{\theta\sqrt{K\beta}}\max_\psi\left(\sqrt g+\sqrt{g+p}\righ
 g=\frac{\cos^2\psi}{\cos^2\kappa\psi},\quad q=\frac{\sin^2\psi}{\cos^2\kappa\psi}
 $$
 
-where the maximum is taken over $0\le\psi\le\pi/2$ with $g+p\ge0$. The contact radius under shear is that of a JKR contact with
+where the maximum is taken over $0\le\psi\le\pi/2$ with $g+p\ge0$. The contact radius under shear equals a JKR contact's with
 the work of adhesion $g\gamma$. For all loads above $P_c/(\kappa\sin\frac{\kappa\pi}2)^2$ the maximum is at $\psi=\pi/2$,
 Hertz's contact, with $T=\frac{4\sqrt3\,\pi}{\theta\sqrt{K\beta}}\sqrt p/\cos\frac{\kappa\pi}2$.
 

@@ -1,8 +1,8 @@
 """Combine the moduli of film and substrate for contacts in which one or both bodies are coated.
 
 A composite law gives the modulus E' = E/(1 - nu^2) of one half-space with its film. In contact the two half-spaces act in
-series. If both bodies are coated, each has half of the film thickness. The contact modulus over that of the bare bodies is
-then
+series. If both bodies are coated, each has half of the film thickness. The ratio of the contact modulus to the
+bare bodies' contact modulus is then
 
     1 / (s/g_1 + (1 - s)/g_2),    g_i = E'_i,coated/E'_i,    s = E*_bare/E'_1.
 

@@ -87,7 +87,7 @@ def _not_yet(normal: Callable, parameters: int, resistance: Callable, own: int) 
 
 
 def slipping_law(tangential: TangentialLaw, displacement: np.ndarray, residual: float) -> TangentialLaw:
-    """Return a tangential law whose force is that of contacts at a tangential displacement, in place of their strength.
+    """Return a tangential law that gives the force of contacts at a tangential displacement, in place of their strength.
 
     tangential: law of the strength. displacement (n,): in units of sigma. residual: fraction of its strength that an asperity
     retains once it slides. The slip-limited part of the returned law is the force. Its yield-limited part is the energy lost in

@@ -45,8 +45,8 @@ def _numerator(y, shape, printed):
     """Return G(y) y^(8/3) and its derivative by y, with the function G of this module.
 
     Slip and yield resistance of an asperity are equal where G(y) equals a certain value. y = (u/S^(1/3))^3, with the coordinate
-    u and the strength of adhesion S. shape: coefficients from `_shape`. printed: whether the slip resistance is that of eq (10)
-    of soft_coating_2015 as printed.
+    u and the strength of adhesion S. shape: coefficients from `_shape`. printed: whether the slip resistance follows eq (10) of
+    soft_coating_2015 as printed.
     """
     a, b, c = shape
     if printed:
