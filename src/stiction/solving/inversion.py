@@ -228,10 +228,10 @@ def _from_tables(problem: ClosedFormProblem, targets: np.ndarray) -> tuple[Inver
     return Inversion(h, residual, np.zeros(laws), np.full(laws, np.nan), evaluations), ~np.isnan(h).any(axis=1)
 
 
-def _log_of(share: np.ndarray) -> np.ndarray:
+def _log_of(values: np.ndarray) -> np.ndarray:
     """Return the natural logarithm of an array; minus infinity where a value is 0."""
     with np.errstate(divide="ignore"):
-        return np.log(share)
+        return np.log(values)
 
 
 def _relative(excess: np.ndarray, targets: np.ndarray, tension: np.ndarray) -> np.ndarray:

@@ -131,7 +131,7 @@ class AsperitySum(Problem):
         return self.sums(h, law)[..., [SLIP_LIMITED, _YIELD_LIMITED]].sum(axis=0).T
 
     def sums_at(self, h: np.ndarray) -> np.ndarray:
-        """Return the sums over asperities (regimes, n, m, 5) at the separations h (n, m), over sigma.
+        """Return the sums over asperities (regimes, n, m, 5) of n contacts at the separations h (n, m), over sigma.
 
         The five values, per asperity: number touching, load, area, slip-limited and yield-limited tangential force.
         """
@@ -182,10 +182,10 @@ class AsperitySum(Problem):
         return most_pull(self.groups) if "meniscus" in self.chosen.additions else None
 
     def sums(self, h: np.ndarray, law: np.ndarray) -> np.ndarray:
-        """Return the sums over asperities (regimes, k, 5) at k pairs of a separation h, over sigma, and a contact index.
+        """Return the sums over asperities (regimes, k, 5) at k pairs of a separation h, over sigma, and a contact.
 
-        The five values, per asperity: number touching, load, area, slip-limited and yield-limited tangential force. The pull of
-        menisci is limited to its upper bound.
+        law (k,): indices of the contacts. The five values, per asperity: number touching, load, area, slip-limited and
+        yield-limited tangential force. The pull of menisci is limited to its upper bound.
         """
         sums = self._scattered(h, law, self.threads)
         return sums if self.most_pull is None else bounded(sums, self.regimes, self.most_pull[:, law])

@@ -1,7 +1,7 @@
 """Solve a rough surface that was pressed against another and is drawn apart again.
 
-An asperity that has yielded unloads on another curve than it was loaded on. An adhesive asperity stays in contact until it
-tears off. Both effects depend on the smallest separation h_0 that was reached: an asperity of height z was compressed by z -
+An asperity that has yielded unloads along a different curve than the loading curve. An adhesive asperity stays in contact until
+it tears off. Both effects depend on the smallest separation h_0 that was reached: an asperity of height z was compressed by z -
 h_0, and at the separation h its interference is z - h. At each increase h - h_0 of the separation, a separate asperity law is
 summed over the heights.
 """

@@ -1,4 +1,4 @@
-"""Compute the ISO 25178-2 areal parameters that `statistics` does not compute, and name those of profiles as ISO 21920-2 does.
+"""Compute ISO 25178-2 areal parameters that `statistics` does not compute, and name profile parameters as in ISO 21920-2.
 
 The height d of a point is measured from the mean of the map. Level and filter the map first. Missing points are excluded.
 

@@ -195,7 +195,7 @@ class Measured:
 
 
 def of_one_map(found: Roughness, asperities: "Asperities", surface: "HeightMap") -> Measured:
-    """Return the Measured object for a contact with one map, whose asperities and roughness are already known."""
+    """Return the Measured object for a contact with one map, from its roughness `found` and its asperities."""
     key = asperities.method
     return Measured(
         by_method={key: found},

@@ -52,10 +52,10 @@ class MapFilmErrors(NamedTuple):
 def on_a_sphere(
     law: str, options: Mapping[str, str], n_E: np.ndarray, a_over_t: np.ndarray, thickness_over_radius: np.ndarray
 ) -> SphereFilmErrors | None:
-    """Return the errors on a sphere of a film law with its options; None if the law was not measured.
+    """Return the errors of a film law with its options on a sphere; None if the law was not measured.
 
-    n_E, a_over_t, thickness_over_radius: film modulus over substrate modulus, contact radius over film thickness, and film
-    thickness over sphere radius, as arrays of one shape.
+    law: key of the film law. n_E, a_over_t, thickness_over_radius: film modulus over substrate modulus, contact radius over
+    film thickness, and film thickness over sphere radius, as arrays of one shape.
     """
     table = _of(_sphere(), law, options)
     if table is None:
@@ -69,10 +69,10 @@ def on_a_sphere(
 
 
 def on_maps(law: str, options: Mapping[str, str], n_E: np.ndarray, thickness: np.ndarray) -> MapFilmErrors | None:
-    """Return the errors on rough surfaces of a film law with its options; None if the law was not measured.
+    """Return the errors of a film law with its options on rough surfaces; None if the law was not measured.
 
-    n_E, thickness: film modulus over substrate modulus, and film thickness over the shortest wavelength, as arrays of one
-    shape.
+    law: key of the film law. n_E, thickness: film modulus over substrate modulus, and film thickness over the shortest
+    wavelength, as arrays of one shape.
     """
     rows = _of(_maps(), law, options)
     if rows is None:

@@ -1,6 +1,6 @@
 """Estimate the error of a model at a contact from its errors on similar benchmark surfaces.
 
-The benchmark set (docs/explanation/truth.md) holds the contact area of many surfaces by a reference solution, and by every
+For many surfaces, the benchmark set (docs/explanation/truth.md) holds the contact area by a reference solution and by every
 model and asperity method, at a range of mean pressures, hardnesses and films. The errors on each surface are interpolated to
 the pressure and hardness of the contact, both over E* h' (E*: contact modulus, h': rms slope). They are then averaged over the
 surfaces with the weight exp(-d^2/2). The distance d counts differences in Nayak's alpha and, for a map, in skewness, lay and
@@ -348,9 +348,9 @@ def _adhesion(problem: Problem, results: Mapping[str, np.ndarray]) -> tuple[floa
     return near, "" if pull <= _MOST_ADHESION else why
 
 
-def _largest(share: np.ndarray | None) -> float:
+def _largest(values: np.ndarray | None) -> float:
     """Return the largest finite value of an array; -inf if there is none or the array is None."""
-    known = np.empty(0) if share is None else share[np.isfinite(share)]
+    known = np.empty(0) if values is None else values[np.isfinite(values)]
     return float(np.max(known, initial=-np.inf))
 
 

@@ -1,8 +1,8 @@
 """Compute the contact area of a surface from its spectral moments by Persson's theory, fitted to solved maps.
 
-The formulas are this project's own, grade B: their evidence is solved maps (docs/explanation/truth.md), and they are fitted to
-the Gaussian isotropic ones of seeds 1 and 2. They begin with Persson (2001), A/A0 = erf(2^(1/2) p): area fraction A/A0; p, the
-mean pressure over E* h'; h', the rms gradient:
+The formulas are this project's own, grade B. Their evidence is solved maps (docs/explanation/truth.md); they are fitted to the
+Gaussian isotropic maps of seeds 1 and 2. They extend A/A0 = erf(2^(1/2) p) (Persson 2001), with the area fraction A/A0, the
+mean pressure p over E* h', the contact modulus E* and the rms gradient h':
 
     G(p, c) = erf(2^(1/2) p [1 + c (1 - erf(2^(1/2) p)^(1/2))])                                                           (1)
     A = G(p, c), c = .617 - .041 ln alpha, alpha: Nayak's m0 m4/m2^2                                                      (2)
