@@ -38,7 +38,7 @@ def test_what_is_pressed_flat_has_tau_over_nominal_pressure():
     exact = 1e5 * 1e-4 / 500.0
     ends = [found[f"friction_coefficient{end}"].item() / exact for end in ("_low", "", "_high")]
     assert ends == pytest.approx([0.9756, 1.0, 1.025], abs=2e-3)  # a strength of one number is known to 2.5 %
-    assert "Pressed flat" in found.regime
+    assert "pressed flat" in found.regime
     assert found.shares == {}
 
 
@@ -246,18 +246,20 @@ def test_a_hard_film_bears_no_more_than_the_body_below_it():
     found = st.predict(contact, load="2 N")
     assert found.friction_coefficient_low.item() > 1e8 / most
     # the sentence names the body that yields: mu = tau_0/p tells the pressure over its hardness, and over that of the film
-    over_body, over_film = re.search(r"contacts bear ([\d.]+) times its hardness, (\d+)% of the film's", found.regime).groups()
+    over_body, over_film = re.search(
+        r"is ([\d.]+) times its hardness, (\d+)% of the hardness of the film", found.regime
+    ).groups()
     pressure = 1e8 / found.friction_coefficient.item()
     assert float(over_body) == pytest.approx(pressure / 1.25e9, rel=0.06) and float(over_body) > 0.9
     assert float(over_film) == pytest.approx(100.0 * pressure / 15e9, abs=1.0)
     named = contact.replace(first={**body, "name": "my steel"})
-    assert st.predict(named, load="2 N").regime.startswith("The body below the film yields, my steel: contacts bear ")
+    assert st.predict(named, load="2 N").regime.startswith("The body below the film yields, my steel: the pressure ")
 
 
 def test_an_area_far_from_solved_surfaces_is_a_warning_only_where_it_decides():
     """The state of the interface is uncertain by far more than a factor of 2; a stated strength is not."""
     wall = {"first": "silicon", "second": "silicon", "roughness": {"rms_height": "3 nm", "finish": "polished"}}
-    far = "No benchmark surface is near this contact: its real area is uncertain by a factor of 2."
+    far = "No benchmark surface is similar to this contact: its real area is uncertain by a factor of 2."
     by_state, by_strength = (
         st.predict(st.Contact(**wall, **interface, nominal_area="1 cm^2"), load="0.1 mN")
         for interface in ({"interface": "monolayer"}, {"interfacial_shear_strength": "2 MPa"})

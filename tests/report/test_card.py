@@ -81,7 +81,7 @@ def test_an_interval_that_begins_at_nothing_has_a_bar():
     [
         "12% of the samples are physically impossible and are excluded.",
         "The stated interface is 0.95 times as strong as the weaker body, and junctions grow: if its strength changes.",
-        "The scan holds 3 long waves, 6 wanted: measure a larger area.",
+        "The scan has 3 long waves, but needs 6: scan more area.",
         "word " * 30,
     ],
 )

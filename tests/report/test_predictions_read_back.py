@@ -57,7 +57,7 @@ def test_terminal(called):
     assert numbers(lines["friction force"])[:3] == [10.0, 5.0, 20.0]
     assert lines["friction force"].endswith("real contact 100 mm²")
     assert numbers(lines["along the load"]) == [0.05, 0.025, 0.1, 200.0, 0.01, 0.005, 0.02, 1.0]
-    assert lines["state"].startswith("Pressed flat") and lines["uncertainty from"] == "100% interface strength"
+    assert lines["state"].startswith("The surfaces are pressed flat") and lines["uncertainty from"] == "100% interface strength"
     assert numbers(next(line for line in text.splitlines() if line.startswith("samples"))) == [512.0, 0.0]
 
 

@@ -137,7 +137,7 @@ def test_moments_that_are_not_known_are_said(folder):
     np.save(folder / "gaps.npy", heights)
     read = st.read_case(case(folder, ONE.replace("rough", "gaps") + '\nheights = "gaussian"'))
     assert "mccool" in read.measured.failures and read.measured.by_method
-    said = "the moments of the surface are not known ("
+    said = "the spectral moments are unknown ("
     for model in ("persson_2001", "greenwood_williamson_1966"):
         assert said in st.solve_case(read, read.choice.with_changes({"model": model}, {})).attrs["outside_validity"]
     assert said in st.compare_case(read, load=1.0).attrs["outside_validity"]
@@ -204,7 +204,7 @@ def test_a_scan_may_meet_a_body_known_by_numbers(folder):
     mixed = st.read_case(case(folder, ONE + f"\nsecond = {numbers}")).measured
     both = st.read_case(case(folder, two)).measured
     assert set(mixed.history) == {"first"} and set(mixed.counts.values()) == set(both.counts.values()) == {0}
-    assert "resolution is not known" in mixed.validity_warnings[0] and both.validity_warnings == ()
+    assert "stated by numbers is unknown" in mixed.validity_warnings[0] and both.validity_warnings == ()
     for name in ("asperity_height_deviation", "asperity_radius", "asperity_density"):
         assert getattr(mixed.by_method["mccool"], name) == near(getattr(both.by_method["mccool"], name), rel=1e-9)
 

@@ -243,7 +243,7 @@ def test_a_comparison_follows_a_knob_that_moves_while_it_runs(fresh):
     before = _card(page)
     page.get_by_label("film thickness, of both films together if there are two t", exact=True).fill("1 um")
     _until_changed(page, before)
-    page.get_by_text("These fit the contact").wait_for(timeout=60 * SECOND)
+    page.get_by_text("Inside their range of validity").wait_for(timeout=60 * SECOND)
     _until(page, "() => !document.querySelector('.old') && !document.body.classList.contains('waiting')")
     coating = SILVER["contact"]["coating"] | {"thickness": "1 um"}
     case = SILVER | {"contact": SILVER["contact"] | {"interface": "soft-metal film", "coating": coating}}
@@ -256,7 +256,7 @@ def test_a_comparison_follows_a_knob_that_moves_while_it_runs(fresh):
 
 def test_every_model_beside_the_others_and_its_page(page):
     _tab(page, "Compare")
-    page.get_by_text("These do not fit").wait_for()
+    page.get_by_text("Outside their range of validity").wait_for()
     assert page.get_by_role("button", name="Chang-Etsion-Bogy 1988, layered").is_visible()
     assert not page.get_by_text(re.compile("^not applicable: ")).first.is_visible()
     page.get_by_text("Every model", exact=True).click()
@@ -311,12 +311,12 @@ def test_a_measured_series_calibrates_a_number(page):
     _give(page, upload, "large.csv", b"0" * (2**21 + 1))
     page.get_by_text("Upload measured series, .csv: refused; allowed: one file of 2 MiB at most").wait_for()
     _give(page, upload, "wrong.csv", b"load [N],mood\n1,2\n")
-    page.get_by_text("wrong.csv is here, until the page is closed").wait_for()
+    page.get_by_text("wrong.csv is stored until the page is closed").wait_for()
     page.get_by_role("button", name="Calibrate").click()
     page.get_by_text(re.compile("--data: 'mood'; allowed: ")).wait_for()
     rows = "".join(f"{load},{mu},0.003\n" for load, mu in ((0.5, 0.06), (1, 0.055), (2, 0.05), (5, 0.04), (10, 0.03)))
     _give(page, upload, "measured.csv", f"load [N],friction_coefficient,friction_coefficient_error\n{rows}".encode())
-    page.get_by_text("measured.csv is here, until the page is closed").wait_for()
+    page.get_by_text("measured.csv is stored until the page is closed").wait_for()
     page.get_by_role("button", name="Calibrate").click()
     page.get_by_text(re.compile(r"^5 values: interface strength .* to ")).wait_for()  # of the prediction, as no model is named
 
@@ -329,7 +329,7 @@ def test_a_lost_upload_can_be_tried_again(page):
     page.get_by_text(f"{upload}: the file did not arrive; try again").wait_for()
     page.unroute(sent)
     _give(page, upload, "found.csv", b"load [N],friction_coefficient\n1,0.05\n")
-    page.get_by_text("found.csv is here, until the page is closed").wait_for()
+    page.get_by_text("found.csv is stored until the page is closed").wait_for()
 
 
 def test_what_is_downloaded_runs_to_the_same_numbers(page, tmp_path):
@@ -429,7 +429,7 @@ OF_MODEL = "at a load of"
 def test_a_surface_its_asperities_and_what_its_cutoff_does_to_friction(of_model):
     page = of_model
     _tab(page, "Surface")
-    page.get_by_role("button", name="Make an example").click()
+    page.get_by_role("button", name="Generate an example").click()
     said = page.get_by_role("tabpanel").get_by_role("status").filter(has_text=OF_MODEL)
     said.wait_for()
     before = said.inner_text()
@@ -507,12 +507,12 @@ def test_an_interface_is_chosen_from_its_menu_and_what_is_old_is_said_until_the_
     page = fresh
     page.get_by_role("combobox", name="interface", exact=True).click()
     page.get_by_role("option", name="soft-metal film", exact=True).click()
-    page.get_by_text("Computing: the numbers are of the case before.").wait_for()
+    page.get_by_text("Computing: the numbers shown belong to the previous case.").wait_for()
     number, low, high = _predicted(interface="soft-metal film")
     assert number != _predicted()[0]
     _until(page, "() => !document.body.classList.contains('waiting')")
     assert _card(page) == f"μ = {number} {low} to {high} (90% interval) at 2.36 N"
-    assert not page.get_by_text("Computing: the numbers are of the case before.").is_visible()
+    assert not page.get_by_text("Computing: the numbers shown belong to the previous case.").is_visible()
 
 
 def test_a_knob_moves_by_keyboard_and_its_text_and_number_follow(of_model):
@@ -552,7 +552,7 @@ def test_a_free_number_is_searched_from_a_third_of_it_to_three_times_as_much(fre
     assert [page.get_by_label(name, exact=True).first.input_value() for name in ("from", "to")] == ["66.67 nm", "600 nm"]
 
 
-OLD = re.compile("^Result of earlier numbers: press “Compare all models at this load”")
+OLD = re.compile("^This result belongs to earlier numbers: press “Compare all models at this load”")
 
 
 def test_a_comparison_of_earlier_numbers_says_so_until_it_is_made_again(of_model):
@@ -586,20 +586,20 @@ def test_the_place_with_a_figure_as_the_case(fresh):
     _tab(page, "Regime")
     page.get_by_text(re.compile(r"The bodies: θ = 229, λ = 2\.15e\+05")).wait_for()
     page.get_by_text("Figure 1(a) of the 2015 paper, corrected variant").wait_for()
-    page.get_by_role("button", name="Open as the case").click()
+    page.get_by_role("button", name="Use as the case").click()
     _until(page, "() => document.body.innerText.includes('elastic adhesion index')")
 
 
 def test_a_scan_is_the_roughness_of_the_case(of_model):
     page = of_model
     _tab(page, "Surface")
-    page.get_by_role("button", name="Make an example").click()
+    page.get_by_role("button", name="Generate an example").click()
     page.get_by_text(re.compile("256 x 256 points")).wait_for()
     page.get_by_role("switch", name="use it in the case").click()
     page.get_by_text("measured: see the tab Surface").wait_for()
     _until(page, "() => !document.querySelector('header').innerText.includes('μ ≈ 0.046')")
     _tab(page, "Share")
-    page.get_by_text(re.compile("Not in the address: .*Who opens it has to have these files")).wait_for()
+    page.get_by_text(re.compile("Not in the address: .*The recipient needs these files")).wait_for()
 
 
 def test_a_title_is_never_executed(fresh, address):

@@ -103,7 +103,7 @@ async def test_the_first_screen_shows_the_prediction():
         assert f"{found.shares['interface']:.0%} interface strength, 3% other</dd>" in card
         rows = dict(pairwise(_texts(user)))
         assert rows["state"] == letters(found.attrs["regime"])  # below "Why"
-        assert rows["next"].startswith("measure μ once and fit the case to it; ") and "narrows μ to" in rows["next"]
+        assert rows["next"].startswith("measure μ once and fit the case to it; ") and "narrow μ to" in rows["next"]
         assert rows["confidence"].startswith("fair, of high (the interval ends within a factor of 1.5 of μ, and no warning)")
 
 
@@ -128,13 +128,13 @@ async def test_an_interface_or_a_strength_is_stated():
 @in_a_loop
 async def test_a_surface_is_known_by_its_finish():
     async with _page() as user:
-        _labelled(user, ui.select, "the surface is known by").set_value("finish and Sq or Ra")
+        _labelled(user, ui.select, "the surface is stated by").set_value("finish and Sq or Ra")
         await _until(user, lambda: any(one.props.get("aria-label") == "finish" for one in _elements(user, ui.select)))
         _labelled(user, ui.select, "finish").set_value("polished")
         tables = first_case()
         tables["contact"]["roughness"] = {"finish": "polished"}
         await _until(user, lambda: _mu(user) == _predicted(tables))
-        _labelled(user, ui.select, "the surface is known by").set_value("σ, R, N")
+        _labelled(user, ui.select, "the surface is stated by").set_value("σ, R, N")
         await _until(user, lambda: _mu(user) == _predicted(EXAMPLE))
         await _until(user, lambda: _labelled(user, ui.select, "kind").value == "polished")
 
@@ -156,7 +156,7 @@ async def test_at_given_separations_it_is_said_that_the_load_moved():
     async with _page(encoded(of_one_model())) as user:
         before = _input(user, "normal load, adhesion included P").value
         _input(user, "asperities per nominal area N").set_value("2e10 1/m^2")
-        await _until(user, lambda: any(text.startswith("The load moved from 2.36 N to ") for text in _texts(user)))
+        await _until(user, lambda: any(text.startswith("The load changed from 2.36 N to ") for text in _texts(user)))
         assert _input(user, "normal load, adhesion included P").value != before
         _input(user, "normal load, adhesion included P").set_value("3 N")  # from then on the load is given
         await _until(user, lambda: "at a load of 3 N" in " ".join(_texts(user)))
@@ -279,7 +279,7 @@ async def test_no_field_shows_python():
 async def test_dimensionless_groups_and_several_numbers_have_a_page():
     groups = {"theta": 40, "lam": 10, "n_E": [0.5, 1.5], "n_H": 0.5, "tau": 2}
     async with _page(encoded({"indices": groups, "solve": {"separation": [2, 1, 0]}})) as user:
-        assert "Curves are of the first value of each array: n_E." in _texts(user)
+        assert "The curves show the first value of each array: n_E." in _texts(user)
         assert _input(user, "elastic adhesion index K sigma^(3/2) / (gamma R^(1/2)) theta").value == "40"
 
 

@@ -38,5 +38,5 @@ def figures(
     from stiction.report.views.figures import figures_view
     from stiction.studies.paper.claims import claim_map
 
-    claims = claim_map(progress=bar("Judging the claims"))
+    claims = claim_map(progress=bar("Testing the claims"))
     present(figures_view(panels, claims, {"theta": theta, "lam": lam}, variant or "corrected"), out, json)

@@ -20,7 +20,10 @@ def _show(rows: Any, json: bool, parts: Iterable[Any]) -> None:
 @app.command()
 def models(
     keys: list[str] | None = argument(
-        "[KEY]...", "Print all of these; without KEY one line for each model.", None, autocompletion=every_key
+        "[KEY]...",
+        "Print everything about these models; without KEY, print one line for each model.",
+        None,
+        autocompletion=every_key,
     ),
     json: Json = False,
 ) -> None:
@@ -40,7 +43,7 @@ def models(
 def materials(
     names: list[str] | None = argument(
         "[NAME]...",
-        "Print the source of every number of these; without NAME one line for each.",
+        "Print the source of every number of these materials; without NAME, print one line for each material.",
         None,
         autocompletion=names_of("stiction.contact.materials", "material_names"),
     ),
@@ -83,7 +86,7 @@ def interfaces(
 def cite(
     keys: list[str] | None = argument(
         "[KEY|CASE.toml]...",
-        "Models, entries, or case files, which give the sources of their result; without KEY the whole bibliography.",
+        "Keys of models or sources, or case files (sources of their results); without KEY, print the whole bibliography.",
         None,
         autocompletion=every_key,
     ),

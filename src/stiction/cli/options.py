@@ -140,4 +140,4 @@ Tangential = Annotated[
     str | None, option("Tangential law, or none for contact only.", ..., autocompletion=keys_of("tangential"), **LAW)
 ]
 AllRows = Annotated[bool, typer.Option("--all-rows", help="Print every point instead of about twelve.", rich_help_panel=_RARE)]
-Details = Annotated[bool, typer.Option("--details", help="Print everything behind the answer.")]
+Details = Annotated[bool, typer.Option("--details", help="Print all details of the answer.")]

@@ -89,7 +89,7 @@ for _folder, _study in studies():
 def report(
     case: Path = argument("CASE.toml", "Case file: what is in contact and what to solve."),
     out: Path = option("File to write; an existing one is replaced.", ..., "--out", metavar="FILE.html|.pdf"),
-    load: str | None = option('Working load, e.g. "1 N"; default: the middle one of the case.'),
+    load: str | None = option('Working load, e.g. "1 N"; default: the middle load of the case.'),
     ranges: Ranges = None,
     json: Json = False,
 ) -> None:
@@ -111,7 +111,7 @@ def report(
 
 @app.command()
 def validate(
-    entry: Path = argument("ENTRY.toml", "Measured series and its contact, or a folder of them."),
+    entry: Path = argument("ENTRY.toml", "Entry (a file with a contact and a measured series), or a folder of entries."),
     out: Out = None,
     json: Json = False,
 ) -> None:

@@ -14,17 +14,17 @@ if TYPE_CHECKING:
 
 @app.command()
 def surface(
-    file: Path = argument("FILE", "Scan: an array, numbers in text, or what an instrument wrote."),
+    file: Path = argument("FILE", "Scan: an array, a text file with numbers, or an instrument file."),
     size: str | None = option('Size along x, e.g. "10 um"; by default as the file states.'),
     unit: str | None = option("Length unit of the numbers in the file, e.g. nm."),
     height_unit: str | None = option("Length unit of the heights, if it differs."),
     height_scale: float | None = option("Factor on the heights, not 0."),
     channel: str | None = option("Name or number of the channel to read."),
-    form: int = option("Order of the polynomial that is removed: 1 a plane, 0 nothing.", 1, min=0, max=4),
+    form: int = option("Order of the polynomial to remove: 1 for a plane, 0 for nothing.", 1, min=0, max=4),
     spikes: float | None = option("Mask points further than this many robust deviations from the median, e.g. 10."),
     fill: str | None = option("Fill missing points: harmonic or nearest; by default they stay missing."),
-    shortest: str | None = option('Shortest wavelength kept, e.g. "200 nm".'),
-    longest: str | None = option('Longest wavelength kept, e.g. "5 um".'),
+    shortest: str | None = option('Shortest wavelength to keep, e.g. "200 nm".'),
+    longest: str | None = option('Longest wavelength to keep, e.g. "5 um".'),
     tip_radius: str | None = option('Radius of the stylus tip, e.g. "2 um"; it limits the reliable band.'),
     case: Path | None = option("Case file: the resolution study draws its mu with this surface."),
     load: str | None = option('Load of --case, e.g. "1 N"; by default its middle load.'),
@@ -32,7 +32,7 @@ def surface(
         "Solve its contact at these nominal pressures over E* h' (h': rms gradient), e.g. \"0.01 0.1\"."
     ),
     hardness: float | None = option("Hardness of --contact, over E* h'; by default the contact is elastic."),
-    periodic: bool = option("Treat the scan as one period of an endless surface; no form is removed.", False, "--periodic"),
+    periodic: bool = option("Treat the scan as one period of an infinite surface; no form is removed.", False, "--periodic"),
     save_map: Path | None = option("Write the prepared map to this file: .gwy (Gwyddion), .x3p or .sdf."),
     details: bool = option("Also print moments, and every method of finding asperities.", False, "--details"),
     out: Out = None,

@@ -45,7 +45,7 @@ class Interface(Input):
     The strength of the bodies does not cap these values. Raises InputError for contradicting numbers.
     """
 
-    name: str = Field(default="unnamed", description="what to call it")
+    name: str = Field(default="unnamed", description="its name")
     interfacial_shear_strength: OptionalNumber = by_default(None)
     shear_strength: OptionalNumber = by_default(None)
     strength_over_shear_modulus: OptionalNumber = by_default(None)

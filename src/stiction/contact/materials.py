@@ -69,7 +69,7 @@ class Material(Input):
     characteristic_depth: OptionalNumber = by_default(None)
     surface_energy: OptionalNumber = by_default(None)
     source: str | dict[str, str] | None = Field(default=None, union_mode="left_to_right")
-    range: Ranges = Field(default_factory=dict, description="low and high end of its numbers")
+    range: Ranges = Field(default_factory=dict, description="low and high end of each number")
     material_class: MaterialClass | None = Field(default=None, description=", ".join(MATERIAL_CLASSES))
 
     @model_validator(mode="after")
@@ -117,7 +117,7 @@ class Material(Input):
         """
         schema = super().__get_pydantic_json_schema__(core_schema, handler)
         schema["properties"]["preset"] = {
-            "description": "preset, or material of the case, whose numbers hold wherever none is given here",
+            "description": "preset, or material of the case, whose numbers are used where none is stated here",
             "anyOf": [{"enum": material_names()}, {"type": "string"}],
         }
         schema["anyOf"] = [{"required": ["preset"]}, {"required": schema.pop("required")}]

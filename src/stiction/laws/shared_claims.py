@@ -8,7 +8,7 @@ from stiction.surfaces.theory.moments import LEAST_DENSITY
 ELASTIC = Validity("plasticity_index", 0.0, 0.6, "asperities are modelled as elastic, but some yield", "effect")
 ELASTIC_CONTACT = Validity("plasticity_index", 0.0, 0.6, "the contact is modelled as elastic, but it yields", "effect")
 SHORT_RANGE = Validity(
-    "tabor_parameter", 5.0, math.inf, "the law puts all adhesion inside the contact, as in soft, large asperities"
+    "tabor_parameter", 5.0, math.inf, "the law assumes all adhesion inside the contact, as for soft, large asperities"
 )
 NEAR_YIELD = Validity(
     "asperity_area_over_yield",

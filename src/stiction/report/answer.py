@@ -255,7 +255,7 @@ def answer_lines(data: "xarray.Dataset", terminal: bool = True) -> list[tuple[st
         ("uncertainty from", sources_in_words(attrs["shares"])),
         ("sliding", _sliding(point)),
         ("model", models_in_words(attrs["models"]) + beside_area(attrs)),
-        ("if worn through", f"{worn} of the clean metals; not counted in the interval above" if worn else ""),
+        ("if worn through", f"{worn} of the clean metals; not included in the interval above" if worn else ""),
         ("checked against", "" if "measured" in attrs else attrs["checked_against"]),
         ("warning", warnings[0] if warnings else ""),
         ("not used", "; ".join(attrs["inputs_not_used"])),
@@ -273,7 +273,7 @@ def _sliding(point: "xarray.Dataset") -> str:
     if "friction_efficiency" not in point:
         return ""
     share = f"{float(point['friction_efficiency']):.0%}"
-    return f"contact spots slip one after another: friction reaches {share} of their summed strength"
+    return f"contact spots slip one after another: friction reaches {share} of the sum of their strengths"
 
 
 def _along(data: "xarray.Dataset") -> str:
@@ -345,8 +345,8 @@ def next_in_words(data: "xarray.Dataset", terminal: bool = True) -> str:
     step = step if terminal else without_commands(step)
     if not ends or "measure mu once" not in step:
         return step
-    found = f"{number(float(point[_MU]))} found with {USUAL_ERROR:.0%} standard error"
-    return f"{step}; {found} narrows mu to {number(ends[0])} to {number(ends[1])}"
+    found = f"{number(float(point[_MU]))} with {USUAL_ERROR:.0%} standard error"
+    return f"{step}; {found} would narrow mu to {number(ends[0])} to {number(ends[1])}"
 
 
 def model_line(used: Mapping[str, Any]) -> str:

@@ -87,7 +87,7 @@ def claims_figure(claims: "ClaimMap", point: Mapping[str, float]) -> Figure:
             if row == len(VARIANTS) - 1:
                 axes.set_xlabel(r"elastic adhesion index $\theta$")
     bar = figure.colorbar(ScalarMappable(norm, colours), ax=grid, shrink=0.8, pad=0.01)
-    bar.set_label("share of its cases for which it holds (white: not comparable)")
+    bar.set_label("fraction of the films for which the claim holds (white: not comparable)")
     figure.suptitle(
         "Where the claims of the 2015 paper hold; dashed: below $\\theta$ = 10 or $\\lambda$ = 0.125 adhesion matters; "
         f"star: $\\theta$ = {point['theta']:g}, $\\lambda$ = {point['lam']:g}",

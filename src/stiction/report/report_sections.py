@@ -50,7 +50,7 @@ _NOT_NUMBERS = {
 
 
 _MOMENTS = "surface."  # prefix of the asperity numbers that follow from spectral moments
-_COLUMNS = [*map(Column, ("quantity", "symbol")), *numbers("value"), *map(Column, ("how well it is known", "source"))]
+_COLUMNS = [*map(Column, ("quantity", "symbol")), *numbers("value"), *map(Column, ("known range", "source"))]
 
 
 def groups_of_inputs(findings: ReportData) -> list[Table]:
@@ -86,7 +86,7 @@ def groups_of_groups(findings: ReportData) -> list[Table]:
         for name, value in subject.all_groups().items()
     ]
     columns = [Column("group"), Column("symbol"), *numbers("value")]
-    return [Table(columns, rows, "Dimensionless groups that follow", stacked=True)]
+    return [Table(columns, rows, "Dimensionless groups computed from the inputs", stacked=True)]
 
 
 def _meaning(name: str) -> tuple[str, str]:

@@ -144,7 +144,7 @@ def warnings_of_rounding(carried: np.ndarray, asked: np.ndarray) -> list[Validit
     where = f"in {lost.sum()} of {lost.size} points" if lost.size > 1 else "here"
     off = np.abs(carried[lost] / asked[lost] - 1.0).max()
     off_by = f"the computed load differs by up to {off:.2g} times the requested one"
-    why = f"the requested load is below round-off {where}, or the load leaps past it: {off_by}"
+    why = f"the requested load is below round-off {where}, or the load jumps over it: {off_by}"
     return [ValidityWarning(why, kind="impossible")]  # because there is no result at the requested load
 
 

@@ -372,7 +372,7 @@ def _tension(unloading: _Unloading, rows: np.ndarray, nearest: np.ndarray) -> tu
         pair, at = every[turns], np.argmax(loads < 0.0, axis=1)[turns]
         root = find_root(load, (distance[pair, at - 1], distance[pair, at]), args=(pair.astype(float),))
         if not root.success.all():
-            raise ArithmeticError(f"{np.sum(~root.success)} of {pair.size} separations of no load did not converge")
+            raise ArithmeticError(f"{np.sum(~root.success)} of {pair.size} separations at zero load did not converge")
         zero[turns] = root.x
     return tension, nearest + where, nearest + zero
 

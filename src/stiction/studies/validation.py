@@ -72,7 +72,7 @@ class Origin(Input):
     place: str = Field("", description='page, and table, figure or section: "p. 57, Table 3"')
     doi: str = Field("", description="DOI of the source, if it has one")
     read: Literal["printed", "digitised", "data file", "computed"] = Field(description="how the values were read")
-    note: str = Field("", description="what else a reader has to know: how it was prepared, what is assumed here")
+    note: str = Field("", description="other facts that a reader needs: preparation, assumptions of the entry")
 
     @model_validator(mode="after")
     def _says_where(self):

@@ -46,7 +46,7 @@ class Scan(Input):
     height_unit: str | None = None
     height_scale: float | None = None
     channel: str | None = None
-    periodic: bool = Field(False, strict=True, description="the scan is one period of an endless surface; no form is removed")
+    periodic: bool = Field(False, strict=True, description="the scan is one period of an infinite surface; no form is removed")
 
 
 def _body(value):
@@ -342,7 +342,7 @@ def _spikes(maps: "Mapping[str, HeightMap]") -> tuple[str, ...]:
 
 
 def _without_moments(why: str | None) -> tuple[str, ...]:
-    text = f"the moments of the surface are not known ({why}): theories of it take the asperities found"
+    text = f"the spectral moments are unknown ({why}): theories of the whole surface use the asperities found"
     return () if why is None else (text,)
 
 
@@ -352,7 +352,7 @@ def _validity_warnings(maps: "list[HeightMap]", numbers: bool, wanted: MeasuredR
     maps: maps of the scanned bodies. numbers: whether one body is stated by sigma, R and N.
     """
     if numbers:
-        return ("the resolution is not known for the body given by numbers: it must equal that of the scan",)
+        return ("the resolution of the body stated by numbers is unknown: it must equal the resolution of the scan",)
     if len(maps) < 2:
         return ()
     from stiction.surfaces.heightmap import metres
@@ -363,8 +363,8 @@ def _validity_warnings(maps: "list[HeightMap]", numbers: bool, wanted: MeasuredR
         return ()
     first, second = (show(cutoff, "scan_size", 3) for cutoff in cutoffs)
     return (
-        f"the scans have different resolutions (shortest waves {first} and {second}), and the finer one alone decides R and N: "
-        "give shortest, the same for both",
+        f"the scans have different resolutions (shortest waves {first} and {second}), and the finer scan alone determines R "
+        "and N: state the same `shortest` for both",
     )
 
 

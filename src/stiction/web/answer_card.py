@@ -86,7 +86,7 @@ class AnswerCard:
             loads = [float(one.at(self._explorer.point)["load"]) for one in pair]
             moved = abs(loads[1] - loads[0]) > 1e-3 * abs(loads[0])
             was, now = (show(load, "load", 3) for load in loads)
-            self._load_moved.set_text(f"The load moved from {was} to {now}: the separations are given.")
+            self._load_moved.set_text(f"The load changed from {was} to {now}, because the case states separations.")
         self._load_moved.set_visibility(moved)
 
 

@@ -24,7 +24,11 @@ from stiction.web.query import compared
 from stiction.web.study_button import Study
 
 _SOON = 0.7  # seconds after the last change
-_PARTS = {"These fit the contact": (True, True), "These do not fit": (False, True), "These cannot be right": (False, False)}
+_PARTS = {
+    "Inside their range of validity": (True, True),
+    "Outside their range of validity": (False, True),
+    "Physically impossible results": (False, False),
+}
 
 
 class CompareTab:
@@ -69,7 +73,7 @@ class CompareTab:
         if prediction is None and (refusal := refusal_of(case)) is not None:
             said.append(f"no prediction: {refusal}")
         if not groups:
-            said.append("no model has friction at a load above 0 here")
+            said.append("no model gives friction for this contact at a load above 0")
         every = Shown.of(comparison_view(case, data, None, every=True), self._explorer.view.narrow)
         return list(tables_of(data, groups)), said, every
 

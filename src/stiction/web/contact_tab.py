@@ -26,7 +26,9 @@ class ContactTab:
         with ui.grid().classes("charts w-full answer") as self._grid:
             names = "friction_coefficient", "shares", "friction_force", "contact_area", "load"
             self._charts = {name: Picture(name.replace("_", " ")) for name in names}
-        self._one = ui.label("One load: the bar above is its interval. Ask for a range of loads under Points of the curve.")
+        self._one = ui.label(
+            "There is one load; the bar above shows its interval. State a range of loads under Points of the curve."
+        )
         explorer.listen(self.show)
         self.show()
 

@@ -149,8 +149,8 @@ class Form:
         given = str(solve.get("model", _PREDICTION if answer.is_prediction else DEFAULT_MODEL))
         self._menu("model", [_PREDICTION, *names.pop("model")], given, ("solve", "model"), self._choose_model)
         if answer.is_prediction:
-            ui.label("recommended combines all models that apply; a named model answers beside it").classes("text-xs")
-        with _folded("Other laws than its own"):
+            ui.label("recommended combines all models that apply; a named model is shown next to it").classes("text-xs")
+        with _folded("Replace its laws"):
             for choice, laws in names.items():
                 known = [_NONE, *laws, *(["none"] if choice in _MAY_BE_NONE else [])]
                 self._menu(choice, known, str(solve.get(choice, _NONE)), ("solve", choice))
@@ -272,7 +272,7 @@ class Form:
             new = self._switched_off.get((*ROUGHNESS, value)) or SURFACE_KNOWN_BY[value]
             await self._explorer.put(ROUGHNESS, dict(new))
 
-        self._menu("the surface is known by", [*SURFACE_KNOWN_BY, _SCAN], known, ROUGHNESS, chosen, named=False)
+        self._menu("the surface is stated by", [*SURFACE_KNOWN_BY, _SCAN], known, ROUGHNESS, chosen, named=False)
         if bodies:
             text = "measured: see the tab Surface" if scanned else "from finishes: see the case file"
             ui.label(text).classes("text-sm")

@@ -46,7 +46,7 @@ class Guard:
         heads = {key.lower(): value.decode("latin-1") for key, value in scope.get("headers", [])}
         host = heads.get(b"host", "")
         if self._names is not None and _part_of(f"//{host}", "hostname") not in self._names:  # the name has no port
-            return 421, "Refused: this server answers under its own name only."
+            return 421, "Refused: this server answers only under its own host name."
         if (origin := heads.get(b"origin")) and _part_of(origin, "netloc") != host:
             return 403, "Refused: the request comes from another page."
         if len(scope.get("query_string", b"")) + len(scope["path"]) > _LONGEST_ADDRESS:

@@ -137,7 +137,7 @@ def _frame(explorer: Explorer, error: InputError | None) -> None:
         ui.label("stiction").classes("text-lg font-bold").props('role="heading" aria-level="1"')
         number = ui.label().classes("font-bold one-line answer").style("flex: none; max-width: 50%")
         title = ui.label().classes("grow text-sm title")
-        ui.label("Computing: the numbers are of the case before.").classes("text-sm one-line pending")
+        ui.label("Computing: the numbers shown belong to the previous case.").classes("text-sm one-line pending")
         ui.button(icon="contrast", on_click=switch).props('flat dense color="white" aria-label="light or dark"')
     if error is not None:
         ui.label(f"The address was not used: {error}").classes("text-negative").props('role="alert"')

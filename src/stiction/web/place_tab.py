@@ -54,13 +54,13 @@ class PlaceTab:
             self._claim = ui.select(claims, value=_NO_CLAIM, label="claim of the 2015 paper", on_change=self._claimed)
             self._claim.classes("w-80").props("dense outlined")
             self._variant = ui.toggle(list(VARIANTS), value=VARIANTS[0], on_change=self.opened).props("dense no-caps")
-        self._study = Study(None, "Judge the claims in the plane", self._judge, lambda _: self.show())
-        self._plane = Picture("plane of the adhesion indices", "460px", 620)
+        self._study = Study(None, "Test the claims on the map", self._judge, lambda _: self.show())
+        self._plane = Picture("map of the adhesion indices", "460px", 620)
         ui.label("Figures of the 2015 paper").classes("text-lg")
         with ui.row().classes("items-center gap-3"):
             self._figure = ui.select({at: panel.figure for at, panel in enumerate(PANELS)}, value=0, on_change=self.opened)
             self._figure.props('dense outlined aria-label="figure"')
-            ui.button("Open as the case", on_click=self._open).props("no-caps outline")
+            ui.button("Use as the case", on_click=self._open).props("no-caps outline")
         self._curves = Rows(ui.column().classes("w-full"), show_drawing)
         self._caption = ui.label().classes("text-sm")
         explorer.listen(self.show)
@@ -79,7 +79,7 @@ class PlaceTab:
 
     def _judge(self, progress: Any) -> None:
         if not _claims:
-            _claims.append(claim_map(progress=progress("Judging the claims")))
+            _claims.append(claim_map(progress=progress("Testing the claims")))
 
     def show(self) -> None:
         """Draw the present contact in the plane of the adhesion indices, and the region in which the selected claim holds."""
@@ -109,7 +109,7 @@ def _in_words(place: Place) -> str:
     adheres = theta < ADHESION_MATTERS["theta"] or lam < ADHESION_MATTERS["lam"]
     low, high = PLASTICITY
     psi = place.plasticity_index
-    yields = "elastic, whatever the load" if psi < low else "plastic, whatever the load" if psi > high else "in between"
+    yields = "elastic at any load" if psi < low else "plastic at any load" if psi > high else "in between"
     film = "" if place.film is None else f" The film by itself: θ = {place.film[0]:.3g}, λ = {place.film[1]:.3g}."
     return (f"The bodies: θ = {theta:.3g}, λ = {lam:.3g}: adhesion {'matters' if adheres else 'does not matter'}; "
             f"plasticity index {psi:.3g}: {yields}.{film}")  # fmt: skip
@@ -133,6 +133,6 @@ def _plane_chart(place: Place | None, dark: bool) -> dict[str, Any]:
         {"type": "log", "name": f"{meaning} adhesion index {letters(QUANTITIES[name].symbol)}", "min": low, "max": high}
         for meaning, name, (low, high) in (("elastic", "theta", theta), ("plastic", "lam", lam))
     )
-    options = chart("plane of the adhesion indices", x, y, series, dark)
+    options = chart("map of the adhesion indices", x, y, series, dark)
     options["tooltip"]["trigger"] = "item"
     return options

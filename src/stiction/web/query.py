@@ -215,4 +215,4 @@ def remarks(answer: Answer) -> list[str]:
     lines += [f"Input warning: {one}" for one in answer.input_warnings]
     lines += [f"Not used: {attrs['inputs_not_used']}"] if attrs.get("inputs_not_used") else []
     lines += [f"Remark: {one}" for one in str(attrs.get("remarks", "")).splitlines() if one]
-    return lines + ([f"Curves are of the first value of each array: {', '.join(map(str, arrays))}."] if arrays else [])
+    return lines + ([f"The curves show the first value of each array: {', '.join(map(str, arrays))}."] if arrays else [])

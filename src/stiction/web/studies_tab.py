@@ -86,7 +86,7 @@ class StudiesTab:
             self._sensitivity()
         with _card("Design for a friction coefficient", "stiction design case.toml, with a table [design]"):
             self._design()
-        with _card("Calibration on measured series", "stiction fit case.toml --data measured.csv, with a table [fit]"):
+        with _card("Fit to measured series", "stiction fit case.toml --data measured.csv, with a table [fit]"):
             self._calibration()
 
     def _study(self, label: str, work: Callable[[Query, Progress], View]) -> None:
@@ -179,7 +179,7 @@ class StudiesTab:
 
         async def uploaded(path: str, name: str) -> None:
             uploads[:] = [(path, name)]
-            text.set_text(f"{name} is here, until the page is closed")
+            text.set_text(f"{name} is stored until the page is closed")
 
         upload_button(self._explorer, "Upload measured series, .csv", uploaded, text.set_text, 2**21)
         alone = "interface strength alone" if self._explorer.answer.is_prediction else ""

@@ -37,7 +37,7 @@ class Study:
             self._start = ui.button(label, on_click=self.start).props("no-caps")
             self._stop = ui.button("Stop", on_click=self.stop).props("no-caps outline")
             self._text = ui.label().props('role="status"')
-        self._old = ui.label(f"Result of earlier numbers: press “{label}” for the present ones.")
+        self._old = ui.label(f"This result belongs to earlier numbers: press “{label}” to update it.")
         self._old.classes("text-negative font-bold").props('role="status"')
         self._timer = ui.timer(_EVERY, self._watch, active=False)
         self._set_running(False)

@@ -86,7 +86,7 @@ class SurfaceTab:
 
         with ui.row().classes("items-center gap-2"):
             upload_button(self._explorer, "Upload a scan", uploaded, lambda why: self._history.set_text(why), LARGEST_UPLOAD)
-            ui.button("Make an example", on_click=example).props("no-caps outline")
+            ui.button("Generate an example", on_click=example).props("no-caps outline")
 
     def _refuse(self, error: InputError) -> None:
         self._history.set_text(str(error))

@@ -80,8 +80,8 @@ RECORD = Criterion(
         Source("nayak_1971", "gradient and curvature of the surface from sigma, R and N"),
     ),
     ratio=stickiness,
-    below="it sticks: pulled apart, it holds a tension",
-    above="it does not stick: contact needs a load",
+    below="the contact sticks: it carries a tension when pulled apart",
+    above="the contact does not stick: it needs a load",
     verified="the same ratio computed in SI units, to rounding",
     needs=("theta", "roughness_parameter", "tabor_parameter"),
     notes="The range of the attraction is taken as the equilibrium distance. It must be short compared with (16/3) h'^2/h'', "

@@ -283,7 +283,7 @@ def comparison_view(
         elif (refusal := refusal_of(case)) is not None:
             above.append(facts([("no prediction", str(refusal))]))
         if not groups:
-            above.append(Text("no model gives friction at a load above 0 here"))
+            above.append(Text("no model gives friction for this contact at a load above 0"))
         yield from above
         room = None if every else MOST_LINES - sum(map(lines_of, above))
         yield from groups_table(groups, room, silent_models(case, data) if groups else 0, more)

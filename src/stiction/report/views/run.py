@@ -151,7 +151,7 @@ def _pictures(case: "Case", data: "xarray.Dataset") -> dict[str, Picture]:
     if not case.is_swept:
         pictures |= regime_picture(case.subject, data, case.title)
     if "friction_coefficient_by_method" in data and not case.is_swept:
-        description = "friction by every way of finding asperities"
+        description = "friction by every asperity method"
         pictures["band.png"] = picture(description, "method_pictures.method_spread_figure", data, case.title)
     if "friction_coefficient_quantile" in data and not case.is_swept:
         drawn = "pictures.uncertainty_figure"

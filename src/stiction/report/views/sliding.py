@@ -40,7 +40,7 @@ def sliding_table(data: "xarray.Dataset") -> Table:
 def sliding_notes(data: "xarray.Dataset") -> Iterator[str]:
     """Yield notes on a result of `slide`, one line each."""
     used = data.attrs
-    yield f"mu: all contacts at full strength at once; {used['sliding']}"
+    yield f"mu assumes that all contacts reach full strength at the same time; {used['sliding']}"
     if used["residual_strength"] == 1.0 and "sheared_contact_area" not in data:
         yield "the tangential force approaches mu times the load; the displacement is where it reaches 99 % of that"
     yield from run_notes(data)

@@ -315,9 +315,7 @@ def _pictures(analysis: "Analysis", resolution: "xarray.Dataset | None") -> dict
     pictures = {
         "map.png": picture("heights", "surface_pictures.map_figure", surface),
         "spectrum.png": picture("power spectrum", "surface_pictures.spectrum_figure", analysis.spectrum),
-        "asperities.png": picture(
-            "asperities by every way of finding them", "surface_pictures.asperity_figure", asperities, surface
-        ),
+        "asperities.png": picture("asperities by every method", "surface_pictures.asperity_figure", asperities, surface),
     }
     if resolution is not None:
         pictures["fan.png"] = picture("what the resolution decides", "method_pictures.resolution_figure", resolution)

@@ -17,5 +17,5 @@ def criteria_of(contact: Subject) -> list[str]:
         if all(groups.knows(name) for name in criterion.needs):
             ratio = float((criterion.ratio(groups, whole.map) if criterion.on_map else criterion.ratio(groups))[0])
             statement = criterion.below if ratio < 1.0 else criterion.above
-            lines.append(f"{criterion.key}: {statement} (ratio {ratio:.3g}, the border is 1)")
+            lines.append(f"{criterion.key}: {statement} (ratio {ratio:.3g}, threshold 1)")
     return lines

@@ -17,7 +17,7 @@ from stiction.studies.study import Study
 
 def _plan(
     case: Path,
-    load: Annotated[str | None, Option(help='Working load, e.g. "1 N"; default: the middle one of the case.')] = None,
+    load: Annotated[str | None, Option(help='Working load, e.g. "1 N"; default: the middle load of the case.')] = None,
     details: Annotated[bool, Option("--all", help="Show every model in its own row, with its notes.")] = False,
     ranges: bool | None = None,
 ) -> tuple[Any, ...]:

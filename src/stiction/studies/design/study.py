@@ -26,4 +26,4 @@ def _run(plan: tuple[Any, ...], callback: Callable[[str], None]) -> tuple[Any, .
     return run_design(plan[0], lambda count, text: callback(f"Designing: {count} designs {text}")), plan[1]
 
 
-STUDY = Study("design", __doc__, "Case file with a table [design]: choices, objectives, limits.", _plan, _run)
+STUDY = Study("design", __doc__, "Case file with a table [design]: choices, objectives, constraints.", _plan, _run)

@@ -77,7 +77,7 @@ def fitted_case(given: Any, case: Case, found: "xarray.Dataset", out: Path) -> s
         numbers[one.path] = _between(one.path, low, high, "log" if low > 0.0 else "linear")
     comments = [
         f"Fitted by stiction {__version__} to {found.attrs['measured']} measured values: {found.level:.0%} intervals.",
-        "They lose which strength goes with which hardness and area: mu of this case is wider than that of the fit.",
-        f"For other loads without this loss: stiction fit {Path(given).name} --data FILE --load LOAD",
+        "They lack the correlations of strength, hardness and area: the interval of mu is wider than in the fit.",
+        f"For other loads with these correlations: stiction fit {Path(given).name} --data FILE --load LOAD",
     ]
     return case_text(with_numbers(without_studies(read_content(given)), numbers), comments, Path(given).parent, out)

@@ -164,8 +164,8 @@ def _parameters(fit: Fitted) -> dict[str, tuple]:
         "open_low": (along, [p.open_low for p in fit.profiles], {"long_name": "no value down to the low end is excluded"}),
         "open_high": (along, [p.open_high for p in fit.profiles], {"long_name": "no value up to the high end is excluded"}),
         "standard_error": (along, _standard_errors(fit), {"long_name": "standard error from the curvature"}),
-        "least": (along, [f.low for f in free], {"long_name": "low end of what is searched"}),
-        "most": (along, [f.high for f in free], {"long_name": "high end of what is searched"}),
+        "least": (along, [f.low for f in free], {"long_name": "low end of the search range"}),
+        "most": (along, [f.high for f in free], {"long_name": "high end of the search range"}),
         "correlation": (("parameter", "other_parameter"), fit.correlation, {"long_name": "correlation"}),
         "profile_value": (("parameter", "profile"), value, {"long_name": "values along the profile of the likelihood"}),
         "profile_rise": (("parameter", "profile"), rise, {"long_name": "rise of chi square"}),
@@ -189,9 +189,13 @@ def _rows(fit: Fitted) -> dict[str, tuple]:
         "sample": ("row", list(data.sample)),
         "measured_load": ("row", data.load, {"units": "N", "long_name": "load"}),
         "measured": ("row", data.value, {"long_name": "measured, in SI units"}),
-        "error": ("row", fit.errors, {"long_name": "standard error as it was taken"}),
+        "error": ("row", fit.errors, {"long_name": "standard error used"}),
         "fitted": ("row", said, {"long_name": "fitted, in SI units"}),
-        "residual": ("row", (data.value - said) / fit.errors, {"long_name": "measured less fitted, over the standard error"}),
+        "residual": (
+            "row",
+            (data.value - said) / fit.errors,
+            {"long_name": "measured minus fitted value, over the standard error"},
+        ),
     }
 
 

@@ -60,7 +60,7 @@ def checked_against(mixture: Mixture, index: int) -> str:
             else f"solved surfaces (area within a factor of {times:.2g})"
         )
     else:
-        area = "no solved surface near it"
+        area = "no similar solved surface"
     held, contacts = in_handbooks(mixture)
     if not contacts:
         return f"{area}, never against measured friction"

@@ -47,7 +47,7 @@ def regime_of(mixture: Mixture, samples: Samples, index: int) -> tuple[str, str]
     by_area = _by_strength(samples, index) > _BY_STRENGTH  # else friction is alpha W, whatever the area
     if area > _FLAT * float(np.median(mixture.sampled.drawn.nominal_area)):
         lever = f"more load, a smaller nominal area or {weaker}" if by_area else weaker
-        sentences.append(f"Pressed flat, the real area is the nominal area: mu = tau_0·A_n/P{added}.")
+        sentences.append(f"The surfaces are pressed flat: the real area is the nominal area, and mu = tau_0·A_n/P{added}.")
     elif pressure > _PLASTIC:
         lever = weaker
         if by_area and not mixture.strength.is_relative_to("shear_strength"):
@@ -58,7 +58,7 @@ def regime_of(mixture: Mixture, samples: Samples, index: int) -> tuple[str, str]
                 f"The contacts are probably plastic: then mu = tau_0/H{times}{added}. If they are elastic, mu is larger."
             )
         else:
-            sentences.append(f"All contacts are plastic: mu = tau_0/H{times}{added}, whatever the roughness.")
+            sentences.append(f"All contacts are plastic: mu = tau_0/H{times}{added}, for any roughness.")
     else:
         sentence, other = _of_pressure(mixture, pressure, index, times, added)
         sentences.append(sentence)
@@ -106,16 +106,19 @@ def _of_pressure(mixture: Mixture, pressure: float, index: int, times: str, adde
     carried = min(float(np.median(law.yields_at[:, index])) for law in mixture.laws)
     if contact.coating is None or not carried < hardness or pressure * hardness < _PLASTIC * carried:
         softer = _softer(mixture)
-        before = "before shear " if "shear" in times else ""
-        sentence = f"mu = tau_0/p{times}{added}: {before}the spots bear p, {100.0 * pressure:.2g}% of the {softer}'s hardness."
+        before = " before shear" if "shear" in times else ""
+        sentence = (
+            f"mu = tau_0/p{times}{added}: p, the pressure in contact spots{before}, is {100.0 * pressure:.2g}% of the "
+            f"hardness of the {softer}."
+        )
         stiffer = "" if mixture.strength.is_relative_to("strength_over_shear_modulus") else "stiffer or "
         return sentence, f"{stiffer}rougher surfaces"
     coated = [getattr(contact, name) for name in ("first", "second") if contact.coating.bodies in (name, "both")]
     below = min(coated, key=lambda body: float(np.mean(body.hardness)))
     sentence = (
-        f"The body below the film yields{'' if below.name == 'unnamed' else f', {below.name}'}: contacts bear "
-        f"{pressure * hardness / float(np.mean(below.hardness)):.2g} times its hardness, {pressure:.0%} of the "
-        f"{_softer(mixture)}'s. mu is tau_0 over that pressure{times}{added}."
+        f"The body below the film yields{'' if below.name == 'unnamed' else f', {below.name}'}: the pressure "
+        f"in contact spots is {pressure * hardness / float(np.mean(below.hardness)):.2g} times its hardness, {pressure:.0%} of "
+        f"the hardness of the {_softer(mixture)}. mu is tau_0 over this pressure{times}{added}."
     )
     return sentence, "a harder body below the film"
 
@@ -139,7 +142,7 @@ def warnings_of(
     impossible = float(np.mean(~np.isfinite(samples.force[:, index])))
     warnings = []
     if impossible > _MANY:
-        warnings.append(f"{impossible:.0%} of the draws are physically impossible and are excluded.")
+        warnings.append(f"{impossible:.0%} of the samples are physically impossible and are excluded.")
     if len(mixture.strength.states) > 1:
         warnings.append(
             f"The interface is not stated: mu is {', '.join(by_state)}." if by_state else "The interface is not stated."
@@ -169,7 +172,7 @@ def warnings_of(
         first = shares.get("area model", 0.0) > shares.get("interface", 0.0)
         warnings.insert(0 if first else len(warnings), text)
     if decides and is_open and max(float(law.far[index] * law.weight[index]) * law.far_error for law in mixture.laws) > 0.2:
-        warnings.append("No benchmark surface is near this contact: its real area is uncertain by a factor of 2.")
+        warnings.append("No benchmark surface is similar to this contact: its real area is uncertain by a factor of 2.")
     if area < _ATOM:
         warnings.insert(0, "The contact area is smaller than an atom: models of solids do not hold at this load.")
     return warnings
@@ -215,7 +218,7 @@ def _beyond_limit(contact: Contact, pressure: float) -> list[str]:
     if limit is None or pressure <= float(np.min(np.asarray(limit))):
         return []
     bears, most = (show(value, "hardness", 2) for value in (pressure, float(np.min(np.asarray(limit)))))
-    return [f"Spots bear {bears}: above {most} this interface fails, mu rises."]
+    return [f"Contact pressure {bears} exceeds {most}: the interface fails, mu rises."]
 
 
 def _of_few_asperities(touching: float) -> list[str]:
@@ -237,7 +240,7 @@ def _of_small_menisci(contact: Contact) -> list[str]:
 def _of_few_waves(mixture: Mixture) -> list[str]:
     """Return a list with a warning if a height map contains only a few of its longest waves along a side; otherwise []."""
     waves = of_the_map(mixture.sampled.contact).get("longest_waves_on_a_side", math.inf)
-    few = f"The scan holds {waves:.2g} long waves, {LEAST_WAVES:g} wanted: measure a larger area."
+    few = f"The scan has {waves:.2g} long waves, but needs {LEAST_WAVES:g}: scan more area."
     return [few] if waves < LEAST_WAVES else []
 
 

@@ -277,8 +277,8 @@ def _labelled(surface, keys, cutoffs, numbers, words) -> "xarray.Dataset":
     meanings = {name: {"long_name": meaning, "units": unit} for name, (_, meaning, unit) in _KEPT.items()}
     meanings |= {
         _FRICTION: {"long_name": "friction coefficient", "units": "1"},
-        "height_distribution": {"long_name": "height distribution taken"},
-        "failure": {"long_name": "why there are no numbers"},
+        "height_distribution": {"long_name": "height distribution used"},
+        "failure": {"long_name": "reason for missing numbers"},
     }
     data = {name: (dims, table, meanings[name]) for name, table in numbers.items()}
     data |= {name: (dims, table.astype(str), meanings[name]) for name, table in words.items()}

@@ -198,7 +198,7 @@ def _with_log_sensitivities(said: "xarray.Dataset", slopes: LogSensitivities) ->
     for name, table in slopes.tables.items():
         if name in said.coords:
             continue  # the result is given, not computed
-        text = f"elasticity of the {said[name].attrs.get('long_name', name)}, d ln y/d ln x"
+        text = f"logarithmic sensitivity of the {said[name].attrs.get('long_name', name)}, d ln y/d ln x"
         dims = ("number", *slopes.dims[name])
         variables[f"{name}_log_sensitivity"] = (dims, table, {"units": "1", "long_name": text})
         variables[f"{name}_elasticity_error"] = (dims, slopes.errors[name], {"units": "1", "long_name": f"error of the {text}"})

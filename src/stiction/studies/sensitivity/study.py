@@ -18,7 +18,7 @@ from stiction.studies.study import Study
 
 def _plan(
     case: Path,
-    load: Annotated[str | None, Option(help='Only at this load, e.g. "1 N"; default: nine of the case at most.')] = None,
+    load: Annotated[str | None, Option(help='Use only this load, e.g. "1 N"; default: at most nine loads of the case.')] = None,
     models: Annotated[
         str | None,
         Option(

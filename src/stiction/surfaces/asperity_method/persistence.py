@@ -211,7 +211,7 @@ RECORD = AsperityMethod(
             {"threshold": 0.0, "fit_points": 9},
         ),
     ),
-    notes="It finds only summits that stand out: fewer, higher and, if the pitch is fine, sharper ones than other "
-    "methods. The default threshold grows with the size of the map, which has higher extremes, and with spikes. A "
-    "plateau is one summit.",
+    notes="It finds only summits that stand out. These are fewer, higher and, with a fine pitch, sharper than summits by "
+    "other methods. The default threshold is larger on larger maps, which have higher extremes, and on maps with spikes. A "
+    "plateau counts as one summit.",
 )

@@ -76,7 +76,7 @@ RECORD = AsperityMethod(
     find=three_point,
     order=1,
     parameters={"directions": DIRECTIONS},
-    notes="A profile crosses the shoulders of summits, so the radii are at least 1.20 times too large. If there are "
+    notes="A profile rarely passes over the top of a summit, so the radii are at least 1.20 times too large. If there are "
     "waves shorter than the pitch, a fixed fraction of all points are peaks, so N and R depend on the instrument. "
     "Plateaus are not counted. The conversion from peaks per length to N assumes an isotropic Gaussian surface.",
 )
