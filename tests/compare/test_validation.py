@@ -231,7 +231,7 @@ def test_a_folder_without_entries(tmp_path):
 def test_the_command(tmp_path):
     out = tmp_path / "out"
     shown = command("validate", VALIDATION, "--out", out)
-    assert "SYNTHETIC: these values were made up; nobody measured them." in shown.stdout
+    assert "SYNTHETIC: these values were made up; they were not measured." in shown.stdout
     assert "persson_2001" in shown.stdout and "not applicable: ghaednia_2019" in shown.stdout
     rows = (out / "synthetic_boundary_film.csv").read_text().splitlines()
     levels = ",".join(f"prediction_{level}" for level in LEVELS)

@@ -282,7 +282,7 @@ def test_a_group_that_no_one_stated_is_explained():
     with pytest.raises(InputError) as error:
         contact(strong, strong).indices()
     assert str(error.value) == (
-        "hardness_to_yield: 0.5; allowed: >= 1; follows from the numbers of the contact: hardness over yield stress, H/Y"
+        "hardness_to_yield: 0.5; allowed: >= 1; follows from the numbers of the contact: hardness over yield stress (H/Y)"
     )
 
 

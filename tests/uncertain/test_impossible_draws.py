@@ -54,7 +54,9 @@ def test_a_band_ends_at_the_nominal_area():
     assert data["contact_area_quantile"].values.max() <= AREA
     assert data.attrs["impossible_draws"] == pytest.approx(0.25, abs=0.02)
     reasons = [warning.why for warning in warnings_of(data)]
-    excluded = "25% of the samples exceed nominal area or hardness and are excluded: the interval of mu covers the others"
+    excluded = (
+        "25% of the samples exceed nominal area or hardness and are excluded: the interval of mu is computed from the others"
+    )
     assert excluded in reasons
     assert any("excluded from the band as impossible: 0.25 of the samples" in note for note in uncertain_notes(data))
 

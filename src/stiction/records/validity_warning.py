@@ -73,7 +73,9 @@ class ValidityWarning:
         if not self.points:
             return self.why
         where = f"in {self.outside} of {self.points} points" if self.points > 1 else "here"
-        return f"{QUANTITIES[self.quantity].meaning} is {self._values} {where}, valid range {self._range}: {self.why}"
+        row = QUANTITIES[self.quantity]
+        unit = " sigma" if row.normalised_by == "sigma" and row.unit else ""
+        return f"{row.meaning} is {self._values}{unit} {where}, valid range {self._range}: {self.why}"
 
     @property
     def in_brief(self) -> str:

@@ -27,7 +27,7 @@ def origin_lines(data: "xarray.Dataset") -> Iterator[Text]:
     """Yield title, source and note of a measured series, and its number of values."""
     about = data.attrs
     if about["kind"] == "synthetic":
-        yield Text("SYNTHETIC: these values were made up; nobody measured them.", style="bold yellow")
+        yield Text("SYNTHETIC: these values were made up; they were not measured.", style="bold yellow")
     if about["title"]:
         yield Text(about["title"], style="bold")
     where = [about["source"], about["place"], about["doi"], _HOW[about["read"]]]

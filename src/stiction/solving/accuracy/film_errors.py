@@ -26,7 +26,7 @@ SPHERE, MAPS = "exact sphere on a film, elastic", "rough surfaces on a film by b
 _MAPS = 10
 _ROUNDING = 1e-3  # relative round-off accepted at the ends of the measured ranges
 _BARE, _ON_FILM = "persson_widened|moments", "rough_on_film|moments"  # area law without a film, and the one with films
-_FLOWS = "unknown for films that flow plastically: no reference solution contains their squeeze-out"
+_FLOWS = "unknown for films that flow plastically: no reference solution includes that the film is squeezed out"
 
 
 def film_errors(problem: Problem, results: Mapping[str, np.ndarray]) -> list[dict[str, Any]]:

@@ -91,7 +91,7 @@ def _with_stated_values_beyond(data: "xarray.Dataset") -> "xarray.Dataset":
     mu, ends = data["friction_coefficient"], data["friction_coefficient_quantile"]
     if not ((1.01 * mu < ends.isel(quantile=0)) | (0.99 * mu > ends.isel(quantile=-1))).any():
         return data
-    why = "mu at the stated values lies outside its interval: they give nearly the largest or the smallest mu of all samples"
+    why = "mu at the stated values lies outside its interval: it is nearly the largest or the smallest mu of all samples"
     return with_warnings(data, [ValidityWarning(why)])
 
 
@@ -111,11 +111,11 @@ def _with_notes(data: "xarray.Dataset", case: Case, draws: Draws) -> "xarray.Dat
     lost = sum(draws.shares().get(why, 0.0) for why in WHY_NOT[:2])
     impossible = draws.impossible_share
     if lost:
-        why = f"{lost:.0%} of the samples have no result: intervals cover the others"
+        why = f"{lost:.0%} of the samples have no result: intervals are computed from the others"
         data = with_warnings(data, [ValidityWarning(why)])
     if impossible > _MANY:
         why = f"{impossible:.0%} of the samples exceed nominal area or hardness and are excluded"
-        left = "no interval is given" if impossible > 1.0 - _LEAST_KNOWN else "the interval of mu covers the others"
+        left = "no interval is given" if impossible > 1.0 - _LEAST_KNOWN else "the interval of mu is computed from the others"
         data = with_warnings(data, [ValidityWarning(f"{why}: {left}")])
     return data.assign_attrs(
         sampling_attributes(case),
