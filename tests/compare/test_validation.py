@@ -180,7 +180,7 @@ def test_pages_say_how_many_measured_values_are_inside():
     found = [st.validate(one) for one in entries if one.origin.kind == "measured"]
     held = {share: sum(int((one[f"within_{share}"] == "inside").sum()) for one in found) for share in (50, 90)}
     counts = f"Of {sum(one.sizes['row'] for one in found)} ", f"{len(found)} measured series"
-    inside = f"{held[90]} are inside the 90 % interval and {held[50] or 'none'} inside the 50 % interval"
+    inside = f"{held[90]} are inside the 90 % interval and {held[50] or 'none is'} inside the 50 % interval"
     for page in ("README.md", "docs/explanation/compared-with-measurements.md"):
         text = " ".join((VALIDATION.parent / page).read_text(encoding="utf-8").split())
         assert all(words in text for words in (*counts, inside)), (page, counts, inside)
