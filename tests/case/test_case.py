@@ -114,7 +114,7 @@ def test_settings(read):
         ('"200 nm"', '"-200 nm"', "contact.coating.thickness: '-200 nm'; allowed: > 0 m"),
         ('"200 nm"', "[1]", "contact.coating.thickness: 1; allowed: text with a unit"),
         ('"200 nm"', "2024-01-01", "contact.coating.thickness: datetime.date(2024, 1, 1); allowed: "),
-        ("thickness", "thicknes", "contact.coating.thicknes: not a key here; allowed: thickness (all: "),
+        ("thickness", "thicknes", "contact.coating.thicknes: unknown key; allowed: thickness (all: "),
         ('"210 GPa"', '"-210 GPa"', "contact.second.youngs_modulus: '-210 GPa'; allowed: >= 1000 Pa"),
         ('"210 GPa"', "2.1e11", "contact.second.youngs_modulus: 210000000000.0; allowed: text with a unit"),
         ('"0.5 GPa"', "5e8", "contact.coating.material.hardness: 500000000.0; allowed: text with a unit"),
@@ -142,7 +142,7 @@ def test_settings(read):
             "{ start = 4, stop = -4, count = 2.5 }",
             "solve.separation.count: 2.5; allowed: a whole number",
         ),
-        ("[1]", "{ start = 4, stop = -4, cont = 9 }", "solve.separation.cont: not a key here; allowed: count (all: "),
+        ("[1]", "{ start = 4, stop = -4, cont = 9 }", "solve.separation.cont: unknown key; allowed: count (all: "),
         (
             "[1]",
             '{ start = 4, stop = -4, count = 9, spacing = "log" }',

@@ -125,7 +125,7 @@ def test_presets_stay_what_they_are(read):
         (
             'preset = "bronze", hardness',
             'preset = "bronze", hardnes',
-            "contact.second.hardnes: not a key here; allowed: hardness",
+            "contact.second.hardnes: unknown key; allowed: hardness",
         ),
     ],
 )

@@ -264,10 +264,10 @@ def test_work_of_adhesion_from_surface_energies():
         ),
         (
             {"coating": {"material": {"preset": "silver", "hardnes": 1}, "thickness": 1e-7}},
-            "coating.material.hardnes: not a key here; allowed: hardness or range (all: ",
+            "coating.material.hardnes: unknown key; allowed: hardness or range (all: ",
         ),
         ({"hardness_to_yield": 0.9}, "hardness_to_yield: 0.9; allowed: >= 1"),
-        ({"coating": {"": 1}}, 'coating."": not a key here; allowed: '),
+        ({"coating": {"": 1}}, 'coating."": unknown key; allowed: '),
     ],
 )
 def test_bad_contact_is_one_line_with_the_dotted_field(changes, message):
@@ -305,7 +305,7 @@ def test_what_is_missing_is_told_in_its_own_words(record, given, message):
     [
         ({"theta": -1}, "theta: -1.0; allowed: >= 1e-12 and <= 1e+40"),
         ({"theta": float("nan")}, "theta: nan; allowed: finite, >= 1e-12 and <= 1e+40"),
-        ({"lamda": 1}, "lamda: not a key here; allowed: lam"),
+        ({"lamda": 1}, "lamda: unknown key; allowed: lam"),
         ({"nu": 0.5}, "nu: 0.5; allowed: >= 0 and < 0.5"),
         ({"n_E": 1.5, "n_H": 0.5}, "tau: not given; allowed: a film needs n_E, n_H and tau together"),
         (

@@ -35,7 +35,7 @@ def test_replace_reads_units_and_leaves_the_first_as_it_was():
     [
         ({"nominal_area": -1}, "nominal_area: -1.0; allowed: > 0 m^2"),
         ({"nominal_area": "2 N"}, "nominal_area: '2 N'; allowed: > 0 m^2"),
-        ({"nominal_are": 1}, "nominal_are: not a key here; allowed: nominal_area (all: first"),
+        ({"nominal_are": 1}, "nominal_are: unknown key; allowed: nominal_area (all: first"),
         ({"first": "irn"}, "first: 'irn'; allowed: a preset: iron"),
         ({"first": {"preset": "iron", "hardness": -1}}, "first.hardness: -1"),
         ({"roughness": 3}, "roughness: 3; allowed: "),

@@ -158,7 +158,7 @@ def test_errors_of_a_case_name_the_field():
         ('"elastomer"', "contact.interface: 'elastomer'; allowed: "),
         ("{ interfacial_shear_strength = 5 }", "contact.interface.interfacial_shear_strength: 5; allowed: text with a unit"),
         ('{ shear_strength = 0.1, interfacial_shear_strength = "5 MPa" }', "contact.interface"),
-        ("{ strength = 0.1 }", "contact.interface.strength: not a key here; allowed: "),
+        ("{ strength = 0.1 }", "contact.interface.strength: unknown key; allowed: "),
     ):
         with pytest.raises(InputError) as refused:
             parse_case(tomllib.loads(CASE.format(state=state)))

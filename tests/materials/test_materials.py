@@ -303,7 +303,7 @@ def test_unknown_preset_lists_near_names():
             {"hardness": [1e9, 2e9]},
             "hardness: array of shape (2,); allowed: one number, or an array with a named",
         ),
-        ({"hardnes": 1}, "hardnes: not a key here; allowed: hardness or range (all: "),
+        ({"hardnes": 1}, "hardnes: unknown key; allowed: hardness or range (all: "),
         ({"name": 3}, "name: 3; allowed: "),
     ],
 )

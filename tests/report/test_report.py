@@ -77,8 +77,8 @@ def test_inputs_say_what_the_answer_counts_and_where_the_strength_comes_from(tmp
     text = " ".join(Page((tmp_path / "report.html").read_text(encoding="utf-8")).text.split())
     ranged = re.findall(r", (not in|in) the interval of μ", text)
     assert ranged and set(ranged) == {counted}
-    assert "state of the interface oxidised metal the case" in text
-    assert "the state of the interface" in text and "interface.shear" not in text.split("Curves")[0]
+    assert "interface oxidised metal the case" in text
+    assert "the stated interface" in text and "interface.shear" not in text.split("Curves")[0]
 
 
 def test_numbers_under_the_histogram_do_not_run_into_each_other(tmp_path):

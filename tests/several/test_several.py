@@ -126,7 +126,7 @@ SIGMA = "roughness.asperity_height_deviation"
         ({SIGMA: {"start": "1 nm", "stop": "9 nm", "count": 1}}, f"contact.{SIGMA}.count: 1; allowed: a whole number, 2 to"),
         ({SIGMA: {"start": "1 nm", "count": 3}}, f"contact.{SIGMA}.stop: not given; allowed: the last point"),
         ({SIGMA: {"start": "1 nm", "stop": 2, "count": 3}}, f"contact.{SIGMA}.stop: 2; allowed: text with a unit"),
-        ({SIGMA: {"start": "1 nm", "stop": "2 nm", "number": 3}}, f"contact.{SIGMA}.number: not a key here; allowed: "),
+        ({SIGMA: {"start": "1 nm", "stop": "2 nm", "number": 3}}, f"contact.{SIGMA}.number: unknown key; allowed: "),
         ({SIGMA: {"values": ["1 nm"], "along": "load"}}, f"contact.{SIGMA}.along: 'load'; allowed: a name of letters"),
         ({SIGMA: {"values": ["1 nm"], "along": "a/b"}}, f"contact.{SIGMA}.along: 'a/b'; allowed: a name of letters"),
         ({"first": {"preset": "silver", "poissons_ratio": [0.3, 0.5]}}, "contact.first.poissons_ratio: 0.5; allowed: >= 0 and"),

@@ -179,7 +179,7 @@ def test_each_method_at_the_loads_of_the_first(scan):
         ((np.eye(16) * 1e-9, "1 N"), "roughness.size: '1 N'"),
         ({"first": np.zeros((16, 16))}, "roughness.first: 'ndarray'; allowed: a HeightMap"),
         ({"first": {"file": "nowhere.npy"}}, "roughness.first.file: 'nowhere.npy'"),
-        ({"first": (np.eye(16) * 1e-9, "1 um"), "methd": "mccool"}, "roughness.methd: not a key here; allowed: method"),
+        ({"first": (np.eye(16) * 1e-9, "1 um"), "methd": "mccool"}, "roughness.methd: unknown key; allowed: method"),
         ({"first": (WAVY, "1 um"), "method": "mcool"}, "roughness.method: 'mcool'; allowed: "),
         (3.0, "roughness: 3.0; allowed: a table with sigma, R and N"),
         ("scan.npy", "roughness: 'scan.npy'; allowed: a table with sigma, R and N"),

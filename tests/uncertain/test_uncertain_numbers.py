@@ -215,7 +215,7 @@ SIGMA = "roughness.asperity_height_deviation"
         ("48 +/- 30 nm", f"contact.{SIGMA}: '48 +/- 30 nm'; allowed: > 0 m for all but 2.5% of values, here 5.5%"),
         ({"low": "48 nm"}, f"contact.{SIGMA}.high: not given; allowed: the high end"),
         ({"low": "48 nm", "high": "8 nm"}, f"contact.{SIGMA}.high: '8 nm'; allowed: above the low end, 48 nm"),
-        ({"low": "48 nm", "hi": "8 nm"}, f"contact.{SIGMA}.hi: not a key here; allowed: "),
+        ({"low": "48 nm", "hi": "8 nm"}, f"contact.{SIGMA}.hi: unknown key; allowed: "),
         ({"low": 4, "high": "8 nm"}, f"contact.{SIGMA}.low: 4; allowed: text with a unit"),
         ({"median": "48 nm"}, f"contact.{SIGMA}.factor: not given; allowed: a factor above 1"),
         ({"median": "48 nm", "factor": 0.5}, f"contact.{SIGMA}.factor: 0.5; allowed: a factor above 1"),
@@ -241,7 +241,7 @@ def test_what_is_wrong_is_one_line(tmp_path, entry, message):
 @pytest.mark.parametrize(
     ("table", "message"),
     [({"count": 1000}, "uncertainty.count: 1000; allowed: a power of two"), ({"coverage": 90}, "uncertainty.coverage: 90; al"),
-     ({"ranges": 1}, "uncertainty.ranges: 1; allowed: true"), ({"points": 64}, "uncertainty.points: not a key here; allowed")],
+     ({"ranges": 1}, "uncertainty.ranges: 1; allowed: true"), ({"points": 64}, "uncertainty.points: unknown key; allowed")],
 )  # fmt: skip
 def test_what_is_wrong_in_the_table_is_one_line(table, message):
     with pytest.raises(InputError) as error:

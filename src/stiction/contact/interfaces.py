@@ -174,7 +174,7 @@ def interface(name: str, /) -> Interface:
     if not isinstance(name, str) or name not in _states():
         known = _SYNONYMS.get(name.lower(), "") if isinstance(name, str) else ""
         hint = f"{known!r}" if known else nearest(name, interface_names())
-        raise InputError("interface", name, f"a state of an interface: {hint}")
+        raise InputError("interface", name, f"an interface: {hint}")
     return _states()[name]
 
 
@@ -199,7 +199,7 @@ def check_interface(contact: Input, state: Interface, first: Material, second: M
     coated = contact.part("coating") is not None
     if not state.allows(first, second, coated=coated):
         bodies = f"{first.name} on {second.name}" + ("" if coated else " without a film")
-        allowed = f"{', '.join(allowed_interfaces(first, second, coated=coated))} (the interface states of {bodies})"
+        allowed = f"{', '.join(allowed_interfaces(first, second, coated=coated))} (the interfaces of {bodies})"
         raise InputError("interface", state.name, allowed)
 
 

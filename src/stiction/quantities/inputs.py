@@ -348,7 +348,7 @@ def _input_error(error: ValidationError, cls: type[Input]) -> InputError:
         return InputError(".".join([*path, cause.field] if cause.field else path), cause.value, cause.allowed)
     if details["type"] == "extra_forbidden":
         known = _by_symbol(path[-1], cls) or nearest(path[-1], cls.model_fields)
-        return InputError(".".join(path), InWords("not a key here"), known)
+        return InputError(".".join(path), InWords("unknown key"), known)
     if details["type"] == "missing":
         return InputError(".".join(path), None, _wanted(path[-1], cls))
     allowed = details.get("ctx", {}).get("expected") or cls.model_fields[path[0]].description

@@ -45,7 +45,7 @@ _PARTS = {
 _NOT_NUMBERS = {
     "bodies": "which body carries the film",
     "height_distribution": "distribution of asperity heights",
-    "interface.name": "state of the interface",
+    "interface.name": "interface",
 }
 
 
@@ -129,7 +129,7 @@ def _source(findings: ReportData, dotted: str, path: tuple[str, ...], places: di
     if dotted.startswith("roughness.") and (measured := findings.case.measured) is not None:
         return f"measured in scans, by {'their moments' if dotted.startswith(f'roughness.{_MOMENTS}') else measured.method}"
     if dotted.startswith("interface.") and path[:2] in places:
-        return "the case" if dotted == "interface.name" else "the state of the interface"
+        return "the case" if dotted == "interface.name" else "the stated interface"
     if path in places or not places:
         return "the case"
     return source_of_finish(findings.case.subject, dotted) or "default of stiction"
