@@ -145,7 +145,7 @@ def test_a_warning_leaves_at_most_fair_confidence(predicted):
 def test_the_scale_of_confidence_stands_beside_its_word(predicted):
     rows = dict(answer_lines(predicted, terminal=False))
     assert rows["confidence"].startswith(
-        "low, of high (the interval ends within a factor of 1.5 of μ, and no warning), fair (within 3) and low"
+        "low (high: the interval ends within a factor of 1.5 of μ, without a warning; fair: within a factor of 3; low: "
     )
     assert "confidence" not in dict(answer_lines(predicted)) and "stiction" not in " ".join(rows.values())
 

@@ -104,7 +104,7 @@ async def test_the_first_screen_shows_the_prediction():
         rows = dict(pairwise(_texts(user)))
         assert rows["state"] == letters(found.attrs["regime"])  # below "Why"
         assert rows["next"].startswith("measure μ once and fit the case to it; ") and "narrow μ to" in rows["next"]
-        assert rows["confidence"].startswith("fair, of high (the interval ends within a factor of 1.5 of μ, and no warning)")
+        assert rows["confidence"].startswith("fair (high: the interval ends within a factor of 1.5 of μ, without a warning")
 
 
 @in_a_loop

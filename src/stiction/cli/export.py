@@ -12,9 +12,9 @@ from stiction.report.exports import UNITS, export_formats
 def export(
     case: Path = argument("CASE.toml", "Case file: what is in contact and at which loads."),
     to: str = option(f"Format: {', '.join(export_formats())}.", ..., "--to", metavar="FORMAT"),
-    out: Path = option("File to write; an existing one is replaced.", ..., "--out", metavar="FILE"),
+    out: Path = option("File to write; an existing file is replaced.", ..., "--out", metavar="FILE"),
     load: Load = None,
-    level: float = option("Quantile of mu: 0.5 the median, 0.05 a lower bound, 0.95 an upper one.", 0.5),
+    level: float = option("Quantile of mu: 0.5 for the median, 0.05 for a lower bound, 0.95 for an upper bound.", 0.5),
     units: str = option(f"Consistent units of the file: {', '.join(UNITS)}.", "m-kg-s"),
     radius: str | None = option('Effective radius of two spheres, e.g. "50 um", for lethe and liggghts.', metavar="LENGTH"),
     json: Json = False,

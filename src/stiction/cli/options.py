@@ -133,7 +133,9 @@ Ranges = Annotated[
     bool | None,
     typer.Option("--ranges/--no-ranges", help="Vary material numbers within their ranges.", rich_help_panel=_RARE),
 ]
-Load = Annotated[str | None, typer.Option(metavar="LOAD", help='Load that replaces the points of the case: "1 N".')]
+Load = Annotated[
+    str | None, typer.Option(metavar="LOAD", help='Load, e.g. "1 N", instead of the loads or separations of the case.')
+]
 Model = Annotated[str | None, option("Key of a model.", ..., metavar="KEY", autocompletion=keys_of("model"))]
 Asperity = Annotated[str | None, option("Asperity law.", ..., autocompletion=keys_of("asperity"), **LAW)]
 Tangential = Annotated[

@@ -87,7 +87,7 @@ def slide(
     residual_strength: float | None = option("Residual strength of a sliding asperity or point, as a fraction."),
     weakening_slip: str | None = option("Slip over which a point of a map falls to its residual strength, e.g. '10 nm'."),
     spring_stiffness: str | None = option("Stiffness of the machine that moves a map, e.g. '100 N/mm'."),
-    tangential_force: str | None = option("Force on a map in place of displacements, e.g. '1 mN'."),
+    tangential_force: str | None = option("Tangential force on a map, instead of displacements, e.g. '1 mN'."),
     **beside: str | None,
 ) -> None:
     """Compute the tangential force of a contact against its tangential displacement, from rest to sliding.

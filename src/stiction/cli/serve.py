@@ -15,7 +15,7 @@ def serve(
     case: Path | None = argument("[CASE.toml]", "Case file to begin with; without one, silver on steel.", None),
     port: int = option("Port of the page.", 8080, min=1, max=65535),
     host: str = option(
-        "Address to bind; any other than the default lets other computers use the page without a password.", "127.0.0.1"
+        "Network address; any other than the default lets other computers use the page without a password.", "127.0.0.1"
     ),
 ) -> None:
     """Open a page in the browser with a control for every number of a case: friction, models, surfaces and studies.

@@ -88,7 +88,7 @@ for _folder, _study in studies():
 @app.command()
 def report(
     case: Path = argument("CASE.toml", "Case file: what is in contact and what to solve."),
-    out: Path = option("File to write; an existing one is replaced.", ..., "--out", metavar="FILE.html|.pdf"),
+    out: Path = option("File to write; an existing file is replaced.", ..., "--out", metavar="FILE.html|.pdf"),
     load: str | None = option('Working load, e.g. "1 N"; default: the middle load of the case.'),
     ranges: Ranges = None,
     json: Json = False,

@@ -25,16 +25,16 @@ def surface(
     fill: str | None = option("Fill missing points: harmonic or nearest; by default they stay missing."),
     shortest: str | None = option('Shortest wavelength to keep, e.g. "200 nm".'),
     longest: str | None = option('Longest wavelength to keep, e.g. "5 um".'),
-    tip_radius: str | None = option('Radius of the stylus tip, e.g. "2 um"; it limits the reliable band.'),
-    case: Path | None = option("Case file: the resolution study draws its mu with this surface."),
-    load: str | None = option('Load of --case, e.g. "1 N"; by default its middle load.'),
+    tip_radius: str | None = option('Radius of the stylus tip, e.g. "2 um"; the tip limits the reliable wavelengths.'),
+    case: Path | None = option("Case file; the resolution study then includes its mu with this surface."),
+    load: str | None = option('Load of --case, e.g. "1 N"; default: the middle load of the case.'),
     contact: str | None = option(
-        "Solve its contact at these nominal pressures over E* h' (h': rms gradient), e.g. \"0.01 0.1\"."
+        "Solve the contact of the scan at these nominal pressures over E* h' (h': rms gradient), e.g. \"0.01 0.1\"."
     ),
     hardness: float | None = option("Hardness of --contact, over E* h'; by default the contact is elastic."),
     periodic: bool = option("Treat the scan as one period of an infinite surface; no form is removed.", False, "--periodic"),
     save_map: Path | None = option("Write the prepared map to this file: .gwy (Gwyddion), .x3p or .sdf."),
-    details: bool = option("Also print moments, and every method of finding asperities.", False, "--details"),
+    details: bool = option("Also print spectral moments, and the asperities by every method.", False, "--details"),
     out: Out = None,
     json: Json = False,
 ) -> None:

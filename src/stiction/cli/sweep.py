@@ -12,11 +12,11 @@ from stiction.cli.program import app, busy, present, progress_text
 def sweep(
     case: Path = argument("CASE.toml", "Case file in which numbers are arrays."),
     out: Path = option(
-        "Folder of the store: a new one, or an unfinished one of the same case.", ..., "--out", parser=folder, metavar="STORE"
+        "Folder of the store: new, or of an unfinished sweep of the same case.", ..., "--out", parser=folder, metavar="STORE"
     ),
     workers: int = option("Number of processes on this machine.", 1, metavar="N"),
     scheduler: str | None = option(
-        "Scheduler of a dask.distributed cluster that does the work, e.g. tcp://host:8786.", metavar="ADDRESS"
+        "Address of the scheduler of a dask.distributed cluster, e.g. tcp://host:8786.", metavar="ADDRESS"
     ),
     details: Details = False,
     json: Json = False,

@@ -86,8 +86,8 @@ def confidence_in(data: "xarray.Dataset") -> str:
 def confidence_scale(word: str) -> str:
     """Return a text with a confidence, "high", "fair" or "low", and an explanation of these three words."""
     high, fair, _ = (f"{factor:g}" for factor in _CONFIDENCE)
-    scale = f"high (the interval ends within a factor of {high} of mu, and no warning), fair (within {fair})"
-    return f"{word}, of {scale} and low (wider, or fewer than two of three handbook contacts agree)"
+    scale = f"high: the interval ends within a factor of {high} of mu, without a warning; fair: within a factor of {fair}"
+    return f"{word} ({scale}; low: wider, or fewer than two of three handbook contacts agree)"
 
 
 class PredictionAnswer(TypedDict):

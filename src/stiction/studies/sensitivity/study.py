@@ -22,8 +22,8 @@ def _plan(
     models: Annotated[
         str | None,
         Option(
-            help="Models to draw from, separated by commas, or: none, for the model of the case alone. Default: the model "
-            "of the case, or the prediction where it names none.",
+            help="Models to sample, separated by commas; none: only the model of the case. Default: the model of the case, "
+            "or the prediction if the case names no model.",
             metavar="NAMES",
         ),
     ] = None,
