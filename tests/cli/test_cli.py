@@ -15,6 +15,7 @@ from typer.testing import CliRunner
 from stiction import cli
 from stiction.case.case_tables import json_schema
 from stiction.case.read import read_case
+from stiction.engine.tiers import all_compiled
 from stiction.quantities.table import QUANTITIES
 from stiction.records.registry import AsperityLaw, FilmLaw, RoughSurface, find, incompatibility, of_kind
 from stiction.solving.solve import solve
@@ -39,6 +40,13 @@ def strict(text):
         raise ValueError(word)
 
     return json.loads(text, parse_constant=refuse)
+
+
+@pytest.fixture(scope="module", autouse=True)
+def _compiled():
+    """Bits are compared: results of plain Python and of compiled loops differ in the last one."""
+    with all_compiled():
+        yield
 
 
 @pytest.fixture(scope="module")
