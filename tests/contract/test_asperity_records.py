@@ -168,7 +168,7 @@ def test_what_leaves_its_range_has_a_warning():
     phase = 2.0 * math.pi / 16 * np.arange(96)
     crate = HeightMap(3e-9 * np.cos(phase)[:, None] * np.cos(phase), (96e-8, 96e-8))
     note = asperities(crate, "mccool").note
-    assert "asperity density times R sigma is 0.0" in note and "valid range 0.01" in note
+    assert "asperity density times R sigma) is 0.0" in note and "valid range 0.01" in note
     assert note.endswith("as their bandwidth parameter alpha is 1.5 or more")
     assert "claimed" not in asperities(rough(), "mccool").note
 

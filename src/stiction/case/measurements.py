@@ -62,7 +62,7 @@ class Measurements:
         return list(dict.fromkeys(self.quantity))
 
     def some(self, rows: np.ndarray) -> "Measurements":
-        """Return the measurements at the indices `rows`, or where `rows` is a boolean mask (n,)."""
+        """Return the measurements that `rows` selects: an array of indices, or a boolean mask (n,)."""
         indices = np.flatnonzero(rows) if np.asarray(rows).dtype == bool else np.asarray(rows)
         lists = (tuple(column[i] for i in indices) for column in (self.quantity, self.sample, self.known, self.line))
         quantity, sample, known, line = lists

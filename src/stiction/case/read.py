@@ -249,7 +249,8 @@ def _tables(path) -> Mapping:
 def refuse_bare_numbers(table: Mapping, path: str) -> None:
     """Raise InputError if a number in a table, or in a nested table, needs a unit and has none.
 
-    path: dotted name of the table, e.g. "contact.coating"; "" for all tables of a case.
+    path: dotted name of the table, e.g. "contact.coating"; "" for all tables of a case. `solve.load` and lists are checked
+    later, when they are read.
     """
     for key, value in table.items():
         where = f"{path}.{key}" if path else key
@@ -299,7 +300,7 @@ def case_in(content: Mapping, folder: Path = Path()) -> Case:
 def with_files_read(content: Mapping, folder: Path) -> tuple[Mapping, dict[Address, SweptNumber]]:
     """Read all files that a case names; return the tables of the case, and its swept and uncertain numbers by address.
 
-    An address is a tuple of keys. folder: folder at which relative paths start. In the tables, names of user-defined materials
+    An address is a tuple of keys. folder: base folder of relative paths. In the tables, names of user-defined materials
     are replaced by the materials, scans by the roughness measured from them, swept numbers by their first value, and uncertain
     numbers by their nominal value. Raises InputError for an invalid entry or file.
     """
@@ -322,7 +323,7 @@ def with_files_read(content: Mapping, folder: Path) -> tuple[Mapping, dict[Addre
 def with_single_numbers(content: Mapping[str, Any], folder: Path, allowed: str) -> tuple[Mapping, dict[Address, Uncertain]]:
     """Return the tables of a case without those of studies, after reading all files, and its uncertain numbers by address.
 
-    An address is a tuple of keys. folder: folder at which relative paths start. allowed: text that states what a list of values
+    An address is a tuple of keys. folder: base folder of relative paths. allowed: text that states what a list of values
     may be instead, for the error. Raises InputError if a number is swept.
     """
     content, numbers = with_files_read(without_studies(content), folder)

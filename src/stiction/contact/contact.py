@@ -39,7 +39,7 @@ class Contact(Subject):
     Parameters
     ----------
     first, second : Material, str or dict
-        Material, name of a preset, or a dict. Their order matters only in `st.slide`, where unlike bodies move over a map.
+        Material, name of a preset, or a dict. Their order matters for what is stated of one body, and in `st.slide`.
     roughness : Roughness, dict, HeightMap, topography or (array, size)
         sigma, R and N of the asperities; or a scan of the first body (the second is then smooth); or a dict like the table of
         a case file, with scans or numbers as `first` and `second`, and the method that finds asperities.
@@ -117,7 +117,7 @@ class Contact(Subject):
         return self
 
     def _check_adhesion(self) -> None:
-        """Raise InputError if some points of a sweep adhere and others do not, or if only one of contact and film adheres."""
+        """Raise InputError if a sweep has works of adhesion of 0 and above, or if only one of contact and film adheres."""
         some = np.asarray(0.0 if self.work_of_adhesion is None else self.work_of_adhesion)
         if (some == 0.0).any() and some.any():
             raise InputError(

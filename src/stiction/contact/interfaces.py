@@ -174,7 +174,7 @@ def interface(name: str, /) -> Interface:
     if not isinstance(name, str) or name not in _states():
         known = _SYNONYMS.get(name.lower(), "") if isinstance(name, str) else ""
         hint = f"{known!r}" if known else nearest(name, interface_names())
-        raise InputError("interface", name, f"an interface: {hint}")
+        raise InputError("interface", name, f"a name that `stiction interfaces` lists, e.g. {hint}")
     return _states()[name]
 
 
@@ -326,7 +326,7 @@ def _states() -> dict[str, Interface]:
 
 
 def _as_interface(value: Any) -> Any:
-    """Return the interface state that a text names; return any other value of the field unchanged, to be validated."""
+    """Return the interface state of this name; return an Interface, dict or None unchanged. Raises InputError otherwise."""
     if isinstance(value, Interface | dict | None):
         return value
     with field_named(""):

@@ -154,7 +154,7 @@ class Subject(Input):
         return value() if callable(value) else value
 
     def given_as(self, group: str) -> str:
-        """Return the name of the input by which the user states a dimensionless group; for Indices the same name."""
+        """Return the name of the user's input that sets a dimensionless group, e.g. hold_time; for Indices the group's name."""
         return group
 
     @abstractmethod

@@ -87,7 +87,7 @@ def exponential_window(z_left, z_right, shape):
 def exponential_heights() -> Heights:
     """Return exponential heights, for which sums over touching asperities fall as exp(-h) with the separation h >= -1.
 
-    Greenwood & Williamson 1966, section 3. h is over sigma, from the mean height; no asperity is lower than -1.
+    Greenwood & Williamson 1966, section 3. h: separation from the mean height, over sigma. No asperity is lower than -1.
     """
     return Heights("exponential", exponential_density, exponential_window, knots=np.array([-1.0]))
 

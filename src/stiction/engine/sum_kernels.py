@@ -218,12 +218,12 @@ def _putting(along: Callable, rows: int) -> Any:
 
 @cache
 def reaching(window: Callable) -> Any:
-    """Return a formula that cuts a segment to the displacements that contribute to a sum, and divides this range into parts.
+    """Return a formula that finds the displacements of a segment that contribute to a sum, and splits this range into parts.
 
     window: window formula of the height distribution, as in `Heights`. The returned formula maps (w_left, w_right, reach,
     shape) to: displacement at the start, step to the end of each part, number of parts (0 if nothing contributes), displacement
     at the end, index of the integration rule. reach: (w_low, w_top, nearest), the displacements between which nodes are placed
-    and the smallest separation, over sigma. The segment ends where the density at the smallest separation has become negligible
+    and the smallest separation, over sigma. The range ends where the density at the smallest separation has become negligible
     against the density at the start; at larger separations it is then negligible too.
     """
 

@@ -19,7 +19,7 @@ _SQRT_HALF_BITS = int(np.float64(math.sqrt(0.5)).view(np.int64))
 
 @formula
 def exponential(x):
-    """Return exp(x) for x <= 0, with a relative error of at most 2e-16; the result is 0 for x below -708."""
+    """Return exp(x) for x <= 0, with a relative error of at most 2e-16; the result is 0 for x <= -708."""
     shifted = x * _LOG2E + _ROUNDS  # its last digits are the whole number k next to x/ln 2
     k = shifted - _ROUNDS
     r = (x - k * _LN2_HIGH) - k * _LN2_LOW

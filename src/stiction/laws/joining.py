@@ -278,13 +278,14 @@ def coordinates_at_area(segment: NormalSegment, area: np.ndarray | float) -> np.
 def states(regime: Regime, u: np.ndarray) -> np.ndarray:
     """Return the six values (n, 6) of a regime at the coordinates u (n,), one coordinate for each of n contacts.
 
-    They are displacement, its derivative by u, load, contact area, slip-limited and yield-limited tangential force.
+    Columns: displacement, its derivative with respect to u, load, contact area, slip-limited tangential force, yield-limited
+    tangential force.
     """
     return _values(regime.along, regime.parameters, u, 6)
 
 
 def normal_states(segment: NormalSegment, u: np.ndarray) -> np.ndarray:
-    """Return displacement, its derivative by u, load and contact area (n, 4) of a segment at the coordinates u (n,).
+    """Return displacement, its u-derivative, load and contact area (n, 4) of a segment at the coordinates u (n,).
 
     Units: displacement in sigma, load in K R^(1/2) sigma^(3/2) with K = (4/3) E*, area in pi R sigma.
     """

@@ -14,7 +14,7 @@ NEAR_YIELD = Validity(
     "asperity_area_over_yield",
     0.0,
     10.0,
-    "the pressure of yielded asperities stays near that of first yield here, but should rise to the hardness",
+    "in this law the pressure of yielded asperities stays near the pressure at first yield; it should rise to the hardness",
 )  # fmt: skip
 SOFT_FILM = Validity("n_H", 0.0, 1.0, "the law assumes a film that is softer than the substrate")
 PLASTIC_FILM = Validity("film_plasticity_index", 1.0, math.inf, "the film is modelled as plastic at any load", "effect")

@@ -196,5 +196,5 @@ def _disagreement(name: str, dim: str, size: int, other: str) -> InputError:
     return InputError(
         name,
         InWords(f"dimension {dim!r} of length {size}"),
-        f"the length and coordinate of {dim!r} in the input {other}; or rename it in {name}, to combine all values of both",
+        f"the length and coordinate of dimension {dim!r} of {other}; to combine all values instead, rename it in {name}",
     )

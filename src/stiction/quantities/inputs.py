@@ -347,7 +347,7 @@ def _input_error(error: ValidationError, cls: type[Input]) -> InputError:
     if isinstance(cause, InputError):
         return InputError(".".join([*path, cause.field] if cause.field else path), cause.value, cause.allowed)
     if details["type"] == "extra_forbidden":
-        known = _by_symbol(path[-1], cls) or nearest(path[-1], cls.model_fields)
+        known = _by_symbol(path[-1], cls) or nearest(path[-1], cls.model_fields) + cls.instead
         return InputError(".".join(path), InWords("unknown key"), known)
     if details["type"] == "missing":
         return InputError(".".join(path), None, _wanted(path[-1], cls))

@@ -10,7 +10,7 @@ Taken = TypeVar("Taken")
 
 
 class Converted(Generic[Value, Taken]):
-    """Tell type checkers that a field of a record may be set to the types `Taken` and then has the type `Value` (PEP 681)."""
+    """Declare to type checkers a field that accepts values of type `Taken` and is read as type `Value` (PEP 681)."""
 
     def __get__(self, record: object, owner: object) -> Value:
         raise NotImplementedError  # only type checkers use this method

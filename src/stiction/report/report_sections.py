@@ -264,7 +264,7 @@ def uncertainty_lines(findings: ReportData) -> list[str]:
 
 
 def _unknown(some: "list[Uncertain]") -> str:
-    """Describe inputs that vary together: meanings, places in the case, and distribution."""
+    """Return one text on inputs that vary together: "meanings (addresses in the case): distribution"."""
     names = dict.fromkeys(QUANTITIES[uncertain.quantity].meaning for uncertain in some)
     places = ", ".join(uncertain.where for uncertain in some)
     return f"{' and '.join(names)} ({places}): {with_signs(some[0].distribution.words)}"
@@ -293,7 +293,7 @@ def _validity_row(warning: ValidityWarning) -> list[str]:
 
 
 def notes(findings: ReportData) -> list[str]:
-    """Return notes on a result: input warnings, and the notes of `run_notes`, or the warnings of a prediction."""
+    """Return the input warnings, followed by the warnings of a prediction, or by the `run_notes` of any other result."""
     warnings = [f"Input warning: {note}" for note in findings.input_warnings]
     if findings.data.attrs.get("model", RECOMMENDED) == RECOMMENDED:
         return [*warnings, *map(letters, findings.data.attrs.get("warnings", []))]

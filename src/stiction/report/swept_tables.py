@@ -78,7 +78,7 @@ def combinations_shown(data: "xarray.Dataset", option: str) -> str:
 
 
 def _most(dims: list[str]) -> int:
-    """Return the largest number of values along each dimension in `dims` for which `swept_table` has rows."""
+    """Return how many values of each dimension `swept_table` shows at most by default: one number for all `dims`."""
     return max(2, int(_ROWS ** (1.0 / len(dims)) + 1e-9))
 
 

@@ -131,7 +131,7 @@ def _whole(parts: list[Inversion]) -> Inversion:
 def _of_block(problem: Problem, targets: np.ndarray, refuse: bool) -> tuple[Inversion, np.ndarray | None]:
     """Find separations as `separations_at` does, for one block of contacts; return the inversion and the sums over asperities.
 
-    A fast method is used for all contacts for which it succeeds, and the method of brackets for the others. The sums (regimes,
+    A fast method is used for all contacts for which it succeeds, and bracketing for the others. The sums (regimes,
     n, m, 5) at the separations are NaN where they were not computed, or None if none was.
     """
     sums = None

@@ -64,13 +64,13 @@ class MapProblem(Problem):
 
     @cached_property
     def contact(self) -> Contact:
-        """Return the contact with its map; its liquid is removed if menisci are not solved.
+        """Return the contact with its map, and without its liquid if the model does not solve menisci.
 
         Raises InputError if the contact has no map, or if one of its numbers is an array.
         """
         if not isinstance(self.subject, Contact) or self.subject.measured is None:
             raise InputError(
-                "height map", None, f"roughness = a HeightMap, or a scan in a case file, because {self.record.key} solves it"
+                "height map", None, f"roughness = a HeightMap, or a scan in a case file; {self.record.key} needs one"
             )
         self.subject.require_single(f"one number, where {self.record.key} solves a map")
         return self.subject if self.menisci else self.subject.replace(liquid=None)
@@ -97,9 +97,9 @@ class MapProblem(Problem):
         return self._measured.solvable.one()
 
     def curve(self, load: np.ndarray) -> "MapCurve":
-        """Solve the map at normalised loads (m,), and return its contacts.
+        """Solve the map at normalised loads (m,), and return the solutions.
 
-        Raises InputError for a load that is not positive if the contact has no adhesion.
+        Raises InputError for a load that is not positive, unless the option `adhesion` includes adhesion.
         """
         contact, surface = self.contact, self.surface()
         unit = self.factors["N"]

@@ -161,10 +161,11 @@ def _by_asperity(
 
 
 def _grown(groups: Groups, pressure: np.ndarray) -> dict[str, np.ndarray]:
-    """Return the factor (n, m) by which the area of junctions grows under shear until the interface fails; {} if unknown.
+    """Return {"grown_area_ratio": factor (n, m) by which junctions grow under shear until the interface fails}, or {}.
 
-    pressure: mean contact pressure p over the hardness H. The factor is (p/H)/sqrt(1 - c^2), at least 1, with c the strength of
-    the interface over the strength of the bodies (Tabor 1959). It is returned in a dictionary, as grown_area_ratio.
+    The dict is empty if the strength of the bodies is unknown. The factor is (p/H)/sqrt(1 - c^2), at least 1, with c the
+    strength of the interface over the strength of the bodies (Tabor 1959); the root is limited. pressure: mean contact pressure
+    p over the hardness H; counts as at most 1.
     """
     ratio = groups.strength_over_bodies
     if ratio is None:

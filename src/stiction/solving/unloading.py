@@ -168,8 +168,9 @@ def _described(subject: Subject, name: str) -> dict[str, str]:
 class _Unloading:
     """Represent the unloading of n contacts.
 
-    pressed: the problem at loading. released(groups, distance, **own options of the asperity law): function that returns the
-    segments of asperities that were drawn apart by that distance. how: the assumption about the asperities, in words.
+    pressed: the problem at loading. released: function of (groups, distance, **own options of the asperity law) that returns
+    the segments after the separation has grown by `distance`, over sigma, since the turning point. how: the assumption about
+    the asperities, in words.
     """
 
     pressed: AsperitySum

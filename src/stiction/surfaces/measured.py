@@ -317,9 +317,9 @@ def independent(found: "Asperities", surface: "HeightMap") -> int:
 def standing_method(found: Mapping[str, "Asperities"], counts: Mapping[str, int]) -> str:
     """Return the key of the asperity method that is used if the user states none.
 
-    found: asperities by method. counts: number of separate asperities by method. The result is the first method that finds FEW
-    asperities or more, or only computes averages, else the first that found any. Methods with `of_summits` come first, because
-    their moments can be added for two bodies.
+    found: asperities by method. counts: number of separate asperities by method. The result is the first method that finds at
+    least FEW asperities or computes averages only; if there is none, the first in `found`. Methods with `of_summits` come
+    first, because their moments can be added for two bodies.
     """
     from stiction.surfaces.asperity_set import FEW
     from stiction.surfaces.finding import methods

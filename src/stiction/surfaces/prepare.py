@@ -99,7 +99,7 @@ def prepared_period(
 
 
 def _seam(surface: HeightMap) -> str:
-    """Return a warning text if opposite edges of a map that is stated to be periodic do not match; "" if they do.
+    """Return the end of a history entry, which warns that opposite edges of one period do not match; "" if they match.
 
     They do not match if the rms height step across the edges is at least 5 times that between neighbouring points.
     """

@@ -111,7 +111,7 @@ async def make_page(query: Query, state: str) -> None:
 
 
 def _first_answer(query: Query, state: str) -> tuple[Answer, InputError | None]:
-    """Return the first answer of a page, and the error of its address or None.
+    """Return the first answer of a page, and the InputError that the case in its address raises, or None.
 
     state: text of a case from the address; "" for the served case. After an error, the served case is solved.
     """

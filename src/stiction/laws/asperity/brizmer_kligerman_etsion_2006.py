@@ -2,7 +2,7 @@ r"""One asperity without adhesion in full stick with its counterface: Brizmer, K
 
 *Assumes*: an elastic, perfectly plastic sphere on a rigid flat in full stick, without slip anywhere in the contact. The
 formulas are fitted to finite elements. *Source*: [brizmer_kligerman_etsion_2006]; critical values and load are taken from an
-independent code. The critical displacement $w_c$ and load $P_c$, at first yield in stick, are those of a frictionless Hertz
+independent code. The displacement $w_c$ and load $P_c$ at first yield in stick equal the values for a frictionless Hertz
 contact (slip) times ratios that depend on Poisson's ratio. In slip $w_s=(\tfrac23C_\nu\eta/k)^2$ with
 $C_\nu=1.234+1.256\nu$, the largest pressure over the yield stress; in stick
 
@@ -150,7 +150,12 @@ RECORD = AsperityLaw(
     "interferences, the only check of the area's exponent; load and area continuous at first yield",
     needs=("hardness_group", "nu", "hardness_to_yield"),
     validity=(
-        Validity("nu", LEAST_NU, 0.5, f"the law is fitted for nu >= {LEAST_NU}; below, its stick/slip ratios are constant"),
+        Validity(
+            "nu",
+            LEAST_NU,
+            0.5,
+            f"the fit begins at {LEAST_NU}; below, the yield ratios (full stick over slip) are those at {LEAST_NU}",
+        ),
     ),
     limits=(
         Limit("hertz", {"theta": 1.0, "lam": 1e24}, ("contact_area",), 1e-9),

@@ -106,7 +106,11 @@ RECORD = AsperityLaw(
     validity=(
         # 0.94 r^1.146 at the last interference ratio that was computed, r = 110
         Validity(
-            "asperity_area_over_yield", 0.0, 205.0, "the published fit ends at this ratio, at 110 critical interferences", "fit"
+            "asperity_area_over_yield",
+            0.0,
+            205.0,
+            "the published fit ends at a ratio of 205, at 110 critical interferences",
+            "fit",
         ),
     ),
     limits=(elastic_limit("hertz"),),

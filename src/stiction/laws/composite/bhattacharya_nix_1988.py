@@ -55,7 +55,7 @@ def constants(n_E: np.ndarray, n_H: np.ndarray, n_Y: np.ndarray) -> np.ndarray:
 def landmarks(constant: np.ndarray, exponent: np.ndarray) -> np.ndarray:
     """Return depths over film thickness (n, 7) at which an integral over depth is split.
 
-    Between two neighbouring depths the hardness changes little. constant, exponent: c and m (n,) of the decay exp(-c
+    Between two neighbouring depths the decay changes by at most 0.5. constant, exponent: c and m (n,) of the decay exp(-c
     (depth/thickness)^m).
     """
     return constant[:, None] ** (-1.0 / exponent[:, None]) * np.array([0.25, 0.75, 1.5, 3.0, 6.0, 12.0, 30.0])

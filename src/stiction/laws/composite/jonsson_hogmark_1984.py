@@ -43,9 +43,10 @@ def constants(n_E: np.ndarray, n_H: np.ndarray, n_Y: np.ndarray) -> np.ndarray:
 
 
 def landmarks(constant: np.ndarray, exponent: np.ndarray) -> np.ndarray:
-    """Return the displacements over film thickness, omega/t (n, 9), at which an integral over heights is split.
+    """Return nine values of omega/t (n, 9) at which the integral over asperity heights is split.
 
-    At the first displacement the substrate begins to contribute. constant: C (n,) from `constants`. `exponent` is not used.
+    The substrate contributes beyond the first; the others only shorten the intervals. constant: C (n,) from `constants`.
+    `exponent` is not used.
     """
     return constant[:, None] / _DIAGONAL * np.array([1.0, 2.0, 6.0, 24.0, 100.0, 500.0, 3e3, 2e4, 2e5])
 

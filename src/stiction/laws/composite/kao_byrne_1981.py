@@ -1,8 +1,8 @@
 r"""Hardness of a film on a substrate from deep impressions: Kao & Byrne 1981.
 
-*Assumes*: impressions are deep compared with the film thickness $t$. *Source*: [kao_byrne_1981], as restated by the
-documentation of the NIMS toolbox. $H$ is the hardness of film and substrate together at the depth $\omega$, $H_s$ of the
-substrate, $n_H$ of the film over the substrate's. With $v=\omega/t$,
+*Assumes*: impressions are deeper than about a fifth of the film thickness $t$. *Source*: [kao_byrne_1981], as restated by the
+documentation of the NIMS toolbox. $H$ is the hardness of film and substrate together at the depth $\omega$, $H_s$ the hardness
+of the substrate, $n_H$ the hardness of the film over $H_s$. With $v=\omega/t$,
 
 $$
 \frac H{H_s}=1+(n_H-1)\min\left(\frac{0.18}v,\,1\right)

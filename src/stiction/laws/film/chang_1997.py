@@ -109,7 +109,12 @@ NO_ADHESION = {"no adhesion": "it needs an asperity law without adhesion"}
 
 # Ranges outside which the law fails: for a film of zero thickness, and if not all of the film is plastic.
 FLOWING = (
-    Validity("tau", 0.1, math.inf, "the load on the film around each contact is too high, and does not vanish for thin films"),
+    Validity(
+        "tau",
+        0.1,
+        math.inf,
+        "the load that the film carries around each substrate contact is too high; it does not vanish for thin films",
+    ),
     Validity("film_plasticity_index", 8.0, math.inf, "the film is modelled as plastic from first touch"),
     Validity(
         "load_share_substrate",

@@ -111,7 +111,10 @@ RECORD = FilmLaw(
     validity=(
         DEEP_FILM,
         Validity(
-            "load_share_substrate", 0.0, 0.1, "where the film is pressed through, area and shear force stay those of the film"
+            "load_share_substrate",
+            0.0,
+            0.1,
+            "beyond the film thickness the area is still computed as on the film; area and friction are inaccurate",
         ),
     ),
     load_falls=False,

@@ -82,7 +82,7 @@ VALIDITY = (
         "meniscus_over_radius",
         0.0,
         0.01,
-        "menisci are not small against asperities: they pull less than computed, by 3 % or more",
+        "menisci are not small compared with asperities: they pull at least 3 % less than computed",
     ),
     Validity("meniscus_tabor_parameter", 0.0, 0.1, "menisci deform asperities this soft, which the law neglects"),
     Validity("meniscus_coverage", 0.0, 0.2, "neighbouring menisci merge and pull less than computed, by a tenth or more"),
@@ -138,7 +138,7 @@ RECORD = Meniscus(
             "penetration_over_meniscus",
             0.0,
             0.1,
-            "menisci pull such elastic asperities less than computed, down to half, and widen their contact area",
+            "menisci pull such elastic asperities with as little as half the computed force, and enlarge their contact area",
         ),
     ),
     notes="The force of a touching asperity is constant. This holds for plastic asperities, which are treated as truncated; "

@@ -230,7 +230,9 @@ RECORD = RoughSurface(
             "the map does not resolve the loss of strength: the friction force is too large",
         ),
         Validity("points_at_edge", limits.LEAST_POINTS, inf, "the map does not resolve the edge of adhesive contact", "effect"),
-        Validity("range_tabor", limits.LEAST_TABOR, inf, "on this map the attraction reaches too far: use a finer map"),
+        Validity(
+            "range_tabor", limits.LEAST_TABOR, inf, "the shortest range that this map resolves is too long: use a finer map"
+        ),
         Validity("attraction_residual", 0.0, limits.MOST_ATTRACTION_LEFT, "the solution did not converge", "effect"),
         Validity("solution_residual", 0.0, limits.TOLERANCE, "the solution did not converge", "effect"),
         Validity("load_error", 0.0, limits.LEAST_LOAD_ERROR, "the computed pressures do not add up to the load", "effect"),

@@ -139,7 +139,7 @@ RECORD = RoughSurface(
             "roughness_parameter",
             LEAST_DENSITY,
             LARGEST_DENSITY,
-            "below this range no profile with exponential autocorrelation has this value; above it the model has no table",
+            "profiles with exponential autocorrelation have no smaller value; the table of the model ends at the upper limit",
         ),
         ELASTIC,
     ),

@@ -90,7 +90,12 @@ RECORD = TangentialLaw(
     verified="seven loads tabulated independently; independent evaluation at 30 digits; sums over Gaussian heights",
     needs=("hardness_group", "nu", "hardness_to_yield"),
     validity=(
-        Validity("nu", LEAST_NU, 0.5, f"the law is fitted for nu >= {LEAST_NU}; below, its stick/slip ratios are constant"),
+        Validity(
+            "nu",
+            LEAST_NU,
+            0.5,
+            f"the fit begins at {LEAST_NU}; below, the yield ratios (full stick over slip) are those at {LEAST_NU}",
+        ),
     ),
     notes="The junction is assumed as strong as the bulk, an upper bound for clean metals. Plastic asperities resist too, so "
     "that mu stays above 0.27 at any plasticity index. The yield stress is hardness over hardness_to_yield.",

@@ -102,7 +102,13 @@ RECORD = TangentialLaw(
     verified="evaluation in SI units at 30 digits; values at both sizes and between",
     needs=("nu", "sharpness", "size_over_burgers"),
     validity=(
-        Validity("size_over_burgers", 1.0, np.inf, "asperities smaller than a Burgers vector are no continuum", "assumption"),
+        Validity(
+            "size_over_burgers",
+            1.0,
+            np.inf,
+            "asperities smaller than a Burgers vector cannot be treated as a continuum",
+            "assumption",
+        ),
     ),
     notes="The strength follows from the shear modulus and the contact's `burgers_vector`; `interfacial_shear_strength` is not "
     "used. It holds for clean contacts that are smooth below the asperity scale and is an upper bound for others: rough gold "

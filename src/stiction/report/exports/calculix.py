@@ -19,7 +19,7 @@ _MOST_ROWS = 20
 
 
 def content(table: "xarray.Dataset") -> str:
-    """Return mu at the stated load, and pressure against overclosure, as text of a CalculiX input file.
+    """Return a CalculiX input file: mu and stick slope at the stated load, and a table of pressure against overclosure.
 
     table: dataset of `export`, in its consistent units. Raises InputError if the table has no tangential stiffness, because
     *FRICTION needs one.

@@ -57,7 +57,7 @@ def band_lines(data: "xarray.Dataset") -> Iterator[Any]:
 
 
 def uncertain_notes(data: "xarray.Dataset") -> Iterator[str]:
-    """Yield notes on the uncertain inputs: which they are, how they were sampled, and what fraction of samples is excluded."""
+    """Yield notes on the uncertain inputs: names, sampling, fraction of samples excluded, and validity warnings of samples."""
     used = data.attrs
     for line in used["uncertain_inputs"].splitlines():
         yield f"uncertain: {line}"

@@ -174,7 +174,7 @@ def by_ranks(pressure: float, slopes: MapSlopes) -> float:
 
 
 def first_crossing(area, wanted, beyond):
-    """Return the value at which the array `area` first reaches the array `wanted`, by linear interpolation.
+    """Return the value of `area` where it first reaches `wanted`, interpolated linearly between elements.
 
     area, wanted: (n,), compared element by element. beyond: the value returned if `area` never reaches `wanted`.
     """

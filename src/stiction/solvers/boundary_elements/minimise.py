@@ -14,7 +14,7 @@ unique. It meets the conditions of Karush, Kuhn & Tucker with an offset a and th
 `residual` measures how far (2) is from being met, so any solution can be checked by itself.
 
 The method of Polonsky & Keer is used: conjugate gradients over the points with 0 < p < H. Five changes make it converge also
-where points flow, in a number of steps that hardly grows with the map. Equation numbers were not compared with print.
+where points flow, in a number of steps that hardly grows with the map size. Equation numbers were not compared with print.
 
 - The gradient is divided by C(k) on these points and shifted to zero sum. Near full contact this is the solution.
 - The pressure gets its mean back by a shift of these points. A factor would raise it above H.

@@ -34,9 +34,9 @@ _MOST_STEPS = 100
 
 @formula
 def _place(u, per_root):
-    """Return the coordinate z = (q - 1)/(q + 1), q = per_root u, of the film's curves, and dz/d ln u = (1 - z^2)/2.
+    """Return z, the argument of the film's curves, and dz/d ln u = (1 - z^2)/2.
 
-    u: coordinate of the asperity; where it is infinite, the two values are 1 and 0.
+    z = (q - 1)/(q + 1) with q = per_root u. u: coordinate of the asperity; where it is infinite, the two values are 1 and 0.
     """
     rest = 1.0 / (per_root * u + 1.0)
     return 1.0 - 2.0 * rest, 2.0 * rest * (1.0 - rest)
@@ -75,10 +75,10 @@ def _curve(z, by_u, c):
 
 @formula
 def _hertzian(u, row):
-    """Return the contact of a sphere without adhesion at the coordinate u; row: parameters of the asperity.
+    """Return z, dz/d ln u, E_P, D, d ln E_P/d ln u and d ln D/d ln u of a sphere without adhesion at the coordinate u.
 
-    The six values are z, dz/d ln u, the modulus E_P of the load, the factor D of the approach, d ln E_P/d ln u and d ln D/d ln
-    u.
+    The normalised load is E_P u^6, the displacement D u^4. z: argument of the film's curves (see `_place`). row: parameters of
+    the asperity.
     """
     z, by_u = _place(u, row[1])
     load, load_slope = _curve(z, by_u, row[HEAD:_APPROACH])

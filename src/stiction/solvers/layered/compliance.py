@@ -26,7 +26,7 @@ class Layer:
 
     share: fraction of the compliance of the two surface materials (as half-spaces) that belongs to this film's material, above
     0, at most 1. ratio: ratio of the plane-strain moduli of film and body below, finite; 0 if that body is rigid. excess: 4
-    beta - alpha with Dundurs' parameters alpha and beta, -1 to 1; it holds the effect of Poisson's ratios.
+    beta - alpha with Dundurs' parameters alpha and beta, -1 to 1; Poisson's ratios enter only through it.
     """
 
     share: float

@@ -81,7 +81,7 @@ class ShearCompliance:
 
     @property
     def sums(self) -> tuple[float, float]:
-        """Return the sums of 1/G and of nu/G over the uncoated bodies [1/Pa].
+        """Return the sums of 1/G and of nu/G over those bodies that have no film [1/Pa].
 
         G: shear modulus. nu: Poisson's ratio.
         """

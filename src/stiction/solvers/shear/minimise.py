@@ -103,7 +103,7 @@ class _Touching:
         return field.reshape(-1, *self._shape)
 
     def displacement(self, traction: np.ndarray) -> np.ndarray:
-        """Return the displacement [m] caused by the traction [Pa], both (components, points), at the points with strength."""
+        """Return the displacement [m] that the traction [Pa] causes; both (components, points), at points with strength > 0."""
         return self.read(self._operator(self.map(traction)))
 
     def inverse(self, displacement: np.ndarray) -> np.ndarray:

@@ -6,7 +6,7 @@ columns. One component neglects the traction across the sliding direction, which
 Periodic: symbol (2) of `compliance`. The mean displacement is set to 0, so that rigid shifts are relative to the mean plane.
 Films on rigid substrates have a defined mean displacement and keep it.
 Mirrored: the map is one quarter of a period, and mirror images fill the rest. q_x is even about every side, q_y odd.
-Free: no traction acts outside the map, and the bodies are half-spaces. A uniform traction q_x on a pixel gives (Cerruti;
+Free: no traction acts outside the map, and the bodies are half-spaces. A uniform unit traction q_x on a pixel gives (Cerruti;
 Johnson 1985, Contact Mechanics, eq. 3.75, integrated over the pixel; differences over its corners, r^2 = x^2 + y^2, S and N the
 sums of `compliance`)
 

@@ -119,7 +119,8 @@ def on_solved_maps(problem: Problem, points: int) -> ErrorsNear | None:
 
     points: number of loads of each contact; all of them get the same errors. Source: truth/films.csv. A film thinner or thicker
     than the measured ones gets the errors at the end of the measured range, because there the law approaches the law of the
-    bare body, or of the film alone. A modulus outside the measured range increases the distance.
+    bare body, or of the film alone. A film modulus outside the measured range gets these errors too, with a larger `distance`
+    of the result.
     """
     groups = problem.groups.resolved()
     if not problem.record.on_film or groups.roughness_parameter is None or groups.film_aspect is None:

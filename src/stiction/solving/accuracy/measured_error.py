@@ -237,7 +237,7 @@ def _own_error(surface: "HeightMap", share: np.ndarray, every_point: bool = Fals
 
 
 def _widened(middle: np.ndarray, levels: np.ndarray, more: np.ndarray) -> np.ndarray:
-    """Return the quantiles `levels` (k, 5), widened about `middle` (k,) by a normal error of standard deviation `more` (k,)."""
+    """Return the quantiles `levels` (k, 5) about `middle` (k,), with a normal error of deviation `more` (k,) in quadrature."""
     if not more.any():
         return levels
     apart = levels - middle[:, None]

@@ -226,8 +226,9 @@ class DesignSpace:
     def _alike(self, shares: np.ndarray) -> list[np.ndarray]:
         """Return groups of designs that differ in numbers only, not in materials, as arrays of indices.
 
-        Designs are sorted by N R sigma (density N, radius R and height deviation sigma of asperities), which decides the laws
-        that apply. So neighbours can be predicted together.
+        Designs are sorted by the product of their free roughness numbers. If these are density N, radius R and height
+        deviation sigma of asperities, N R sigma decides which laws apply, so neighbours can be predicted together. shares (n,
+        d): position of each of d choices in its range, 0 to 1.
         """
         order = np.argsort(self._summits(shares), kind="stable")
         if not self.named:
@@ -304,10 +305,11 @@ class DesignSpace:
         return {name: self._table(name, solved, groups, shape, subject) for name in self.names}
 
     def _shown(self, tables: Mapping, objectives: list[np.ndarray], excess: list[np.ndarray]) -> dict[str, np.ndarray]:
-        """Return the value to show of each result (designs,), by name.
+        """Return one value per design of each result, for display, as arrays (designs,) by name.
 
         A result that an objective or limit concerns is shown at the worst sample and load, other results by their median.
-        excess, objectives: arrays (designs, samples, loads), in the order of the plan.
+        objectives: values of the objectives. excess: violations of the limits. Both are arrays (designs, samples, loads), in
+        the order of the plan.
         """
         found = {name: np.median(table.reshape(len(table), -1), axis=1) for name, table in tables.items()}
         names = [*(one.quantity for one in self.plan.limits), *(one.quantity for one in self.plan.objectives)]
@@ -378,7 +380,7 @@ def _validity_bits(solved: BatchResult, validity: str) -> dict[np.uint32, str]:
 
 
 def _worst(table: np.ndarray) -> np.ndarray:
-    """Return the worst value of each design (designs,): the largest over its loads, at the 95 % quantile of its samples.
+    """Return the worst value of each design (designs,): the 95 % quantile over samples of the largest value over loads.
 
     table (designs, samples, loads): costs or violations, higher is worse.
     """
@@ -386,7 +388,7 @@ def _worst(table: np.ndarray) -> np.ndarray:
 
 
 def _place_of_worst(table: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return the indices (designs, samples, loads) of the worst value of each design, as `_worst` defines it."""
+    """Return three index arrays (designs,): design, sample and load of the value that `_worst` selects for each design."""
     numbers = _refused_as_far(table)
     rows, loads = np.arange(len(table)), numbers.argmax(axis=2)
     order = np.argsort(numbers.max(axis=2), axis=1, kind="stable")

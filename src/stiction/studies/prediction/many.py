@@ -158,8 +158,8 @@ def _together(
 def _one_finish(case: Case, numbers: Mapping) -> dict[tuple[str, ...], Any]:
     """Return the numbers; for a surface with a finish, roughness arrays of length one are replaced by floats.
 
-    numbers: number or labelled array (xarray) by address (tuple of keys). `with_finish` samples one surface only, and so
-    refuses arrays of heights. The caller then divides the contacts until each batch has a single height.
+    numbers: number or labelled array (xarray) by address (tuple of keys). `with_finish` raises InputError for
+    arrays of heights; `predict_many` then bisects the batch until each part has one height.
     """
     finished = isinstance(case.subject, Contact) and case.subject.roughness.unknowns
     rows = dict(numbers)

@@ -88,10 +88,10 @@ class Onset:
         )
 
     def efficiency(self, strength: np.ndarray, share: np.ndarray, level: np.ndarray, rows: np.ndarray) -> np.ndarray:
-        """Return the largest friction force over the sum of the strengths of all contact spots (n, m), at most 1.
+        """Return the friction efficiency (n, m): largest friction force over the sum of the strengths of all spots, at most 1.
 
         strength: mean shear strength on the contact area [Pa] (n, m). share: real over nominal area (n, m). level: quantile
-        levels (n,) of the error of this calculation. rows: index of the sampled input numbers of each sample (n,).
+        levels (n,) at which the error of this formula is sampled. rows: index of the sampled input numbers of each sample (n,).
         """
         from scipy.special import ndtri
 

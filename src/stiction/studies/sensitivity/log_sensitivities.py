@@ -82,9 +82,10 @@ def numbers_of(case: Case) -> dict[str, list[Uncertain]]:
 
 
 def _numbers(record: Input, path: Address) -> Iterator[tuple[Address, float]]:
-    """Yield the address (tuple of keys) and the value of each stated number above 0 in a record and its nested records.
+    """Yield the address (tuple of keys) and the value of each number above 0 in a record and its nested records.
 
-    path: address of the record, with which all addresses begin.
+    Fields of a contact or of indices that the user did not state are left out, and so are the records `surface` and
+    `interface`. path: address of the record, with which all addresses begin.
     """
     given = record.model_fields_set if isinstance(record, Subject) else type(record).model_fields  # groups may have a default
     for name in [name for name in type(record).model_fields if name in given]:

@@ -123,7 +123,7 @@ def maps_of(listed: Sequence[Any], shared: Any, folder: Path) -> tuple[MapOfPlac
     """Return a MapOfPlace for each map (file, patch or random map) that the list `roughness` of the table [sweep] describes.
 
     listed: entries of the list, each a scan file or a spectrum. shared: settings that apply to every entry, or None. folder:
-    folder at which relative paths start. Raises InputError.
+    base folder of relative paths. Raises InputError.
     """
     if not isinstance(shared or {}, Mapping) or (shared or {}).keys() & {"first", "second", "file"}:
         raise InputError("contact.roughness", shared, "settings of all maps, e.g. size, unit; name scans in sweep.roughness")

@@ -173,7 +173,7 @@ def make_plan(content: Mapping[str, Any], folder: Path = Path()) -> Plan:
 def _plan_of_maps(content: Mapping[str, Any], folder: Path, sweep: Sweep) -> Plan:
     """Return the plan of a sweep over height maps, with one map in each block.
 
-    content: tables of the case. folder: folder at which relative paths start. Raises InputError.
+    content: tables of the case. folder: base folder of relative paths. Raises InputError.
     """
     if not isinstance(content.get("contact"), Mapping):
         raise InputError("sweep.roughness", "given", "a case with [contact]")

@@ -1,4 +1,4 @@
-"""Read one measurement from a container of contact.engineering: a .zip file with two or more scans of one surface."""
+"""Read one measurement from a container of contact.engineering: a .zip file with scans, usually of one surface."""
 
 import warnings
 from pathlib import Path

@@ -124,8 +124,7 @@ class Shapes:
 
     - t: half the difference of the principal curvatures over their mean: 0 for a round summit, 1 for a ridge
     - weight: weight of each Gauss point
-    - load, area: factors C_P(t) and C_A(t) by which load and contact area at a given overlap differ from those of a round
-      summit
+    - load, area: factors C_P(t) and C_A(t): load and contact area over those of a round summit at the same overlap
     """
 
     t: np.ndarray

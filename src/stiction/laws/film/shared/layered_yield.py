@@ -169,8 +169,9 @@ def _last_elastic(segments: list[NormalSegment]) -> NormalSegment:
 def _plastic_segments(elastic, segments, at_yield, hardness: Hardness, pull) -> list[NormalSegment]:
     """Return the plastic segments of an asperity law, shifted to the point at which the asperity on a film yields.
 
-    elastic: segment of the asperity on the film up to yield. segments: those of the asperity law on the uniform half-space at
-    yield. at_yield (n, 5): the numbers that the kernel of `_onset` finds. pull (n,): adhesive force on a plastic asperity.
+    elastic: segment of the asperity on the film up to yield. segments: segments of the asperity law on the uniform half-space
+    that replaces film and substrate at yield. at_yield (n, 5): u, modulus, hardness, z and displacement at yield. pull (n,):
+    adhesive force on a plastic asperity.
     """
     first, last = _last_elastic(segments), elastic.edges[:, -1]
     w, _, load, area = normal_states(elastic, last).T

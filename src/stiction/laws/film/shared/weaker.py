@@ -18,10 +18,13 @@ _DEEPEST = 1e3  # displacement over sigma beyond which no asperity contributes
 
 @cache
 def _weaker(substrate: Callable, film: Callable, back: Callable, of_substrate: int, of_film: int) -> tuple[Any, Any]:
-    """Return two formulas: the response with the weaker of two resistances, and the film's resistance minus the substrate's.
+    """Return two formulas for the weaker of two resistances.
+
+    The first returns displacement, its derivative, zero load, zero area, and the slip-limited and yield-limited resistance of
+    film or substrate, whichever is weaker. The second returns the film's resistance minus the substrate's.
 
     substrate, film: formulas `along` of both regimes, with of_substrate and of_film parameters. back: formula for the
-    coordinate of the film at a displacement. The response of the first formula has zero load and area.
+    coordinate of the film at a displacement.
     """
     count = of_substrate + of_film
 

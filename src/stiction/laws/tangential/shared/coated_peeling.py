@@ -140,9 +140,10 @@ def _fill(rows, root, curves, first, out):
 def peeling_columns(segment: NormalSegment, groups: Groups) -> tuple[tuple[np.ndarray, ...], np.ndarray | None]:
     """Return the parameters of `peeling_force`, arrays (n,), and the coordinate (n, 1) at which the peeling force vanishes.
 
-    The force vanishes in unloading only: the coordinate is None in loading, and the start of the segment if it vanishes
-    nowhere. segment: JKR asperity of a film law that solves film and body as one solid. groups: dimensionless groups of n
-    contacts with a film, with all defaults filled in. If `peeling` is 0, the force is practically infinite.
+    The second result is None for a loading segment. For an unloading segment it is the coordinate at which the force vanishes,
+    or the start of the segment if the force vanishes nowhere. segment: JKR asperity of a film law that solves film and body as
+    one solid. groups: dimensionless groups of n contacts with a film, with all defaults filled in. If `peeling` is 0, the force
+    is practically infinite.
     """
     share = np.maximum(1.0 if groups.peeling is None else groups.peeling, _LEAST_SHARE)
     scale = np.broadcast_to(np.sqrt(32.0 * math.pi * groups.n_g / (groups.theta * share)), len(groups))
@@ -153,8 +154,8 @@ def peeling_columns(segment: NormalSegment, groups: Groups) -> tuple[tuple[np.nd
 def _curves(segment: NormalSegment, groups: Groups) -> tuple[tuple[np.ndarray, ...], np.ndarray]:
     """Return the spline of the peeling force along a segment, and the coordinate (n,) at which the force vanishes.
 
-    The spline is a tuple of arrays (n,): the coordinate at its start, then its coefficients. If the force vanishes nowhere, the
-    second result is also the coordinate at the start. segment, groups: as in `peeling_columns`.
+    The spline is a tuple of arrays (n,): the coordinate at the start of the segment, then the coefficients. If the force
+    vanishes nowhere, the second result is the start of the segment. segment, groups: as in `peeling_columns`.
     """
     laws, first = len(groups), np.ascontiguousarray(segment.edges[:, 0])
     different, which = bodies_of(groups)

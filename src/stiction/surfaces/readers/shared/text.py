@@ -91,10 +91,10 @@ class _Layout:
 
 
 def _layout(path: Path) -> _Layout | None:
-    """Detect how the numbers of a text file are written.
+    """Return the layout of the numbers in a text file: delimiter, decimal mark and heading.
 
-    Returns None if the file does not begin with numbers after at most one line of words. Raises InputError for an empty file
-    and for row numbers.
+    None if the file does not begin with numbers after at most one line of words. Raises InputError for an empty file
+    and for a column of row numbers.
     """
     first, second = [*islice(_lines(path), 2), "", ""][:2]
     if not first:
