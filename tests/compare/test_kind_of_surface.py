@@ -149,8 +149,10 @@ def test_a_stated_shape_narrows_the_prediction_and_replaces_the_question_for_the
 
 
 def test_a_shape_that_cannot_be_is_refused():
-    with refusal("kurtosis", "4.0", "at least 5"):
-        st.Roughness(**NUMBERS, skewness=2.0, kurtosis=4.0)
+    for skewness in (2.0, -2.0):  # two heights of the probabilities (1 +- 1/sqrt 2)/2 have a kurtosis of 5, the smallest
+        with refusal("kurtosis", "4.0", "at least 5"):
+            st.Roughness(**NUMBERS, skewness=skewness, kurtosis=4.0)
+        assert st.Roughness(**NUMBERS, skewness=skewness, kurtosis=5.0).kurtosis == 5.0
     with refusal("texture_aspect_ratio", "1.2", "<= 1"):
         st.Roughness(**NUMBERS, texture_aspect_ratio=1.2)
     with refusal("skewness", "2 values", "one number"):

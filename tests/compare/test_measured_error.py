@@ -11,11 +11,12 @@ import pytest
 from scipy.stats import norm
 
 import stiction as st
+from stiction.solvers.boundary_elements import map_area as map_areas
 from stiction.solvers.boundary_elements.area_estimates import map_slopes
 from stiction.solvers.boundary_elements.map_area import map_area
 from stiction.solvers.boundary_elements.solve import solve_map
 from stiction.solving.accuracy.errors_near import LEVELS, quantiles
-from stiction.solving.accuracy.measured_error import measured_errors
+from stiction.solving.accuracy.measured_error import _own_error, measured_errors
 from stiction.solving.accuracy.solved_set import FEATURES, coded, decoded, solved_set
 from stiction.solving.choice import Choice
 from stiction.solving.problem import make_problem
@@ -177,6 +178,16 @@ def test_a_window_is_one_sample_of_its_surface():
     assert 4.0 < waves < 6.0
     assert measured(data)["sample"] == pytest.approx([few_waves * np.std(np.log(alone), ddof=1) / 2.0], rel=0.02)
     assert "larger surface" in data.attrs["measured_error_in_words"]
+
+
+@pytest.mark.parametrize(("stretch", "formula", "error"), [(1.0, "top slopes", 0.031), (4.0, "ranks", 0.06)])
+def test_a_map_too_large_to_be_solved_has_the_error_of_its_formula(monkeypatch, stretch, formula, error):
+    """The errors that the table of formulas in docs/explanation/truth.md prints, whatever the area."""
+    monkeypatch.setattr(map_areas, "MOST_POINTS", 100)
+    spectrum = SelfAffine(hurst=0.8, rolloff=SIDE / 4, shortest=SIDE / 16, deviation=1e-8)
+    surface = gaussian_surface((64, 64), (SIDE, SIDE), spectrum, seed=9031, stretch=stretch)
+    assert map_area(surface).way == formula
+    assert _own_error(surface, np.array([0.01, 0.3])).tolist() == [error, error]
 
 
 def errors_at(one, pressure, model):

@@ -41,6 +41,14 @@ def test_every_root_of_a_wave():
         assert (roots[len(expected) :] == 0.0).all()
 
 
+def test_a_root_at_a_sample_is_found_once():
+    """Every whole number in [0, 24] is a sample; a line through zero rises or falls there."""
+    rows = np.array([[5.0, 1.0], [5.0, -1.0], [23.0, 1.0]])
+    roots = found(flat, rows, [0.0, 24.0])
+    np.testing.assert_allclose(roots[:, 0], rows[:, 0], rtol=1e-14)
+    assert (roots[:, 1:] == 0.0).all()
+
+
 def test_a_jump_and_a_flat_place():
     rng = np.random.default_rng(1)
     table = np.column_stack([rng.uniform(0.01, 1.99, 300), rng.uniform(0.1, 9.0, 300)])

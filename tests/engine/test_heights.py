@@ -49,6 +49,13 @@ def test_densities_against_scipy(key):
     assert_allclose(density(heights, z), expected, rtol=1e-12, atol=1e-300)
 
 
+def test_weibull_density_vanishes_where_no_double_holds_it():
+    """At y = mean + deviation z = 30 an exponent of 2 gives 60 deviation exp(-900), less than any double."""
+    heights = height_distribution("weibull", exponent=2.0)
+    variable = stats.weibull_min(2.0)
+    assert density(heights, [(30.0 - variable.mean()) / variable.std()]) == 0.0
+
+
 @pytest.mark.parametrize("heights", [height_distribution(key.split()[0], **KNOWN[key][0]) for key in KNOWN], ids=list(KNOWN))
 def test_standardised(heights):
     """Mass 1, mean 0, deviation 1. The window leaves out less than exp(-30); y^2.4 costs the quadrature digits."""

@@ -27,6 +27,7 @@ from stiction.solving.choice import Choice
 from stiction.solving.problem import problem_of
 from stiction.surfaces.theory import moments
 from stiction.surfaces.theory.start_table import lone_separation
+from tables import groups
 
 ADHESIVE = st.Contact(
     first="hardened_steel_52100",
@@ -410,6 +411,14 @@ def test_a_theory_in_closed_form_refuses_what_it_carries_nowhere():
             assert abs(float(one["load_residual"])) < 1e-12
     with refusal("load", "0"):
         st.solve(contact, load=0.0, model="greenwood_2006")
+
+
+@pytest.mark.parametrize(("asperity", "covers"), [("hertz", True), ("dmt", False)])
+def test_an_approach_covered_ends_with_more_load_than_tension(asperity, covers):
+    """The grid ends at h = -8. There all DMT asperities of theta = 0.27 touch: 8^1.5 + 3/8 8^-0.5 - 2 pi/0.27 = -0.51."""
+    choice = Choice("rough_dmt") if asperity == "dmt" else Choice("greenwood_williamson_1966")
+    tension, _, whole = problem_of(groups(theta=0.27, lam=10.0), choice).approach.lowest
+    assert whole.tolist() == [covers] and (tension > 0.51).tolist() == [not covers]
 
 
 @pytest.mark.parametrize("x", (-20.0, -3.0, 0.0, 2.5, 9.0, 30.0))

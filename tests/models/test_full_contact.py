@@ -10,6 +10,7 @@ from refusals import refusal
 from stiction.case.read import parse_case
 from stiction.contact.indices import Groups
 from stiction.laws.criterion.persson_tosatti_2001 import elastic_over_adhesion, energy_ratio, wavevector_sum
+from stiction.laws.rough_surface.persson_tosatti_2001 import area_at_load
 from stiction.laws.validity import warnings_of
 from stiction.studies.comparison.criteria import criteria_of
 from tables import column, groups, read
@@ -56,6 +57,17 @@ def test_what_stays_partial_is_refused():
         st.solve(contact("2 um", "20 um", "2e9 1/m^2"), load=1e-3, model="persson_tosatti_2001")
     steel = st.compare(contact(first="copper", second="copper"), load=1e-2)
     assert "persson_tosatti_2001: " in steel.attrs["not_applicable"]
+
+
+def test_full_contact_needs_less_energy_than_adhesion_gains():
+    """U/gamma < 1 is strict: with equal energies nothing holds the faces together."""
+    density = np.linspace(0.03, 0.08, 9)
+    theta = 1.0 / elastic_over_adhesion(groups(theta=1.0, roughness_parameter=density, sharpness=0.03))
+    given = groups(theta=np.outer([1.0, 0.5], theta).ravel(), roughness_parameter=np.tile(density, 2), sharpness=0.03)
+    equal, less = elastic_over_adhesion(given) == 1.0, elastic_over_adhesion(given) < 1.0
+    area = area_at_load(np.ones((18, 1)), given)[:, 0]
+    assert equal.sum() > 3 and np.isnan(area[equal]).all()
+    np.testing.assert_allclose(area[less], 1.0 / (math.pi * np.tile(density, 2)[less]), rtol=1e-14)
 
 
 def test_between_faces_may_need_a_load():
