@@ -308,8 +308,7 @@ def _of_measured(data: "xarray.Dataset") -> str:
     if "parameter" not in data.dims and data.attrs["grows_with_pressure"]:
         return f"{values}: {strength} at zero pressure; the pressure coefficient of the state still applies"
     if "parameter" not in data.dims:
-        line = f'interfacial_shear_strength = {{ low = "{low}", high = "{high}" }}'
-        return f"{values}: {strength}; in the case, in place of interface: {line}"
+        return f"{values}: {strength}"
     names = data["parameter"].values.tolist()
     texts = [] if "interfacial_shear_strength" in names else [strength]
     for index, name in enumerate(names):
