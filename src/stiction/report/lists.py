@@ -122,7 +122,7 @@ def interfaces_table() -> Group:
         rows.append([row["name"], *cells])
     table = Table([*map(Column, ("state", "tau_0", "90 % (grade)", "alpha", "90 % (grade)"))], rows, ruled=True, gap=1)
     letters = [Text(f"{letter}: {meaning}") for letter, meaning in GRADES.items()]
-    meaning = Text("Strength: tau_0 + alpha p. H: hardness, G: shear modulus, both of the softer body")
+    meaning = Text("Strength: tau_0 + alpha p. H: hardness of the softer body")
     return Group(table, meaning, *letters, _how_to_state("oxidised metal"))
 
 
