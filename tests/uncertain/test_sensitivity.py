@@ -279,9 +279,9 @@ def test_elasticities_of_a_prediction_are_differences_of_predictions():
     data = st.sensitivity(predicted_case())
     found = data["friction_coefficient_log_sensitivity"]
     assert float(found.sel(number="interfacial_shear_strength")) == pytest.approx(1.0, abs=1e-6)
-    ends = [st.predict(predicted_case(radius=f"{50.0 * math.exp(step)!r} um")) for step in (-0.2, 0.2)]
+    ends = [st.predict(predicted_case(radius=f"{50.0 * math.exp(step)!r} um")) for step in (-0.05, 0.05)]
     low, high = (float(one.friction_coefficient.item()) for one in ends)
-    assert float(found.sel(number="asperity_radius")) == pytest.approx(math.log(high / low) / 0.4, rel=0.03)
+    assert float(found.sel(number="asperity_radius")) == pytest.approx(math.log(high / low) / 0.1, rel=0.03)
     assert sensitivity_figure(data).get_suptitle() == "Two bodies\nprediction"
 
 
@@ -296,7 +296,7 @@ def test_a_stated_error_is_shown_and_the_strength_has_one_name():
 
 
 def test_the_numbers_of_a_named_interface_are_among_the_sensitivities():
-    """mu is alpha plus tau_0 over the pressure: with both it doubles. On hard bodies alpha is nearly all of it."""
+    """mu is alpha plus tau_0 over the pressure: with both it doubles. On hard bodies alpha is most of it."""
     case = predicted_case()
     del case["contact"]["interfacial_shear_strength"]
     silicon = {"first": "silicon", "second": "silicon", "interface": "monolayer"}
@@ -304,4 +304,19 @@ def test_the_numbers_of_a_named_interface_are_among_the_sensitivities():
     alpha, tau = (
         float(found.sel(number=f"interface.{name}")) for name in ("pressure_coefficient", "interfacial_shear_strength")
     )
-    assert alpha > 0.9 and 0.0 < tau < 0.1 and alpha + tau == pytest.approx(1.0, abs=0.03)
+    assert alpha > 0.8 and 0.0 < tau < 0.2 and alpha + tau == pytest.approx(1.0, abs=0.03)
+
+
+def test_one_per_cent_changes_mu_as_printed_also_where_mu_is_steep():
+    """Copper on copper has junctions that grow: 1 % of the strength of its oxide is 4 % of mu, and 20 % a factor of 11."""
+    contact = {"first": "copper", "second": "copper", "interface": "oxidised metal", "nominal_area": "1 cm^2"}
+    contact["roughness"] = {"rms_height": "0.2 um", "finish": "ground"}
+    state, mu = st.Contact(**contact).interface, []
+    for times in (0.99, 1.01):
+        strength, ends = state.shear_strength * times, [end * times for end in state.range["shear_strength"]]
+        moved = state.replace(shear_strength=strength, range=state.range | {"shear_strength": tuple(ends)})
+        mu.append(st.predict(st.Contact(**contact | {"interface": moved}), load="10 N").friction_coefficient.item())
+    data = st.sensitivity({"contact": contact, "solve": {"load": "10 N"}})
+    slope = float(data["friction_coefficient_log_sensitivity"].sel(number="interface.shear_strength"))
+    assert slope == pytest.approx(50.0 * math.log(mu[1] / mu[0]), rel=0.1)
+    assert f"{slope:+.2g}" in [row[1] for row in log_sensitivities_table(data).rows]

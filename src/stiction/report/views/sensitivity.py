@@ -92,9 +92,10 @@ def log_sensitivities_table(data: "xarray.Dataset") -> Table:
     y are the results, such as mu, and x all input numbers.
     """
     results, names = at_working_load(data), results_of(data, "log_sensitivity")
+    digits = 2 if _SHARE in data else 3  # samples of a prediction scatter
     order: Any = ranked(results, names[0], "log_sensitivity", "number") if names else []
     rows = [
-        [part_name(str(number)), *(_signed(float(results[f"{name}_log_sensitivity"][place])) for name in names)]
+        [part_name(str(number)), *(_signed(float(results[f"{name}_log_sensitivity"][place]), digits) for name in names)]
         for place, number in zip(order, results["number"].values[order], strict=True)
     ]
     return Table(
@@ -102,10 +103,10 @@ def log_sensitivities_table(data: "xarray.Dataset") -> Table:
     )
 
 
-def _signed(value: float) -> str:
+def _signed(value: float, digits: int) -> str:
     if not np.isfinite(value):
         return "-"
-    return "0" if abs(value) < _LEAST else f"{value:+.3g}"
+    return "0" if abs(value) < _LEAST else f"{value:+.{digits}g}"
 
 
 def share_tables(data: "xarray.Dataset") -> Iterator[Table]:

@@ -26,8 +26,9 @@ from stiction.studies.uncertainty.drawing import OUTPUTS, Variant, draw
 # Half the width of the wider difference, in ln x.
 _WIDTH = 0.02
 _STENCIL = np.array([-1.0, -0.5, 0.5, 1.0]) * _WIDTH
-# Steps for a prediction. Its median is that of a few hundred samples, so that smaller steps would mainly show their scatter.
-_WIDE = np.array([-0.2, 0.2])
+# Steps for a prediction. Smaller steps would mainly show the scatter of its few hundred samples; larger ones miss how steep mu
+# is where the interface is nearly as strong as the body.
+_WIDE = np.array([-0.05, 0.05])
 # Numbers without effect on a contact, which uses its work of adhesion instead.
 _LEFT_OUT = ("surface_energy",)
 
@@ -112,7 +113,7 @@ def log_sensitivities(case: Case, choice: Choice, names: Sequence[str] = OUTPUTS
 def log_sensitivities_of_prediction(case: Case, load: float) -> dict[str, float]:
     """Return d ln mu/d ln x for the median mu of a prediction at a load [N], by name of the number x.
 
-    The derivative is the slope between ln x - 0.2 and ln x + 0.2. The numbers include those of a named interface.
+    The derivative is the slope between ln x - 0.05 and ln x + 0.05. The numbers include those of a named interface.
     """
     inputs, stepped, steps = _stepped_case(case, _WIDE)
     numbers, mu = stepped.numbers_at(steps), np.full(len(steps), np.nan)
