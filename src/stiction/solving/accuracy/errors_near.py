@@ -174,7 +174,7 @@ def _bare_errors(known: SolvedSet, errors: _Table, areas: _Table, features: Cont
     of_kind = known.of_kind(None if anywhere else features.kind)
     apart = [*([] if anywhere else differences(known, features)), of_pressure]
     presumed = of_kind > 0.0 if features.kind_known or anywhere else known.gaussian
-    return _averaged(found, there * real * of_kind, asked * of_kind * positive[:, None], apart, presumed)
+    return _averaged(found, there * real * of_kind, asked * real * of_kind * positive[:, None], apart, presumed)
 
 
 def film_errors_near(known: SolvedSet, errors: np.ndarray, features: ContactFeatures, like: np.ndarray) -> ErrorsNear:

@@ -22,9 +22,6 @@ _OF_SPOTS = 0.395
 # the area on benchmark surfaces already contain the scatter of so few spots. Between seeds of one design this scatter of
 # ln(area) is .10, .07 and .03 at p/(E* h') = .002, .01 and .1, where _OF_SPOTS gives .16, .09 and .04.
 _SOLVED, _LEAST_SOLVED = 300.0, 15.0
-# Standard deviation of ln of a strength that is stated as one number, where surfaces are pressed flat and nothing else varies:
-# some 2.5 % at 90 % (judgement, grade C).
-_STATED = 0.015
 _MOST_SCATTER = 1.0  # largest standard deviation of ln(area), reached if hardly one asperity touches
 
 
@@ -104,7 +101,6 @@ class Mixture:
 
         inputs: for each sample, the index of the sampled input numbers that it uses, (n,).
         """
-        from scipy.special import ndtri
 
         sampled, bodies = self.sampled, self.sampled.bodies
         load = self.loads[None, :]
@@ -128,8 +124,6 @@ class Mixture:
             growth = grown(levels["growth"], borne / area, strength, hardness, shear, hardens)
             growth = np.where(sampled.metallic, growth ** self._growing_share(levels, inputs, area), 1.0)
         area = np.minimum(area * growth, nominal)
-        if self.strength.is_one_number:
-            strength = np.where(area < nominal, strength, strength * np.exp(_STATED * ndtri(levels["strength"])[:, None]))
         force = np.where(self._is_flattened, np.nan, strength * area + coefficient * borne)
         efficiency = np.ones_like(area)
         if self.onset is not None:

@@ -15,10 +15,11 @@ from stiction.studies.prediction.sampled_case import SampledCase
 
 # Shear strength by Tresca, Y/2, over that by Mises, Y/sqrt(3).
 _TRESCA = 0.5 * 3.0**0.5
-
-
 # Stated strength over the shear strength of the body, above which a metal junction may fail in the body.
 _NEAR_BODY = 0.5
+# Standard deviation of ln of a strength that is stated as one number: 2.5 % at 90 % (judgement, grade C). Without it the
+# interval of a plastic contact, or of surfaces pressed flat, would have no width.
+_STATED = 0.015
 
 
 class Strength:
@@ -62,11 +63,6 @@ class Strength:
         """Return whether a pressure coefficient, stated or supplied by a state of the interface, adds to friction."""
         return self.grows_with_pressure or bool(np.any(self.coefficient > 0.0))
 
-    @property
-    def is_one_number(self) -> bool:
-        """Return whether tau_0 is stated and no sample varies it."""
-        return self.stated is not None and len(self.stated) == 1 and len(self.aged) == 1
-
     def is_relative_to(self, name: str) -> bool:
         """Return whether tau_0 of any possible state of the interface is a fraction of a property of the softer body.
 
@@ -107,8 +103,11 @@ class Strength:
         """Return the shear strength tau_0 [Pa] and the pressure coefficient of each of n samples, arrays (n, m or 1).
 
         state, strength, coefficient: quantile levels (n,) that select the state, tau_0 and the pressure coefficient. rows:
-        index of the sampled input numbers of each sample (n,). tau_0 is at most the shear strength of the weaker body.
+        index of the sampled input numbers of each sample (n,). tau_0 is at most the shear strength of the weaker body; the
+        scatter of a strength that is stated as one number comes on top.
         """
+        from scipy.special import ndtri
+
         bodies = self.bodies
         hardness, shear, modulus = (
             table[rows % len(table)] for table in (bodies.hardness, bodies.shear_strength, bodies.shear_modulus)
@@ -131,7 +130,10 @@ class Strength:
         if self.stated is not None and self.over_body > _NEAR_BODY:  # a strong metal interface fails as clean metal does
             clean = interface("clean metal").strength_at(strength[:, None], hardness, modulus)
             tau = np.where(self.metallic, np.minimum(tau, clean), tau)
-        return _capped(tau, shear, strength[:, None], self.metallic), alpha
+        tau = _capped(tau, shear, strength[:, None], self.metallic)
+        if self.stated is not None and len(self.stated) == len(self.aged) == 1:
+            tau = tau * np.exp(_STATED * ndtri(strength[:, None]))
+        return tau, alpha
 
 
 def exact_strength(contact: Contact) -> Any:
