@@ -18,6 +18,7 @@ from stiction.solving.choice import Choice
 from stiction.solving.problem import problem_of
 
 RNG = np.random.default_rng(7)
+# Of three regimes, of one, and of three between which loads jump.
 MODELS = ("soft_coating_2015", "greenwood_williamson_1966", "kogut_etsion_2004")
 HEIGHTS = {
     "gaussian": gaussian(),
@@ -52,8 +53,12 @@ def assert_same(one, other, axis):
     assert np.max(np.abs(one - other) / size) < 1e-13
 
 
-@pytest.mark.parametrize("heights", HEIGHTS)
-@pytest.mark.parametrize("model", MODELS)
+# Every distribution of heights with one regime, and every model with one distribution: a loop takes a second to compile.
+ONE_REGIME = "greenwood_williamson_1966"
+PAIRS = [(ONE_REGIME, heights) for heights in HEIGHTS] + [(model, "gaussian") for model in MODELS if model != ONE_REGIME]
+
+
+@pytest.mark.parametrize(("model", "heights"), PAIRS)
 def test_single_pairs_are_the_same(force_loops, model, heights):
     parts, h = regimes(model), RNG.uniform(-4.0, 5.0, 240)
     law = RNG.integers(0, 60, 240)
@@ -93,7 +98,7 @@ def test_much_work_ends_the_allowance_of_python():
     assert allowance.take(60) and allowance.take(40) and not allowance.take(1) and not allowance.take(0)
 
 
-@pytest.mark.parametrize("model", MODELS)
+@pytest.mark.parametrize("model", MODELS[:2])
 def test_grids_are_the_same(force_loops, model):
     parts, h = regimes(model), np.linspace(-3.0, 5.0, 100)
     for summed in (on_grid, totals_on_grid):
@@ -101,7 +106,7 @@ def test_grids_are_the_same(force_loops, model):
         assert_same(shared, alone, tuple(range(alone.ndim - 2)))
 
 
-@pytest.mark.parametrize("model", MODELS)
+@pytest.mark.parametrize("model", MODELS[:2])
 def test_starts_are_the_same(force_loops, model):
     parts, targets = regimes(model), np.tile(np.geomspace(1e-4, 1.0, 5), (60, 1))
     shared, alone = by_both(force_loops, lambda: Approach(parts).starts(targets))

@@ -163,8 +163,13 @@ def _curves(segment: NormalSegment, groups: Groups) -> tuple[tuple[np.ndarray, .
     # K beta of film and of bodies are groups of the contact; only the curve between both is solved.
     film = np.where(groups.film_aspect > 0.0, groups.film_K_beta / groups.n_E, groups.K_beta)
     ends = [np.broadcast_to(np.log(value), laws) for value in (film, groups.K_beta)]
-    values = np.empty((laws, SEGMENTS + 1))
-    _fill(columns(segment.parameters, laws), per_root(groups), np.column_stack([*ends, shapes]), first, values)
+    given = np.column_stack([first, per_root(groups), *ends, shapes, columns(segment.parameters, laws)])
+    # Contacts that differ only in hardness share a spline, whose computation takes longer than their sums.
+    each, which = np.unique(given, axis=0, return_inverse=True)
+    first_of, roots, curves, rows = np.split(each, [1, 2, 4 + TERMS], axis=1)
+    found = np.empty((len(each), SEGMENTS + 1))
+    _fill(*map(np.ascontiguousarray, (rows, roots[:, 0], curves, first_of[:, 0])), found)
+    values = found[np.ravel(which)]
     return (first, *(values @ to_coefficients().T).T), _sign_change(first, values)
 
 
