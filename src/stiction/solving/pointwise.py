@@ -61,13 +61,14 @@ def solve_batch(
     load: Any = None,
     keep: Collection[str] | None = None,
     heights: Heights | str | None = None,
+    check_validity: bool = True,
 ) -> BatchResult:
     """Solve many contacts at separations or loads, without building a dataset.
 
     subject: the contacts. choice: model and laws. separation, load: exactly one of them, as in `solve`. keep: names of the
-    requested results, None for all. Results are NaN where a load cannot be carried, and where the model does not accept a
-    contact or does not converge. Raises InputError if the request is invalid or no contact is accepted, ArithmeticError if no
-    contact converges.
+    requested results, None for all. check_validity: whether to compare the results with the validity ranges; otherwise `rules`
+    is empty. Results are NaN where a load cannot be carried, and where the model does not accept a contact or does not
+    converge. Raises InputError if the request is invalid or no contact is accepted, ArithmeticError if no contact converges.
     """
     points = points_of(make_problem(subject, choice, heights), load, separation)
     problem = points.problem
@@ -76,11 +77,12 @@ def solve_batch(
     refused = why_not == 1 << REFUSED
     variables = variables_of(points, solved, tables, keep, refused.all(axis=1))
     validity_warnings = why_not.astype(np.uint32)
-    for bit, left in enumerate(rules_left(problem, tables), start=len(WHY_NOT)):
+    for bit, left in enumerate(rules_left(problem, tables) if check_validity else (), start=len(WHY_NOT)):
         validity_warnings |= left.astype(np.uint32) << np.uint32(bit)
     validity_warnings = np.where(refused, why_not, validity_warnings).reshape(points.wanted.shape)
     attributes = summary_of(problem.subject, problem, tables) if keep is None else {}
-    return BatchResult(variables, (tuple(points.dims), validity_warnings), rules_of(problem), problem.subject, attributes)
+    rules = rules_of(problem) if check_validity else []
+    return BatchResult(variables, (tuple(points.dims), validity_warnings), rules, problem.subject, attributes)
 
 
 def meanings_of(rules: Sequence[Validity]) -> list[str]:

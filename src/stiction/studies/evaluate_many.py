@@ -25,6 +25,7 @@ def evaluate_together(
     points: Mapping[str, Any] | None,
     model: Choice,
     keep: Sequence[str] | None = None,
+    check_validity: bool = True,
 ) -> tuple[Case, BatchResult]:
     """Evaluate one model for all variants of a case at once; raise an error if a variant is no valid contact.
 
@@ -41,6 +42,8 @@ def evaluate_together(
         The model with its laws and options.
     keep : sequence of str, optional
         Names of the results to return, by default all.
+    check_validity : bool, optional
+        Whether to set the bits of validity ranges that results leave. Without them, a small batch takes two thirds of the time.
 
     Returns
     -------
@@ -56,7 +59,7 @@ def evaluate_together(
     with np.errstate(all="ignore"):
         case = case.at(numbers)
         points = {"separation": case.separation, "load": case.load} if points is None else points
-        return case, solve_batch(case.subject, model, **points, keep=keep)
+        return case, solve_batch(case.subject, model, **points, keep=keep, check_validity=check_validity)
 
 
 def evaluate_many(
@@ -67,10 +70,11 @@ def evaluate_many(
     keep: Sequence[str] | None = None,
     *,
     along: Sequence[str],
+    check_validity: bool = True,
 ) -> Iterator[tuple[Region, Case | None, BatchResult | None]]:
     """Evaluate one model for all variants of a case, and yield (region, case, results) in batches.
 
-    The first five arguments, and the case and results of a batch, are as in `evaluate_together`. along: dimensions along which
+    The other arguments, and the case and results of a batch, are as in `evaluate_together`. along: dimensions along which
     batches may be split. region: slice of each of these dimensions that the batch covers. A batch that raises an error is
     bisected along its longest dimension. For a single refused contact, case and results are None.
     """
@@ -80,7 +84,8 @@ def evaluate_many(
     def evaluated(region: Region) -> tuple[Case, BatchResult]:
         part = {dim: some for dim, some in region.items() if some != slice(0, sizes[dim])}
         some = None if points is None else {name: part_of(value, part) for name, value in points.items()}
-        return evaluate_together(case, {path: part_of(value, part) for path, value in numbers.items()}, some, model, keep)
+        some_numbers = {path: part_of(value, part) for path, value in numbers.items()}
+        return evaluate_together(case, some_numbers, some, model, keep, check_validity)
 
     for region, outcome in bisected({dim: slice(0, size) for dim, size in sizes.items()}, evaluated):
         yield (region, None, None) if isinstance(outcome, Exception) else (region, *outcome)

@@ -120,7 +120,8 @@ def solved_sets(
     arrays: dict[Address, Any] = {path: DataArray(values, dims=(_SET,)) for path, values in numbers.items()}
     arrays |= {path: float(v[0]) if (v == v[0]).all() else DataArray(v, dims=(_ROW,)) for path, v in known.items()}
     points: dict[str, Any] = {"load": DataArray(load, dims=(_ROW,))} if np.isfinite(load).all() else {"separation": 0.0}
-    for region, _, solved in evaluate_many(case, arrays, points, choice, keep, along=(_SET,)):
+    batches = evaluate_many(case, arrays, points, choice, keep, along=(_SET,), check_validity=False)
+    for region, _, solved in batches:
         for name in keep:
             if solved is not None and name in solved.variables:
                 dims, values, _ = solved.variables[name]
