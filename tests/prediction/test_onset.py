@@ -120,7 +120,7 @@ def on_map(seed, hurst, longest, shortest, gradient, periodic=True, points=128, 
 )
 def test_the_interval_holds_what_the_map_itself_gives(surface, more):
     contact = on_map(*surface, **more)
-    loads = ["1 mN", "10 mN", "40 mN"]
+    loads = ["1 mN", "40 mN"]
     solved = st.slide(contact, load=loads, model="boundary_elements")["friction_efficiency"].values
     answer = st.predict(contact, load=loads)
     assert (answer.friction_efficiency_low.values <= solved).all()
