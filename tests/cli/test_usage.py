@@ -118,6 +118,39 @@ def test_a_folder_that_cannot_be_made_is_refused_at_once(tmp_path, monkeypatch):
         paths.require_place(tmp_path / "new" / "x", "a folder")
 
 
+def test_permission_to_write_is_that_of_an_existing_path(tmp_path, monkeypatch):
+    folder, file = tmp_path / "folder", tmp_path / "file"
+    folder.mkdir()
+    file.write_text("")
+    locked = set()
+    monkeypatch.setattr(paths.os, "access", lambda place, mode: place not in locked)
+
+    def refuses(*given, **how):
+        try:
+            paths.require_place(*given, "allowed", **how)
+        except InputError:
+            return True
+        return False
+
+    for shut, refused in ((tmp_path, {"new", "file"}), (folder, {"folder"}), (file, {"over"})):
+        locked = {shut}
+        asked = {"new": refuses(tmp_path / "new"), "folder": refuses(folder), "file": refuses(file)}
+        asked["over"] = refuses(file, in_place=True)
+        assert {name for name, answer in asked.items() if answer} == refused
+
+
+def test_an_existing_folder_is_written_from_within(tmp_path, monkeypatch):
+    from stiction.report import files
+
+    seen = []
+    made = files.tempfile.TemporaryDirectory
+    monkeypatch.setattr(files.tempfile, "TemporaryDirectory", lambda **how: seen.append(how["dir"]) or made(**how))
+    for _ in range(2):
+        files.write_folder(tmp_path / "out", {"a.txt": lambda path: path.write_text("a")})
+    assert seen == [tmp_path.resolve(), tmp_path.resolve() / "out"]
+    assert [path.name for path in (tmp_path / "out").iterdir()] == ["a.txt"]
+
+
 def test_models_of_a_sensitivity_have_names(tmp_path):
     (tmp_path / "case.toml").write_text("[indices]\ntheta = 40\nlam = 10\n[solve]\nload = [0.01]\n")
     for given in ("", ",", "none,none"):

@@ -51,7 +51,7 @@ def formula(function: Callable) -> Any:
 
 
 def loop(function: Callable) -> Any:
-    """Mark a function that contains a loop so that compiled loops inline it, and return it.
+    """Mark a function with a loop of its own, and return it; compiled loops that call the function inline it.
 
     The compiler may reorder its sums.
     """

@@ -23,7 +23,7 @@ _MANY, _EACH = 1000, 10
 
 
 def series_for(h: np.ndarray, law: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray] | None:
-    """Choose the separations about which Taylor series are made that replace m sums over asperity heights.
+    """Choose expansion points for Taylor series that replace m sums over asperity heights.
 
     h (m,): mean separation of each sum, over sigma. law (m,): index of the law (parameter set) that is summed. Returns the
     separations (s,) and law indices (s,) of s series, and for each sum the index (m,) of its series. Returns None if computing

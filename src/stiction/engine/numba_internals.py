@@ -54,7 +54,7 @@ class _KernelCache(NullCache):
         return str(cache_folder("kernels"))
 
     def load_overload(self, sig: Any, target_context: Any) -> Any:
-        """Return the compiled kernel for inputs of the types `sig`; None if it is not in the cache.
+        """Return the compiled kernel for inputs of the types `sig`; None if it is not in the cache or the cache is not trusted.
 
         sig, target_context: signature and compilation target, as Numba passes them. The hash of the kernel's code is computed
         here, at the first call, because only then are all functions defined to which the kernel refers.

@@ -1,6 +1,7 @@
 """Choose which loops run: plain Python, compiled loops that all laws share, or one compiled loop per regime.
 
-A regime is a smooth part of an asperity law. Shared loops are quick to compile, loops for one regime are quick to run.
+A regime is a segment of an asperity law together with the tangential force on it. Shared loops compile quickly; loops for one
+regime run quickly.
 """
 
 import os
@@ -48,7 +49,7 @@ _compiled = ContextVar("compiled", default=False)
 def all_compiled() -> Iterator[None]:
     """Within the context, run loops as compiled code from their first call on, never as plain Python.
 
-    Results then have the same bits in every process. STICTION_LOOPS = interpreted overrides this.
+    Results are then bit-identical in every process. STICTION_LOOPS = interpreted overrides this.
     """
     before = _compiled.set(True)
     try:
@@ -71,7 +72,7 @@ def tier() -> str:
 
 
 def specialised(laws: int, pairs: int = 0) -> bool:
-    """Return whether compiling a loop for this one regime (a smooth part of an asperity law) saves time over the shared loops.
+    """Return whether compiling a loop for this one regime saves time over the shared loops.
 
     laws: number of parameter sets. pairs: number of sums (parameter set and separation) that will be computed, 0 if unknown. A
     value of STICTION_LOOPS other than "auto" decides instead.

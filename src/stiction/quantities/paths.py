@@ -32,12 +32,13 @@ def _not_read(path: Path, largest: int) -> str:
     return f"this file is larger than {largest} bytes" if path.stat().st_size > largest else ""
 
 
-def require_place(path: Path, allowed: str) -> None:
-    """Raise an InputError if no file or folder could be written at an output path; an existing path is accepted.
+def require_place(path: Path, allowed: str, in_place: bool = False) -> None:
+    """Raise an InputError if no file or folder could be written at an output path.
 
-    path: value of the option --out. allowed: allowed values, for the error. The error is raised for a name that the operating
-    system does not accept, for a path with a file in place of a parent folder, and for a parent folder without write
-    permission.
+    path: value of the option --out. allowed: allowed values, for the error. in_place: whether an existing file is overwritten;
+    otherwise a new file is made next to it and moved. The error is raised for a name that the operating system does not accept,
+    for a path with a file in place of a parent folder, and for a lack of write permission: of the path itself if it is a folder
+    or a file to be overwritten, else of its nearest existing parent folder.
     """
     try:
         path.stat()
@@ -48,6 +49,9 @@ def require_place(path: Path, allowed: str) -> None:
     except (OSError, ValueError) as error:
         why = getattr(error, "strerror", None) or error
         raise InputError("--out", str(path), f"{allowed}; this path cannot be used ({why})") from None
-    above = next(folder for folder in path.absolute().parents if folder.exists())
-    if not os.access(above, os.W_OK | os.X_OK):
-        raise InputError("--out", str(path), f"{allowed}; no permission to write in {above}")
+    full = path.absolute()
+    place = next(folder for folder in (full, *full.parents) if folder.is_dir())
+    if in_place and full.is_file():
+        place = full
+    if not os.access(place, os.W_OK if place.is_file() else os.W_OK | os.X_OK):
+        raise InputError("--out", str(path), f"{allowed}; no permission to write in {place}")

@@ -283,7 +283,7 @@ class AsperityMethod(Record):
     - order: position among the methods in tables and pictures, which also sets its colour
     - of_profiles: whether it also accepts a single profile
     - of_summits: whether it finds the sigma, R and N of Nayak's theory (1971) on a Gaussian surface with fine enough points;
-      only then it may be the default method
+      only such a method may be the default
     - of_moments: whether its asperities have exactly the measured spectral moments, which models of the whole surface use
     - accuracy: relative error of sigma and R on paraboloids 400 points wide
     - validity: ranges of properties of the asperities found

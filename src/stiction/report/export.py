@@ -89,7 +89,7 @@ def export(
     if units not in UNITS:
         raise InputError("units", units, ", ".join(UNITS))
     if out is not None:
-        require_place(Path(out), "a file, new or existing")
+        require_place(Path(out), "a file, new or existing", in_place=True)
     table = _in_units(friction_table(contact, load=load, level=level), units)
     described = table if radius is None else table.assign_attrs(spheres=_spheres(contact, load, radius, units))
     content = import_module(f"stiction.report.exports.{to}").content(described)

@@ -186,10 +186,11 @@ def write_folder(folder: Path, files: Mapping[str, Callable[[Path], None]]) -> N
     files = {name: write for name, write in files.items() if name not in undrawn}
     folder = folder.resolve()
     try:
-        folder.parent.mkdir(parents=True, exist_ok=True)
+        place = folder if folder.exists() else folder.parent  # the same file system, so that files can be moved
+        place.mkdir(parents=True, exist_ok=True)
         _clear_abandoned(folder)
-        with tempfile.TemporaryDirectory(dir=folder.parent, prefix=f".{folder.name}-") as beside:
-            made = Path(beside) / "files"  # mkdir gives the usual permissions, a temporary folder is private
+        with tempfile.TemporaryDirectory(dir=place, prefix=f".{folder.name}-") as temporary:
+            made = Path(temporary) / "files"  # mkdir gives the usual permissions, a temporary folder is private
             made.mkdir()
             for name, write in files.items():
                 write(made / name)
@@ -205,12 +206,12 @@ def write_folder(folder: Path, files: Mapping[str, Callable[[Path], None]]) -> N
 
 
 def _clear_abandoned(folder: Path) -> None:
-    """Remove the temporary folders that killed programs left next to the output folder `folder`.
+    """Remove the temporary folders that killed programs left in or next to the output folder `folder`.
 
     A temporary folder is removed if nothing was written to it during the last ten minutes.
     """
     made_up = re.compile(rf"\.{re.escape(folder.name)}-[a-z0-9_]{{8}}")  # names that tempfile makes
-    for beside in folder.parent.iterdir():
+    for beside in (*folder.glob(".*"), *folder.parent.glob(".*")):
         if made_up.fullmatch(beside.name) and beside.is_dir() and not beside.is_symlink():
             inside = [path.name for path in beside.iterdir()]
             written = [path.lstat().st_mtime for path in (beside, *beside.rglob("*"))]

@@ -29,10 +29,11 @@ def models_figure(
     title: str = "",
     curve: "xarray.Dataset | None" = None,
 ) -> Figure:
-    """Draw mu against load for each model that is possible, with the interval of the prediction at the working load.
+    """Draw mu against load for each possible model, with the interval of the prediction at the working load.
 
     data: result of `compare`. groups: groups of its models that agree on mu; the legend names the first three. prediction:
     result of `predict` at its working load. curve: prediction over several loads, drawn as a band. Dots mark the working load.
+    Groups whose mu is 0, or more than 10^4 times smaller than the largest, are left out.
     """
     figure, (axes,) = canvas(8.53, 4.8)
     known = groups_of(data) if groups is None and "working_load" in data.attrs else groups or ()

@@ -324,7 +324,7 @@ def finish(axes: Axes, legend: bool = True, **named: Any) -> None:
 
 
 class InUnit(Formatter):
-    """Format tick labels in a prefixed unit, or as powers of ten on an axis of many decades.
+    """Format tick labels in a prefixed unit, or as powers of ten on a log axis with many decades or extreme values.
 
     factor: by which a tick value is multiplied.
     """

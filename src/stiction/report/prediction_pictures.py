@@ -35,9 +35,10 @@ def prediction_figure(
 
 
 def answer_figure(data: "xarray.Dataset", prediction: "xarray.Dataset") -> Figure:
-    """Draw mu against load with the prediction at its working load; for a prediction at a single load, the samples of mu.
+    """Draw mu against load with the prediction at its working load, or a histogram of the samples of mu.
 
-    data: result of the model that the user named, or the curve of the prediction. prediction: result of `predict`.
+    data: result of the model that the user named, or the curve of the prediction. prediction: result of `predict`. The
+    histogram is drawn if `data` is a prediction at a single load.
     """
     figure, (axes,) = canvas(5.0, 3.4)
     _draw_mu(axes, data, prediction)

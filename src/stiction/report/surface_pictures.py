@@ -86,7 +86,7 @@ def _draw_places(axes: Axes, surface: HeightMap, asperities: Asperities, factor:
 
 
 def _some(heights: np.ndarray) -> np.ndarray:
-    """Return a million of the heights at most, at even distances, so that a histogram of them is fast."""
+    """Return at most a million of the heights, every k-th one, to speed up a histogram."""
     return heights[:: -(-heights.size // _ENOUGH)]
 
 

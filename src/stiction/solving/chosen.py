@@ -144,7 +144,7 @@ def _refuse_junctions(film: FilmLaw | None, tangential: TangentialLaw | None, op
 
 
 def _ignored(choice: Choice, coated: bool) -> tuple[str, ...]:
-    """Return a text that names the film law if one was selected for a contact without a film, in a tuple; () if none was.
+    """Return the name of a film law selected for a contact without a film, as a tuple of one text, or ().
 
     Raises InputError for an unknown key.
     """

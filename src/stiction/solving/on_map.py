@@ -140,9 +140,11 @@ class MapProblem(Problem):
         return {name: table.reshape(load.shape) for name, table in results.items()}
 
     def few_of(self, load: np.ndarray) -> np.ndarray:
-        """Return a few normalised loads (1, k), from light contact to about a third of full contact or of the hardness.
+        """Return five normalised loads (1, k), from light contact up to a third of the nominal area.
 
-        The argument is not used, because solving a map at many loads is slow. Raises InputError for a map with too many points.
+        At the heaviest load about a third of the nominal area touches (nominal pressure 0.2 E* h'), or the nominal pressure is
+        0.3 times the hardness if that is less. `load` is not used: a map is slow to solve, so its own few loads replace it.
+        Raises InputError for a map with too many points.
         """
         from stiction.solvers.boundary_elements.measures import waves
         from stiction.solvers.boundary_elements.sampled import fewest_points

@@ -289,8 +289,8 @@ def _predicted(entry: Entry, cases: list[tuple[Case, np.ndarray]]) -> dict[str, 
     """Return variables that compare the prediction with the n measured values of a series.
 
     cases: each case with the indices of its measured values. The variables are quantiles of the predicted friction coefficient
-    at LEVELS, the ends of the measured ranges, and whether these lie inside the 50 % and 90 % intervals. Values of other
-    quantities have NaN.
+    at LEVELS, the ends of the measured ranges, and whether each range lies inside, partly inside or outside the 50 % and 90 %
+    intervals. Values of other quantities have NaN.
     """
     values, (low, high) = entry.values, entry.ends
     table = np.full((len(LEVELS), len(values)), np.nan)

@@ -37,7 +37,7 @@ def _finish(value):
 
 
 class Finished(Input):
-    """Describe a rough body by its finish (how it was made) and perhaps its measured height.
+    """Describe a rough body by its finish (how it was made) and, optionally, its measured height.
 
     finish: name of a finish class, such as "ground" (docs/reference/interfaces.md). rms_height: Sq [m]. mean_height: Ra [m],
     converted by Sq = 1.25 Ra; without either height, the finish provides Sq. kind: kind of surface as in `Roughness`; the
@@ -215,7 +215,7 @@ def _moments(body: Finished | Roughness, name: str, levels: Mapping[str, Any]) -
 
 
 def is_finished(table: Any) -> bool:
-    """Return whether a table in place of a roughness states a finish or the height of a body (Sq, Ra), and no scan."""
+    """Return whether a roughness table states a finish or a roughness height (Sq, Ra), and names no scan file."""
     if not isinstance(table, Mapping):
         return False
     if table.keys() & {"finish", *_HEIGHTS, *_SYMBOLS}:

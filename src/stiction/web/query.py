@@ -88,7 +88,10 @@ class Answer:
         return curve.isel(dict.fromkeys(curve["load"].dims, point))
 
     def middle(self) -> int:
-        """Return the index on the curve of the working load of a prediction, or of the middle compressive load of a model."""
+        """Return the index of the curve point at the working load, or at the middle compressive load.
+
+        A prediction has a working load; for a model it is the middle one of the compressive loads, and 0 if there are none.
+        """
         load = np.atleast_1d(self.curve["load"].values)
         if "working_load" in self.curve.attrs:
             return int(np.argmin(np.abs(load - self.curve.attrs["working_load"])))

@@ -2,9 +2,9 @@ r"""One adhesive asperity, elastic (JKR) until its central pressure reaches a li
 
 *Assumes*: the contact follows [`jkr`](#jkr) until the pressure in its centre reaches the limiting pressure $p_y$. The area
 under this pressure then spreads from the centre. Contact radius and displacement stay related as in JKR. *Source*:
-[thornton_ning_1998]: the stiffness after yield and the unloading, as implementations of the law have them; the stiffness is
-integrated here. With $\eta_y=\eta\,p_y/H$, $S=\sqrt{6\pi/\theta}$, the coordinate $u$ of JKR's contact and its value $u_y$ at
-yield,
+[thornton_ning_1998]: the stiffness after yield, and the unloading; both were taken from implementations of the law. The load is
+the integral of the stiffness. With $\eta_y=\eta\,p_y/H$, $S=\sqrt{6\pi/\theta}$, the coordinate $u$ of JKR's contact and its
+value $u_y$ at yield,
 
 $$
 3u_y^3-2\eta_yu_y-S=0,\qquad P=u_y^6-S\,u_y^2\,u+\eta_y\,(u^4-u_y^4)\quad(u\ge u_y),\qquad w,\ A\ \text{as JKR}
@@ -311,7 +311,7 @@ RECORD = AsperityLaw(
     title="JKR sphere whose pressure is limited",
     grade="B",
     sources=(
-        Source("thornton_ning_1998", "", "stiffness after yield, integrated here, and unloading, as implementations have them"),
+        Source("thornton_ning_1998", "", "stiffness after yield, integrated here, and unloading, both from implementations"),
         Source("johnson_kendall_roberts_1971", "load and displacement up to yield"),
     ),
     segments=segments,

@@ -101,7 +101,8 @@ def bounded(u, *row):
     """Return displacement w, dw/du, load and contact area while the substrate limits the pressure in the centre.
 
     The coordinate u gives w = tau sin(u)^2. Within the radius c = b tan(u - m b) the pressure is the substrate's hardness, with
-    b = sqrt(2 tau) cos(u) and lengths in units of sqrt(R sigma). row: tau, hill, bound = m, edge and more, as in `squeezed`.
+    b = sqrt(2 tau) cos(u) and lengths in units of sqrt(R sigma). row: `tau`, `hill`, `bound` (m), `edge` and `more`, as in
+    `squeezed`.
     """
     tau, hill, bound, edge, _ = row
     width, sine, cosine = math.sqrt(2.0 * tau), math.sin(u), math.cos(u)
@@ -120,10 +121,10 @@ def angle(w, *row):
 
 @formula
 def pressed_through(v, *row):
-    """Return displacement w, dw/dv, load and contact area beyond the film thickness, at the coordinate v: w = tau + v^2.
+    """Return w, dw/dv, load and contact area at the coordinate v, for displacements w = tau + v^2 above the film thickness.
 
     Within the radius c = g coth(y) the pressure is the substrate's hardness, with g = sqrt(2) v, y = arsinh(v/sqrt(tau)) + m g
-    and lengths in units of sqrt(R sigma). row: tau, hill, bound = m, edge and more, as in `squeezed`.
+    and lengths in units of sqrt(R sigma). row: `tau`, `hill`, `bound` (m), `edge` and `more`, as in `squeezed`.
     """
     tau, hill, bound, edge, more = row
     if v == math.inf:

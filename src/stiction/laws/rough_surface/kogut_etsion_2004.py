@@ -1,8 +1,8 @@
-r"""Elastic-plastic asperities (2002) that slide by yield (2003), summed over a rough surface: Kogut & Etsion 2004.
+r"""Elastic-plastic asperities (2002) that begin to slide when they yield (2003), summed over heights: Kogut & Etsion 2004.
 
-*Assumes*: asperities of [`kogut_etsion_2002`](#kogut_etsion_2002) are independent and fail by loss of strength,
-[`kogut_etsion_2003`](#kogut_etsion_2003). *Source*: [kogut_etsion_2004]. The friction coefficient at the mean separation $h$
-(over $\sigma$) is
+*Assumes*: asperities of [`kogut_etsion_2002`](#kogut_etsion_2002) are independent, and begin to slide when yield reaches their
+surface ([`kogut_etsion_2003`](#kogut_etsion_2003)). *Source*: [kogut_etsion_2004]. The friction coefficient at the mean
+separation $h$ (over $\sigma$) is
 
 $$
 \mu(h)=\frac{\int_0^{6w_c}\mu(w)P(w)\,\varphi(h+w)\,dw}{\int_0^\infty P(w)\,\varphi(h+w)\,dw}

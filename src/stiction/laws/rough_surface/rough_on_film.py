@@ -1,9 +1,9 @@
-r"""Contact area of a rough surface on a film, with the effective modulus of film and body for spheres of the spots' size.
+r"""Contact area of a rough surface on a film, with the modulus of the coated body for contacts as large as a contact spot.
 
 *Assumes*: a Gaussian isotropic surface without friction and adhesion, and a film bonded to its body. Pressures are limited to
 the film's hardness, or to the pressure that the body below a harder film can carry. Materials do not harden. *Source*: this
-project's own. It is grade B, because it was compared with solved maps; the limit by the body below is grade C and was not
-compared. $F$ is the area law of bare surfaces, the formula from spectral moments in
+project's own. It is grade B, because it was compared with solved maps; the limit that the body below sets is grade C: it was
+not compared. $F$ is the area law of bare surfaces, the formula from spectral moments in
 `solvers/boundary_elements/area_estimates.py` (see [`persson_widened`](#persson_widened)). With the nominal pressure $p$ and the
 root mean square gradient $h'$, the elastic contact area is
 

@@ -55,9 +55,10 @@ from stiction.records.sources import Source
 def resistance(u, w, load, area, *row):
     """Return the slip-limited and the yield-limited force of a coated asperity, (0, q A).
 
-    Both are 0 if the load alone causes yield. q: mean traction at first yield of film or body. u: coordinate. area: contact
-    area A in units of pi R sigma. w, load: not used. row: eta/k, which is the load on a unit area at which the mean pressure is
-    the yield stress of the body; the coordinate at which the load alone causes yield; the parameters of `strength_at`.
+    The first is 0 because this law has no slip limit; both are 0 if the load alone causes yield. q: mean traction at first
+    yield of film or body. u: coordinate. area: contact area A in units of pi R sigma. w, load: not used. row: eta/k, the yield
+    stress of the body in the unit of load over area; the coordinate at which the load alone causes yield; the parameters of
+    `strength_at`.
     """
     if u >= row[1]:
         return 0.0, 0.0

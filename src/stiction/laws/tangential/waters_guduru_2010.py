@@ -61,7 +61,8 @@ _NEAR = 1e-9
 def _grows(psi, p, kappa):
     """Return a number with the sign of the derivative of the peeling force by the phase angle; it is finite and continuous.
 
-    psi: phase angle of shear against opening. p: load over pull-off force. kappa: 1 - zeta, with `peeling` zeta of the contact.
+    psi: phase angle of shear against opening. p: load over pull-off force. kappa: 1 - zeta, where zeta is the input `peeling`
+    of the contact.
     """
     sine, cosine = math.sin(psi), math.cos(psi)
     narrow, shared = math.cos(kappa * psi), kappa * sine * math.tan(kappa * psi)
@@ -74,7 +75,7 @@ def _grows(psi, p, kappa):
 def _phase(p, kappa):
     """Return the phase angle, at most pi/2, at which the peeling force is largest, by regula falsi (Illinois variant).
 
-    p: load over pull-off force. kappa: 1 - zeta, with `peeling` zeta of the contact.
+    p: load over pull-off force. kappa: 1 - zeta, where zeta is the input `peeling` of the contact.
     """
     low, high = 0.0, 0.5 * math.pi
     at_low, at_high = _grows(low, p, kappa), _grows(high, p, kappa)
@@ -104,8 +105,8 @@ def _phase(p, kappa):
 def peeling_force(p, kappa):
     """Return the dimensionless peeling force, the maximum of (sqrt(g) + sqrt(g + p)) sqrt(q) over the phase angle psi.
 
-    p: load over pull-off force. kappa: 1 - zeta, with `peeling` zeta of the contact. g = cos^2(psi)/cos^2(kappa psi), q =
-    sin^2(psi)/cos^2(kappa psi). The result is sqrt(1 + p) for kappa = 0.
+    p: load over pull-off force. kappa: 1 - zeta, where zeta is the input `peeling` of the contact. g = cos^2(psi)/cos^2(kappa
+    psi), q = sin^2(psi)/cos^2(kappa psi). The result is sqrt(1 + p) for kappa = 0.
     """
     p = max(p, -1.0)
     psi = _phase(p, kappa)
@@ -137,8 +138,8 @@ def tangential_resistance(segment: NormalSegment, groups: Groups) -> TangentialR
 def _coordinate_of_hertz(segment: NormalSegment, groups: Groups, kappa: np.ndarray) -> np.ndarray:
     """Return the coordinate u (n,) of a JKR contact above which shear shrinks the contact to Hertz's area before it slides.
 
-    kappa (n,): 1 - zeta, with `peeling` zeta of the contact. The result is limited to the ends of the segment; for kappa = 0 it
-    is the upper end.
+    kappa (n,): 1 - zeta, where zeta is the input `peeling` of the contact. The result is clipped to the segment; for kappa = 0
+    it is the upper end.
     """
     with np.errstate(divide="ignore"):
         p = 1.0 / (kappa * np.sin(0.5 * math.pi * kappa)) ** 2

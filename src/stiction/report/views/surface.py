@@ -127,8 +127,8 @@ def use_this(analysis: Analysis, case_table: Mapping[str, Any]) -> list[Text]:
 def asperity_numbers(analysis: Analysis) -> dict[str, Any]:
     """Return the roughness table of a case with sigma, R and N of this surface; {} if no asperities were found.
 
-    The heights are stated as Weibull only if a Weibull distribution was fitted and the kind of surface is unknown. Other
-    heights are stated as Gaussian, because the errors of the models are known for these.
+    The heights are stated as Weibull only if a Weibull distribution was fitted and the kind of surface is unknown. Otherwise no
+    distribution is stated, which means Gaussian heights: for these the errors of the models are known.
     """
     if not analysis.standing:
         return {}

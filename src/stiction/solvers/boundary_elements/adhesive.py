@@ -61,14 +61,14 @@ _LEFT, _OF_TENSION = 0.1 * MOST_ATTRACTION_LEFT, 3e-3
 class AdhesiveContact:
     """Store the adhesive contact of a map at one load.
 
-    load [N], > 0 if pressed together. area: contact area, corrected for pixel size [m2]. area_pixels: contact area without
-    this correction [m2]. points: number of points in contact. perimeter: length of the contact edge [m]. mean_gap: mean
-    distance of the faces [m], infinite if they have separated. attraction: sum of the attractive forces at all points, also at
-    those in contact [N]. detached: whether there is no contact at this load; the area is then 0. residual: largest pressure
-    error at points that are open or should open, divided by the largest attraction. points_at_edge: number of points across
-    the zone at the contact edge where attraction acts on open faces (cohesive zone). validity_warnings: limits of the solver
-    that this solution exceeds. pressure: contact pressure minus attraction [Pa], (rows, columns) of the solved grid, which is
-    at least as fine as the map.
+    load [N], > 0 if pressed together. area: contact area, corrected for pixel size [m2]. area_pixels: contact area without this
+    correction [m2]. points: number of points in contact. perimeter: length of the contact edge [m]. mean_gap: mean distance of
+    the faces [m], infinite if they have separated. attraction: sum of the attractive forces at all points, also at those in
+    contact [N]. detached: whether there is no contact at this load; the area is then 0. residual: largest pressure error at
+    points out of contact, or that would have to lose contact, divided by the largest attraction. points_at_edge: number of
+    points across the zone at the contact edge where attraction acts on open faces (cohesive zone). validity_warnings: limits of
+    the solver that this solution exceeds. pressure: contact pressure minus attraction [Pa], (rows, columns) of the solved grid,
+    which is at least as fine as the map.
     """
 
     load: float

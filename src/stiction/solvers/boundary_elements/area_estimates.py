@@ -1,14 +1,14 @@
 """Estimate the elastic contact area of a map without solving it, from slopes or ranks of its points.
 
 These are formulas of this project, grade B: their evidence is solved maps. All start from Persson's theory (2001), A/A0 =
-erf(2^(1/2) p), where A/A0 is the area fraction, p the mean pressure over E* h', and h' the rms gradient of the map. They widen
-it by (1) and (2) in surfaces.theory.widened_area:
+erf(2^(1/2) p), where A/A0 is the area fraction, p the mean pressure over E* h', and h' the rms gradient of the map. Formulas
+(1) and (2) are implemented in surfaces.theory.widened_area, (3) and (4) here. All are extensions of it:
 
     G(p, c) = erf(2^(1/2) p [1 + c (1 - erf(2^(1/2) p)^(1/2))])                                                           (1)
 
     by moments      A = G(p, c), c = .617 - .041 ln alpha                                                                 (2)
     by top slopes   A = G(p/F(A), c), c = .672 - .071 ln alpha                                                            (3)
-    by ranks        A = G(p/S(r), c) with A = r/(1.195 + .312 S(r)), the first such r                                      (4)
+    by ranks        A = G(p/S(r), c) with the smallest r for which A = r/(1.195 + .312 S(r))                              (4)
                     c = .655 - .071 ln alpha + .183 ln R
 
 alpha is Nayak's m0 m4/m2^2. R is the root of the ratio of the eigenvalues of the gradient tensor. Points are ranked from the
@@ -18,7 +18,8 @@ s^m over ranks below r]^(1/m) with m = .783, where s(r) is the local gradient at
 The constants were fitted to the surfaces of the benchmark set with seeds 1 and 2 (truth.md); (2) and (3) only to its Gaussian
 isotropic ones. Errors on the surfaces with seeds 3 and 4, in % rms (largest), for p = .002 to .3: Gaussian isotropic (2) 6.6
 (37), 80 % of all within 5 %; (3) 3.1 (12), 91 %; (4) 3.2 (13). (4) on other surfaces: skewed 5.1 (18), peaked 7.4, flat 5.1,
-with a lay 5.1 (23), bimodal 3.8, periodic 10, worn 30 (96). At light loads (4) fails on worn plateaus that are rough again.
+with a lay 5.1 (23), bimodal 3.8, periodic 10, worn 30 (96). At light loads (4) fails on worn plateaus with fine roughness on
+them.
 """
 
 import math

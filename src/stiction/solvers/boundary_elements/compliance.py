@@ -65,9 +65,9 @@ class Film:
 
     @property
     def far(self) -> float:
-        """Return k/2 times the compliance in the limit of long wavelengths [1/Pa], with the wavenumber k.
+        """Return k/2 times the compliance in the limit of long wavelengths [1/Pa], where k is the wavenumber.
 
-        It is 1/E2*, with the plane-strain modulus E2* of the substrate, and 0 for a rigid substrate.
+        It equals 1/E2*, where E2* is the plane-strain modulus of the substrate; it is 0 for a rigid substrate.
         """
         return (1.0 - self.substrate_poisson**2) / self.substrate_modulus
 

@@ -140,8 +140,8 @@ def _settle(problem: Problem, pressure: np.ndarray, gap: np.ndarray, length: flo
 
     pressure, gap: (rows, columns). length: length by which the residual is divided, in the unit of `gap`. The offset is the
     mean gap over points whose pressure is between 0 and the hardness. If there are none, it lies midway between touching and
-    open points. The flag tells whether the gap has a forbidden sign at points without pressure (negative) or at the hardness
-    (positive).
+    open points. The residual is the root of the summed squared violations of the contact conditions per point in contact,
+    divided by `length`. The flag is True if a gap is negative without pressure, or positive at the hardness.
     """
     xp = namespace(gap)
     total, count, pressed = 0.0, 0, 0

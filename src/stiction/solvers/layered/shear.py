@@ -105,8 +105,9 @@ def _matrix(weights: np.ndarray, even: np.ndarray, compliances: np.ndarray) -> n
 def _matrix_of_half_space(count: int, compliances: np.ndarray) -> np.ndarray:
     """Return Galerkin's matrix of the sticking contact on a half-space, in closed form.
 
-    count: number of traction functions, which are orthonormal. compliances: along and across a wave, the same at all
-    wavenumbers. Both harmonics use the same functions, shifted by one order.
+    count: number of orthonormal traction functions; each harmonic uses count - 1 of them, so the matrix has 2 (count - 1) rows.
+    The first harmonic leaves out the last function, the second harmonic the first. compliances: along and across a wave, the
+    same at all wavenumbers.
     """
     along, across = compliances
     mixed = (across - along) * np.eye(count - 1, k=-1)

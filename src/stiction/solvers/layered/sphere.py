@@ -3,7 +3,7 @@
 The sphere is a paraboloid of radius R. The pressure p(r) on the contact of radius a has the Hankel transform P(k) =
 Integral_0^a g(s) cos(k s) ds. Abel's transform of the displacement u(r) = delta - r^2/(2R) (delta: approach) gives a Fredholm
 equation of the second kind for g (Lebedev & Ufliand 1958; numerical method of Perriot & Barthel 2004). With a = 1, and moduli
-divided by the modulus E1 of the two surfaces that meet, it is
+divided by the contact modulus E1 of the two surface materials, it is
 
     g(s) + (2/pi) Integral_0^1 K(s, s') g(s') ds' = delta - s^2/R,
     K(s, s') = Integral_0^infinity [c(k t) - 1] cos(k s) cos(k s') dk,    load = 2 E1 Integral_0^1 g ds,    g(1) = 0.
@@ -39,10 +39,10 @@ _LONGEST = 60.0
 class Response(NamedTuple):
     """Store the response of coated bodies to a sphere of radius R at one contact radius a.
 
-    P is the load and delta the approach. Moduli are divided by the plane-strain modulus of the two surfaces that meet. load:
-    E_P in P = 4 E_P a^3/(3R). approach: D in delta = D a^2/R. stiffness: E_S in dP/d delta = 2 a E_S. edge: B in dS/da = 2 B
-    with S = dP/d delta, which determines adhesion at the contact edge. load_slope, approach_slope, edge_slope: derivatives of
-    ln E_P, ln D and ln B with respect to ln a.
+    P is the load and delta the approach. E_P, E_S and B are divided by E1, the contact modulus of the two surface materials
+    (the film's where a body is coated). load: E_P in P = 4 E_P a^3/(3R). approach: D in delta = D a^2/R. stiffness: E_S in dP/d
+    delta = 2 a E_S. edge: B in dS/da = 2 B, where S = dP/d delta; adhesion at the contact edge follows from B. load_slope,
+    approach_slope, edge_slope: derivatives of ln E_P, ln D and ln B with respect to ln a.
     """
 
     load: float

@@ -75,7 +75,7 @@ class Stresses:
         return _assembled(lambda name, order: of_half_space(*half[name], order) + sent_back(name, order))
 
     def in_body(self, r: np.ndarray, z: np.ndarray) -> Radial:
-        """Return the stresses in the body at radii r (m,) and depths z (n,) from the thickness of the film on.
+        """Return the stresses in the body at radii r (m,) and at depths z (n,) of at least the film thickness.
 
         Radii and depths are divided by the contact radius; depths are measured from the surface of the film.
         """

@@ -100,9 +100,9 @@ class MeasuredErrors:
     def as_data(self) -> dict[str, Any]:
         """Return the errors as data for JSON, by name.
 
-        Lists over the points, None where nothing was measured, empty without any benchmark surface: mean relative error of area
-        and of mu, quantiles and root mean square of the area error, standard error of the sample, distance, number of surfaces.
-        Single values: name of the model in the benchmark set, kind of surface, whether it is known, and why no error is known.
+        Lists have one value per point, None where no error was measured; they are empty if no benchmark surface exists. They
+        are mean errors of area and mu, quantiles and rms of the area error, sampling error, distance of the nearest surface,
+        number of surfaces. Others: model in the benchmark set, kind of surface, whether it is known, why no error is known.
         """
         some = slice(None) if np.isfinite(self.distance).any() else slice(0)
         return {

@@ -143,7 +143,7 @@ class Difference:
 
 
 def _difference(name: str, ours: float | np.ndarray, theirs: np.ndarray, squared: np.ndarray) -> Difference:
-    """Build the `Difference` of points from the benchmark surfaces in the feature `name`.
+    """Build the `Difference` between k points of a contact and s benchmark surfaces in the feature `name`.
 
     ours: value at the points. theirs, squared: values of the surfaces and squared distances, (k, s), or (s,) if they are the
     same for all points.

@@ -237,7 +237,7 @@ class DesignSpace:
         return [order[group.ravel() == at] for at in range(group.max() + 1)]
 
     def _summits(self, shares: np.ndarray) -> np.ndarray:
-        """Return the product of the roughness numbers that each design chooses between ends (n,), to sort the designs."""
+        """Return for each design (n,) the product of its free roughness numbers, by which designs are sorted."""
         product = np.ones(len(shares))
         for at, free in enumerate(self.plan.free, start=len(self.plan.options)):
             if free.path[1:-1] == ("roughness",):
@@ -307,7 +307,7 @@ class DesignSpace:
     def _shown(self, tables: Mapping, objectives: list[np.ndarray], excess: list[np.ndarray]) -> dict[str, np.ndarray]:
         """Return one value per design of each result, for display, as arrays (designs,) by name.
 
-        A result that an objective or limit concerns is shown at the worst sample and load, other results by their median.
+        A result with an objective or a limit is shown at its worst sample and load, any other as its median over both.
         objectives: values of the objectives. excess: violations of the limits. Both are arrays (designs, samples, loads), in
         the order of the plan.
         """

@@ -1,9 +1,9 @@
 """Find materials, film thickness, roughness or load that best meet an objective within limits.
 
 The case states the objective in [design], the choices in [design.choose] and the limits in [design.limits]. With two
-objectives, the output includes the Pareto front: designs that no other design beats in both. --out writes designed.toml, a case
-file for `stiction run`, design.csv, pareto.csv, design.png and design.nc. If interrupted, the command keeps the best design so
-far.
+objectives, the output includes the Pareto front: designs that no other design improves in one objective without being worse in
+the other. --out writes designed.toml, a case file for `stiction run`, design.csv, pareto.csv, design.png and design.nc. If
+interrupted, the command keeps the best design so far.
 """
 
 from collections.abc import Callable

@@ -184,7 +184,7 @@ def _solved(plan, one, arrays, numbers, names) -> tuple[BatchResult, dict[str, A
 
 
 def _of(solved: BatchResult, name: str, resistance: Any, sets: int) -> tuple[tuple[str, ...], np.ndarray]:
-    """Return a measured quantity from solved results: its dimensions, and its values (sets, *dimensions) in SI units.
+    """Return the model's values of a measured quantity: dimensions, and values (sets, *dimensions) in SI units.
 
     name: name of the quantity. resistance: specific contact resistance [ohm m^2], one number or (sets,). sets: number of sets
     of free parameters.

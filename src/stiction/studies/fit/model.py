@@ -147,8 +147,8 @@ def forward_model(plan: FitPlan, model: str | None = None, data: Measurements | 
 def case_between_the_ends(plan: FitPlan, data: Measurements) -> "Case":
     """Return the case of a plan at the measured loads, with each free parameter halfway between its ends.
 
-    data: measured values; the first row also supplies the numbers of the contact that the data state. Without loads, the case
-    keeps its points.
+    data: measured values. Where columns of the data are inputs of the contact, the values of the first row are used. If the
+    data state no load, the case keeps its own loads or separations.
     """
     case = plan.case.at({**data.known[0], **middle_of(plan.free)})
     load = np.sort(data.load[np.isfinite(data.load)])

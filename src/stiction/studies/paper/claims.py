@@ -138,7 +138,7 @@ class Claim:
 
     @property
     def definition(self) -> str:
-        """Return the test of the claim as one line of text: number < bound (or >), for cases."""
+        """Return the test of the claim as one line, `NUMBER < BOUND, for CASES` (or `>`)."""
         return f"{self.number} {'<' if self.below else '>'} {self.bound:g}, for {self.cases}"
 
     def judge(self, surfaces: Surfaces) -> tuple[np.ndarray, np.ndarray]:

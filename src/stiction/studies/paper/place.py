@@ -1,9 +1,9 @@
 """Place a contact in the plane of the adhesion indices theta and lambda, and compute the limits drawn in this plane.
 
-Adhesion matters below theta = 10 and lambda = 0.125 (theory.md, theory 1, and the 2015 paper). The plasticity index psi has the
-limits 0.6 and 1 of Greenwood & Williamson (1966): contacts with a smaller index are elastic, contacts with a larger one
-plastic, at all practical loads. As eta = pi H (R/sigma)^(1/2)/K = (3 pi/4)/psi follows from theta and lambda (theory.md, theory
-1), each psi is a line in the plane: lambda = [3 pi/(4 psi)/eta(theta, 1)]^4.
+Adhesion matters if theta is below 10 or lambda is below 0.125 (theory.md, theory 1, and the 2015 paper). The plasticity index
+psi has the limits 0.6 and 1 of Greenwood & Williamson (1966): contacts with a smaller index are elastic, contacts with a larger
+one plastic, at all practical loads. As eta = pi H (R/sigma)^(1/2)/K = (3 pi/4)/psi follows from theta and lambda (theory.md,
+theory 1), each psi is a line in the plane: lambda = [3 pi/(4 psi)/eta(theta, 1)]^4.
 """
 
 import math

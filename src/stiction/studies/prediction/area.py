@@ -268,11 +268,12 @@ def _too_sharp(sampled: SampledCase) -> np.ndarray:
 def _known(errors: MeasuredErrors, few: float | None) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return error quantiles (k, 5) of a model at k points, the distance to the benchmarks (k,), and the sampling error (k,).
 
-    The quantiles are those of ln(area/benchmark area). Only n benchmark surfaces near a point determine them, so their
-    distances from the median are multiplied by 1 + few/n. The error of the benchmark areas themselves, _SOLVED, is then added
-    in squares. few is None if the area is computed from the map; the quantiles then already contain the error of the solution.
-    The distance to the nearest benchmark surface is 0 to 1, and 1 where no similar surface was solved. The sampling error is
-    the standard error of ln(area) because a map is one window of a larger surface; it is 0 if unknown.
+    The quantiles are those of ln(area/benchmark area). Quantiles from few surfaces are too narrow: with n benchmark surfaces
+    near a point, the distance of each quantile from the median is multiplied by 1 + few/n. The error of the benchmark areas
+    themselves, _SOLVED, is then added in quadrature. few is None if the area is computed from the map; the quantiles then
+    already contain the error of the solution. The distance to the nearest benchmark surface is 0 to 1, and 1 where no similar
+    surface was solved. The sampling error is the standard error of ln(area) because a map is one window of a larger surface; it
+    is 0 if unknown.
     """
     known = np.isfinite(errors.levels).all(axis=1)
     trust = np.where(known, np.clip(errors.trust, 0.0, 1.0), 0.0)

@@ -53,7 +53,7 @@ class Levels:
 
 
 def draw_levels(inputs: int, count: int, seed: int) -> Levels:
-    """Return the quantile levels of `count` samples: the points of one scrambled Sobol sequence over all columns.
+    """Return the quantile levels of `count` samples, from one scrambled Sobol sequence.
 
     Parameters
     ----------
@@ -64,9 +64,8 @@ def draw_levels(inputs: int, count: int, seed: int) -> Levels:
     seed : int
         Seed of the scrambling.
 
-    Notes
-    -----
-    Owen scrambling (Owen 1997) makes the points uniform. The same seed gives the same samples.
+    Notes ----- Owen scrambling (Owen 1997) makes the points uniform. The same seed gives the same samples. The levels of
+    "spots" are not part of the sequence: they are evenly spaced, in random order.
     """
     names = [name for columns in COLUMNS.values() for name in columns if name != _APART]
     points = sobol_points(inputs + len(names), count, seed)

@@ -120,11 +120,12 @@ class Onset:
         return np.maximum(like * np.exp(-loss), np.minimum(residual, like))
 
     def _by_numbers(self, share: np.ndarray, rows: np.ndarray) -> np.ndarray:
-        """Return the standard deviation of the displacement of spots over their shear strength (n, m) [m/Pa], without a map.
+        """Return the scatter of spot displacements divided by the shear strength (n, m) [m/Pa], for contacts without a map.
 
-        share: real over nominal area (n, m). rows: index of the sampled input numbers of each sample (n,). The result follows
-        from density, radius and height deviation of asperities. Spots much wider than the film is thick have the compliance of
-        the bodies below it.
+        share: real over nominal area (n, m). rows: index of the sampled input numbers of each sample (n,). The scatter is the
+        standard deviation of the tangential displacement over all contact spots of a sample, estimated from density, radius and
+        height deviation of asperities. Spots that are much wider than the film thickness have the compliance of the bodies
+        below the film.
         """
         deviation, radius, density = (_drawn(table, rows) for table in (self.deviation, self.radius, self.density))
         spots = spot_radius(share, deviation, radius, density)

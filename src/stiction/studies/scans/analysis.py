@@ -32,9 +32,9 @@ class Analysis:
     surface: the prepared map. statistics: moments and distribution of its heights. spectrum: radial average of the power
     spectrum. of_spectrum: how gaps were filled for the spectrum, "" if there were none. spikes: number of points farther than
     SUSPICIOUS robust deviations from the median. by_differences, by_spectrum: spectral moments from differences and from the
-    spectrum, with the same cutoff. asperities, heights, failures: by asperity method, the asperities found, their height
-    distribution, or the reason of failure. standing: method recommended for the surface, "" if none found asperities. kind:
-    kind of surface, one of finishes.SURFACE_KINDS, estimated from the heights; None if undecided.
+    spectrum, with the same cutoff. asperities, heights, failures: dicts by asperity method, with the asperities found, their
+    height distribution, and the reason if none were found. standing: method recommended for the surface, "" if none found
+    asperities. kind: kind of surface, one of finishes.SURFACE_KINDS, estimated from the heights; None if undecided.
     """
 
     surface: HeightMap

@@ -65,9 +65,9 @@ def default_cutoffs(surface: HeightMap, shortest: float = 0.0) -> np.ndarray:
 
 @dataclass(frozen=True)
 class _Friction:
-    """Store the contact, load and model of the friction; contact and load are None if no friction is computed.
+    """Store the contact, load and model with which friction is computed; without friction, contact and load are None.
 
-    load: above 0, in N or as text with a unit. Raises InputError if contact, load or model are invalid whatever the surface.
+    load: above 0, in N or as text with a unit. Raises InputError if contact, load or model are invalid for every surface.
     """
 
     contact: Contact | None

@@ -170,7 +170,7 @@ def _are_possible(case: Case, numbers: Mapping[Address, Any], choice: Choice, co
     """Return a mask (count,) of the samples in which every dimensionless group is within its bounds.
 
     Finding the other samples by bisection would take longer than solving all possible ones. The mask is True everywhere if the
-    numbers themselves are refused.
+    contact cannot be built from the numbers, or if no group that varies between samples is out of bounds.
     """
     try:
         impossible: Any = with_surface_moments(case.at(numbers).subject, choice.model_key).impossible

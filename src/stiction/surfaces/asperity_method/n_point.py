@@ -5,9 +5,9 @@ over asperities needs heights that do not depend on the separation. Height and r
 stiction.surfaces.theory.n_point.
 
 *Assumes*: an asperity is $n$ neighbouring sampled points of a profile whose $n-2$ middle ones are above a level. *Source*:
-[hariri_zu_ben_mrad_2006], its abstract. *Unknown*: every formula. *Reconstruction*: with the highest point at $t$ above the
-level and the chord $L=(n-1)\ell$ at the point spacing $\ell$, the radius belongs to the parabola. $D$, the number of places per
-length where the profile rises through the level, gives the number per area as it would for peaks:
+[hariri_zu_ben_mrad_2006], its abstract. *Unknown*: every formula. *Reconstruction*: $R_n$ is the radius of the parabola of
+height $t$ (highest point above the level) over the chord $L=(n-1)\ell$ with the point spacing $\ell$. $D$ is the number of
+upward crossings of the level per length; $N$ follows from it by the relation for peaks:
 
 $$
 R_n=\frac{L^2}{8t},\qquad N=\frac{2\pi}{3\sqrt3}D_xD_y

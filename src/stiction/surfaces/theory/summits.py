@@ -196,9 +196,10 @@ def _gauss() -> tuple[np.ndarray, np.ndarray]:
 def _fill_curves(separations, spread, series, gauss, sums):
     """Write the integrals over the summit curvature q for load and area into the two arrays `sums`, (n, H) each.
 
-    - separations: separation from the mean plane (n, H), and the largest one of each surface (n, H), which sets the range of
-      integration; in units of sigma
-    - spread: mean summit height divided by q, and standard deviation of the summit height at fixed q, (n,) each
+    - separations: separation d from the mean plane, and the separation that sets the range of integration, (n, H) each, in
+      units of sigma. The second is the largest d of a surface if all surfaces share their separations, else d itself
+    - spread: mean height of a summit of curvature q, divided by q, and standard deviation of the summit height at fixed q, (n,)
+      each
     - series: Chebyshev coefficients of the integrals over the shape, and of the truncated means for h >= 0 and h < 0
     - gauss: nodes and weights of a Gauss rule
     """

@@ -2,7 +2,7 @@
 
 Each kind of kink is a zero of a function of the coordinate u, a signal (`graded_signals`). A signal is smooth, except for a
 kink where the asperity begins to flow plastically. All signals are sampled together. Each sign change brackets a zero, which is
-then refined. Where a signal comes close to zero without a sign change, a pair of zeros is searched. Where the load would fall
+then refined. Where a signal nears zero without a sign change, a pair of zeros is searched for. Where the load would fall
 although it is compressive, the asperity keeps its load until the law reaches it again (S5.19); this plateau adds two edges.
 """
 
@@ -37,7 +37,7 @@ CAPACITY = 40  # largest number of edges
 FAR = 79  # number of cells of the scan that are equal in ln u
 SPARE = 8  # number of samples that can be inserted at kinks
 INNER = 16  # number of samples of the load's slope on a segment
-# Kinks at larger displacements are not searched, because no asperity is pressed that far.
+# Kinks at larger displacements are not searched for, because no asperity is pressed that far.
 _DEEPEST = 10.0  # largest u, a displacement of 10^4 sigma
 # Cells near the start are equal in ln(u - start): relative distances of the first and the last, number per factor e.
 _NEAREST, _APART, _DENSE = 1e-9, 0.2, 4.0

@@ -13,7 +13,7 @@ from stiction.laws.asperity.shared.transition import FULLY_PLASTIC, plastic_shar
 from stiction.laws.film.shared.graded_law import ALONE, contact, fading
 from stiction.laws.tangential.shared.edge_yield import coefficients
 
-NEARER = 0.3  # a near miss is searched if the parabola through it comes closer to zero by this fraction
+NEARER = 0.3  # a near miss is examined if the parabola through it comes closer to zero by this fraction
 
 
 @formula
@@ -70,7 +70,7 @@ def load_before_plateaus(u, law):
     return load, slope * u / flowing, ratio
 
 
-# Numbers of the functions of u whose zeros are searched: five signals (0 to 4), slope of the load, load minus a level.
+# Numbers of the functions of u whose zeros are searched for: five signals (0 to 4), slope of the load, load minus a level.
 REAL, SQUEEZED, BALANCE, SLOPE, ABOVE = 2, 3, 4, 5, 6
 # Numbers are passed as entries of this array, because each literal constant would compile another kernel.
 NUMBERS = np.arange(7)
@@ -80,8 +80,8 @@ NUMBERS = np.arange(7)
 def signal(which, u, law, level):
     """Return the value of function number `which` of an asperity on a graded film at the coordinate u.
 
-    The callers search zeros of the function. which: below SLOPE, an index into `signals`; SLOPE, the slope of the load, as in
-    `load_before_plateaus`; ABOVE, the load minus `level`. level: used with ABOVE only. law: parameters of an asperity on a
+    Callers search for zeros of this function. which: 0 to 4 select an entry of `signals`, SLOPE selects the slope of the load
+    (see `load_before_plateaus`), ABOVE the load minus `level`. level: used with ABOVE only. law: parameters of an asperity on a
     graded film.
     """
     if which < SLOPE:

@@ -21,7 +21,7 @@ from stiction.laws.segment import NormalSegment, TangentialResistance
 from stiction.records.registry import TangentialLaw
 
 _DEEPEST = 100.0  # displacement over sigma beyond which no asperity contributes
-_MOST = 4  # changes between sticking and sliding that are searched on a segment
+_MOST = 4  # changes between sticking and sliding that are searched for on a segment
 
 
 @cache

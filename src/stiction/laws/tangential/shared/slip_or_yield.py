@@ -1,15 +1,15 @@
-"""Find the kinks of the tangential resistance of an adhesive elastic asperity, which is the smaller of two forces.
+"""Find the kinks of the tangential resistance of an adhesive elastic asperity, the smaller of slip and yield resistance.
 
 Slip resistance is the force of peeling; yield resistance is the force at which the trailing edge yields. With the strength of
 adhesion S = sqrt(6 pi/theta) and the coordinate u = S^(1/3) v of JKR's contact, the equations below depend only on
 e = eta S^(-2/3), Poisson's ratio nu, k = H/Y and K beta. With y = v^3, both resistances are equal (docs/explanation/theory.md,
 section 3) where
 
-    G(y) = [d s^2 + 3n(p-q) s y (y-1) + 3n^2 y^2 (y-1)^2] / y^(8/3)   equals   (e/(pi k))^2.
+    G(y) = [D s^2 + 3n(p-q) s y (y-1) + 3n^2 y^2 (y-1)^2] / y^(8/3)   equals   (e/(pi k))^2.
 
-n, p and q are the stress coefficients of `edge_yield.coefficients`, d = p^2 + q^2 - pq, g = 4/sqrt(3 K beta), and
-s = g |y - 1/2| (corrected) or g sqrt(y^2 - 1/4) (as printed). The zeros are bracketed between the turning points of G, so that
-none can be missed.
+n, p and q are the stress coefficients of `edge_yield.coefficients`, D = p^2 + q^2 - pq, g = 4/sqrt(3 K beta), and
+s = g |y - 1/2| (corrected) or g sqrt(y^2 - 1/4) (as printed). The crossings are bracketed between the turning points of G, so
+that none can be missed.
 """
 
 import math

@@ -11,7 +11,7 @@ from stiction.laws.segment import NormalSegment, TangentialResistance
 from stiction.laws.tangential.shared.edge_yield import keep_smaller
 from stiction.laws.tangential.shared.sign_changes import sign_changes
 
-# Largest number of sign changes that are searched, for each number of the formula.
+# Largest number of sign changes that each number of the formula is searched for.
 _MOST = 5
 
 
