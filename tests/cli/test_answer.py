@@ -230,6 +230,16 @@ def test_models_that_say_the_same_share_a_row(case):
     assert len(run("compare", case, "--all").splitlines()) > 30
 
 
+def test_compare_says_why_its_models_are_below_the_prediction(case):
+    """Junctions of copper grow under shear, which most models leave out. Models of lubricated steel agree with it."""
+    said = " ".join(run("compare", case).split())
+    assert "model + others of equal mu" in said
+    assert re.search(r"mu = 0\.\d+ includes a factor of 2\.\d for the growth of junctions under shear, which not every", said)
+    steel = CASE.replace('"copper"', '"hardened_steel_52100"').replace("oxidised metal", "boundary lubricant")
+    case.write_text(steel.replace("0.2 um", "60 nm"), encoding="utf-8")
+    assert "which not every model" not in (said := run("compare", case)) and "nominal inputs" not in said
+
+
 def test_a_load_that_flattens_the_faces_is_refused(case):
     result = CliRunner().invoke(app, ["run", str(case), "--load", "1 GN"])
     assert result.exit_code == 2 and "hardness times the nominal area" in result.output

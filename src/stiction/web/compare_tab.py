@@ -12,7 +12,15 @@ from stiction.records.claims import KINDS_OF_WARNING, range_in_words
 from stiction.records.sources import bibliography
 from stiction.report.html_words import letters
 from stiction.report.table import Column, Table, numbers
-from stiction.report.views.comparison import Group, comparison_view, group_row, groups_of, left_out_in_words, silent_models
+from stiction.report.views.comparison import (
+    Group,
+    comparison_view,
+    group_row,
+    groups_of,
+    left_out_in_words,
+    silent_models,
+    why_apart,
+)
 from stiction.solving.overview import models
 from stiction.studies.prediction.unused import refusal_of
 from stiction.web.background import run
@@ -69,7 +77,7 @@ class CompareTab:
         case, data, prediction = compared(answer.query, load if load > 0.0 else None, progress)
         groups = groups_of(data) if "working_load" in data.attrs else []
         silent = silent_models(case, data)
-        said = [left_out_in_words([], [], silent)]
+        said = [left_out_in_words([], [], silent), letters(why_apart(groups, prediction))]
         if prediction is None and (refusal := refusal_of(case)) is not None:
             said.append(f"no prediction: {refusal}")
         if not groups:

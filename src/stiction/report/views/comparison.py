@@ -116,7 +116,8 @@ def at_working_load(data: "xarray.Dataset") -> "xarray.Dataset":
 _MU = "friction_coefficient_at_load"
 _ALIKE = 1.1  # ratio of mu within which models agree
 ALL = "--all lists every model"
-GROUP_HEADS = ("model, and others that agree", "mu", "area error", "in the model's range?")
+_APART = 1.2  # ratio of mu from which a model and the prediction differ
+GROUP_HEADS = ("model + others of equal mu", "mu", "area error", "in the model's range?")
 
 
 @dataclass(frozen=True)
@@ -250,6 +251,25 @@ def left_out_in_words(groups: list[Group], shown: list[Group], silent: int = 0) 
     return "; ".join(f"{count} {text}" for count, text in counts if count)
 
 
+def why_apart(groups: list[Group], prediction: "xarray.Dataset | None") -> str:
+    """State what a prediction adds to the models, if most models within their range differ from it by more than 20 %; else "".
+
+    groups: groups of models. prediction: result of `predict` at the load of the groups, or None.
+    """
+    suited = [group for group in groups if group.kind[2] == "fits"]  # not those that leave out the interface
+    if prediction is None or not suited:
+        return ""
+    mu, count = float(prediction["friction_coefficient"]), sum(len(group.names) for group in suited)
+    near = sum(len(group.names) for group in suited if group.low <= _APART * mu and mu <= _APART * group.high)
+    if not 2 * near < count:
+        return ""
+    added = [f"a factor of {number(factor)} for {cause}" for cause, factor in prediction.attrs["enlarged_by"].items()]
+    lower = sum(len(group.names) for group in suited if mu > _APART * group.high)
+    if added and 2 * lower > count:
+        return f"mu = {number(mu)} includes {' and '.join(added)}, which not every model includes"
+    return f"mu = {number(mu)} is a median over sampled inputs and corrected contact areas; each model uses nominal inputs"
+
+
 def silent_models(case: "Case", data: "xarray.Dataset") -> int:
     """Return how many models give a contact area but no friction, because the case states no interface and no shear strength.
 
@@ -285,8 +305,10 @@ def comparison_view(
         if not groups:
             above.append(Text("no model gives friction for this contact at a load above 0"))
         yield from above
-        room = None if every else MOST_LINES - sum(map(lines_of, above))
+        below = [Text(apart)] if (apart := why_apart(groups, prediction)) else []
+        room = None if every else MOST_LINES - sum(map(lines_of, [*above, *below]))
         yield from groups_table(groups, room, silent_models(case, data) if groups else 0, more)
+        yield from below
         if every:
             yield from notes(data.attrs["criteria"].splitlines(), "")
             yield from notes(f"not applicable: {line}" for line in data.attrs["not_applicable"].splitlines())

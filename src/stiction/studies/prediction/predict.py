@@ -19,7 +19,7 @@ from stiction.studies.prediction.finish import with_finish
 from stiction.studies.prediction.levels import Levels, draw_levels
 from stiction.studies.prediction.measured import Measured, chosen_draws, interval_after_measuring, read_measured
 from stiction.studies.prediction.mixture import Mixture, Samples
-from stiction.studies.prediction.regime import mu_by_state, next_step, regime_of, warnings_of
+from stiction.studies.prediction.regime import enlarged_by, mu_by_state, next_step, regime_of, warnings_of
 from stiction.studies.prediction.sampled_case import SampledCase
 from stiction.studies.prediction.shares import shares_of_variance
 from stiction.studies.prediction.sources import beside_area, sources_of
@@ -66,12 +66,12 @@ def predict(
         `contact_area` [m^2]; `_low` and `_high` of each, the ends of the interval; and `friction_coefficient_samples` (sample,
         load). If the case states a weakening slip, also `friction_efficiency`, the force over the sum of strengths.
 
-        Attributes, at the middle load: `level`, `regime` (a sentence), `lowered_by` (what would lower mu), `shares` (part ->
-        fraction of the variance of ln mu), `warnings` (a list, the most serious first), `inputs_not_used` (a list),
-        `next_step` (what to measure or state next), `after_measuring` (interval of mu that one measurement with 15 % error
-        would leave), `models` (area model -> weight), `beside_area` (laws of menisci and contamination that apply), `sources`
-        (bibliography keys, for `st.cite`), `excluded` (fraction of impossible samples), `strength` (tau_0 [Pa]: median and
-        ends of the interval).
+        Attributes, at the middle load: `level`, `regime` (a sentence), `lowered_by` (what would lower mu), `enlarged_by` (cause
+        -> factor of the contact area, for junction growth and adhesion), `shares` (part -> fraction of the variance of ln mu),
+        `warnings` (a list, the most serious first), `inputs_not_used` (a list), `next_step` (what to measure or state next),
+        `after_measuring` (interval of mu that one measurement with 15 % error would leave), `models` (area model -> weight),
+        `beside_area` (laws of menisci and contamination that apply), `sources` (bibliography keys, for `st.cite`), `excluded`
+        (fraction of impossible samples), `strength` (tau_0 [Pa]: median and ends of the interval).
 
         With measured friction, `shares` is empty. `value`, `low` and `high` over `parameter` are then the updated uncertain
         numbers, and `verdict` names those that the measurement does not determine.
@@ -301,6 +301,7 @@ def _attributes(
         "level": level,
         "regime": regime,
         "lowered_by": lowered_by,
+        "enlarged_by": enlarged_by(mixture, samples, working_index),
         "shares": dict(shares),
         "strength": strength.tolist(),
         "warnings": warnings_of(mixture, samples, working_index, shares, by_state),

@@ -35,12 +35,9 @@ def regime_of(mixture: Mixture, samples: Samples, index: int) -> tuple[str, str]
     The sentences state, for example, that all contact spots are plastic. samples: results of the prediction. index: position of
     the load among the loads of the prediction.
     """
-    area, pull, growth, pressure = (
-        float(np.nanmedian(np.broadcast_to(table, samples.area.shape)[:, index]))
-        for table in (samples.area, samples.pull, samples.growth, samples.pressure)
-    )
+    area, pull, pressure = (_median(table, samples, index) for table in (samples.area, samples.pull, samples.pressure))
     sentences, added = [], " plus the pressure coefficient" if mixture.strength.has_coefficient else ""
-    times = _times(mixture, growth, pull)
+    times = _times(mixture, samples, index)
     stated = mixture.sampled.contact.interface
     is_dry = stated is not None and stated.name in _DRY
     weaker = "a weaker interface (e.g. lubricated)" if is_dry else "a weaker interface"
@@ -71,18 +68,32 @@ def regime_of(mixture: Mixture, samples: Samples, index: int) -> tuple[str, str]
     return " ".join(sentences), lever
 
 
-def _times(mixture: Mixture, growth: float, pull: float) -> str:
-    """Return text for the factors that multiply tau_0 over pressure in the formula of mu; "" without factors.
+def _median(table: np.ndarray, samples: Samples, index: int) -> float:
+    """Return the median of a result over the samples, at the load with this index. table: one of the arrays of `samples`."""
+    return float(np.nanmedian(np.broadcast_to(table, samples.area.shape)[:, index]))
 
-    growth, pull: factors by which growth of junctions, and adhesion and menisci, enlarge the area. A factor below 1.1 is left
-    out, unless the contact has menisci.
+
+_JUNCTIONS = "the growth of junctions under shear"
+
+
+def enlarged_by(mixture: Mixture, samples: Samples, index: int) -> dict[str, float]:
+    """Return the median factors, by cause, with which junction growth, and adhesion and menisci, enlarge the contact area.
+
+    A factor below 1.1 is left out, unless the contact has menisci. index: position of the load among the loads of the
+    prediction.
     """
     contact = mixture.sampled.contact
+    growth, pull = (_median(table, samples, index) for table in (samples.growth, samples.pull))
     pulls = [name for name, value in (("adhesion", contact.adheres), ("menisci", contact.liquid is not None)) if value]
-    grown = "the growth of junctions under shear" if growth > _GROWN else ""
-    pulled = f"{pull:.2f} for {' and '.join(pulls)}" if pulls and (pull > _GROWN or contact.liquid is not None) else ""
-    factors = " and ".join(filter(None, [grown, pulled]))
-    return f", times {factors}" if factors else ""
+    factors = {_JUNCTIONS: growth} if growth > _GROWN else {}
+    return factors | ({" and ".join(pulls): pull} if pulls and (pull > _GROWN or contact.liquid is not None) else {})
+
+
+def _times(mixture: Mixture, samples: Samples, index: int) -> str:
+    """Return text for the factors of `enlarged_by`, which multiply tau_0 over pressure in the formula of mu; "" without any."""
+    factors = enlarged_by(mixture, samples, index).items()
+    texts = [cause if cause == _JUNCTIONS else f"{factor:.2f} for {cause}" for cause, factor in factors]
+    return f", times {' and '.join(texts)}" if texts else ""
 
 
 def _by_strength(samples: Samples, index: int) -> float:
@@ -155,9 +166,7 @@ def warnings_of(
             "strength changes by 2 %, mu changes by 15 % or more."
         )
     contact = mixture.sampled.contact
-    area, pressure = (
-        float(np.nanmedian(np.broadcast_to(table, samples.area.shape)[:, index])) for table in (samples.area, samples.pressure)
-    )
+    area, pressure = (_median(table, samples, index) for table in (samples.area, samples.pressure))
     warnings += _beyond_limit(contact, pressure * float(np.median(mixture.sampled.bodies.hardness)))
     is_flat = area >= _FLAT * float(np.median(mixture.sampled.drawn.nominal_area))
     soft = any(class_of(body) == "elastomer" for body in contact.touching)
