@@ -353,8 +353,11 @@ def test_a_lazy_kernel_can_be_forced_either_way(force_loops):
 WITHOUT_COMPILER = """
 import numpy as np
 import stiction as st
-whole = st.solve(st.Indices(theta=40, lam=10, n_E=1.5, n_H=0.5, tau=2), separation=[1.0])
-print(*(float(whole[name].item()) for name in ("load", "contact_area", "friction_force")))
+groups = st.Indices(theta=40, lam=10, n_E=1.5, n_H=0.5, tau=2)
+halling = {"model": "greenwood_williamson_1966", "film": "halling_1979"}  # divides by the contact radius, also where it is 0
+for chosen, film in ((groups, {}), (groups.replace(film_aspect=0.5, shear_strength=0.1), halling)):
+    whole = st.solve(chosen, separation=[1.0], **film)
+    print(*(float(whole[name].item()) for name in ("load", "contact_area", "friction_force")))
 """
 
 

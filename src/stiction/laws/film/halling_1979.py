@@ -66,7 +66,7 @@ def _formulas(modulus_key: str, hardness_key: str) -> tuple[Any, Any, Any]:
 
         u: contact radius in units of sqrt(R sigma). row: the parameters of `_formulas`.
         """
-        xi = row[4] / u
+        xi = row[4] / u if u > 0.0 else np.inf  # plain Python raises an error where compiled code gives infinity
         first, second, share, films, nu, nu_first, nu_second = row[BODIES:ELASTIC]
         g = modulus(first, xi, nu, nu_first)
         other = modulus(second, xi, nu, nu_second) if films == 2.0 else 1.0
