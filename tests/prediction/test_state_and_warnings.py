@@ -109,3 +109,15 @@ def test_sources_of_an_answer_are_those_of_its_models_interface_and_laws():
     assert "{maugis_1992," in st.cite(sticky)
     swept = st.predict({"contact": copper | rough | {"nominal_area": ["1 cm^2", "2 cm^2"]}, "solve": {"load": "10 N"}})
     assert set(swept.sources.split()) == set(answer.sources.split()) and np.isfinite(swept.friction_coefficient).all()
+
+
+@pytest.mark.parametrize(("height", "load", "sticks"), [("20 nm", 1.0, True), ("2 um", 1.0, False), ("2 um", 1e-3, True)])
+def test_only_a_pull_off_force_above_the_load_is_a_reason_to_use_the_friction_force(height, load, sticks):
+    """Adhesion enlarges all three areas more than twice; but a rough surface lets go of its rubber at a few millinewtons."""
+    rough = {"rms_height": height, "finish": "polished" if height == "20 nm" else "ground"}
+    pair = {"first": "pdms", "second": "soda_lime_glass", "interface": "elastomer", "work_of_adhesion": "0.05 J/m^2"}
+    contact = st.Contact(**pair, roughness=rough, nominal_area="1 cm^2")
+    answer = st.predict(contact, load=load)
+    pull_off = st.solve(contact, load=load, model="soft_coating_2015").pull_off_force.item()
+    assert (pull_off > load) is sticks and ("use the friction force, not mu" in answer.regime) is sticks
+    assert "less adhesion" in answer.lowered_by and ("pulled flat" in answer.regime) == (height == "20 nm")

@@ -2,19 +2,24 @@
 
 import math
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 import numpy as np
 
 from stiction.contact.contact import Contact
 from stiction.contact.materials import class_of
+from stiction.quantities.errors import InputError
 from stiction.quantities.units import show
 from stiction.solvers.boundary_elements.limits import LEAST_WAVES
+from stiction.solving.choice import Choice
 from stiction.solving.state import of_the_map
 from stiction.studies.prediction.levels import Levels
 from stiction.studies.prediction.mixture import Mixture, Samples
+from stiction.studies.prediction.sampled_case import SampledCase
 from stiction.studies.prediction.uncertainty_sources import part_name
+from stiction.studies.uncertainty.drawing import Variant, draw
 
-_STICKS = 2.0  # factor of the area by adhesion above which adhesion, and not the load, determines the area
+_STICKS = 2.0  # factor of the area by adhesion or menisci above which they, and not the load, determine the area
 _FLAT = 0.95  # real over nominal area from which a contact counts as pressed flat
 _PLASTIC = 0.9  # mean pressure over hardness from which spots count as plastic
 _SOME = 0.1  # fraction of elastic samples above which the text mentions them
@@ -44,7 +49,8 @@ def regime_of(mixture: Mixture, samples: Samples, index: int) -> tuple[str, str]
     by_area = _by_strength(samples, index) > _BY_STRENGTH  # else friction is alpha W, whatever the area
     if area > _FLAT * float(np.median(mixture.sampled.drawn.nominal_area)):
         lever = f"more load, a smaller nominal area or {weaker}" if by_area else weaker
-        sentences.append(f"The surfaces are pressed flat: the real area is the nominal area, and mu = tau_0·A_n/P{added}.")
+        flat = "pulled" if pull > _STICKS else "pressed"
+        sentences.append(f"The surfaces are {flat} flat: the real area is the nominal area, and mu = tau_0·A_n/P{added}.")
     elif pressure > _PLASTIC:
         lever = weaker
         if by_area and not mixture.strength.is_relative_to("shear_strength"):
@@ -61,10 +67,11 @@ def regime_of(mixture: Mixture, samples: Samples, index: int) -> tuple[str, str]
         sentences.append(sentence)
         lever = f"{weaker} or {other}" if by_area else weaker
     if pull > _STICKS:
-        lever = f"less adhesion or {weaker}"
-        sentences.insert(
-            0, "Adhesion exceeds the load: the contact sticks even without load, so use the friction force, not mu."
-        )
+        contact, load = mixture.sampled.contact, float(mixture.loads[index])
+        lever = f"less {'adhesion' if contact.adheres else 'liquid'} or {weaker}"
+        if contact.adheres and (force := _pull_off_force(mixture.sampled)) > load:
+            shown = show(force, "pull_off_force", 2)
+            sentences.insert(0, f"The pull-off force, {shown}, exceeds the load: use the friction force, not mu.")
     return " ".join(sentences), lever
 
 
@@ -92,8 +99,22 @@ def enlarged_by(mixture: Mixture, samples: Samples, index: int) -> dict[str, flo
 def _times(mixture: Mixture, samples: Samples, index: int) -> str:
     """Return text for the factors of `enlarged_by`, which multiply tau_0 over pressure in the formula of mu; "" without any."""
     factors = enlarged_by(mixture, samples, index).items()
-    texts = [cause if cause == _JUNCTIONS else f"{factor:.2f} for {cause}" for cause, factor in factors]
+    texts = [cause if cause == _JUNCTIONS else f"{factor:.3g} for {cause}" for cause, factor in factors]
     return f", times {' and '.join(texts)}" if texts else ""
+
+
+def _pull_off_force(sampled: SampledCase) -> float:
+    """Return the pull-off force [N] of the nominal contact by the model soft_coating_2015, or 0 if the model refuses it.
+
+    Asperities of that model do not interact, so that the force is a lower bound where adhesion makes contact spots merge.
+    """
+    nominal = replace(sampled.case, uncertain=(), load=sampled.loads[:1], separation=None)
+    variant = Variant(Choice("soft_coating_2015", tangential="none"))
+    try:
+        drawn = draw(nominal, np.zeros((1, 0)), [variant], names=("pull_off_force",))
+    except (InputError, ArithmeticError):
+        return 0.0
+    return float(np.nan_to_num(drawn.tables["pull_off_force"]).max())
 
 
 def _by_strength(samples: Samples, index: int) -> float:
