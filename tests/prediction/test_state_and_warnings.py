@@ -121,3 +121,10 @@ def test_only_a_pull_off_force_above_the_load_is_a_reason_to_use_the_friction_fo
     pull_off = st.solve(contact, load=load, model="soft_coating_2015").pull_off_force.item()
     assert (pull_off > load) is sticks and ("use the friction force, not mu" in answer.regime) is sticks
     assert "less adhesion" in answer.lowered_by and ("pulled flat" in answer.regime) == (height == "20 nm")
+
+
+def test_an_interface_a_little_stronger_than_the_body_is_not_called_once_as_strong():
+    """The softer body, of 1.5 GPa, shears at 1.5 GPa/(2.8 sqrt 3) = 309 MPa."""
+    contact = STOP | {"interfacial_shear_strength": "320 MPa"}
+    warnings = st.predict({"contact": contact, "solve": {"load": "100 uN"}}).warnings
+    assert any(re.search(r"is 1\.0\d times as strong as the weaker body, which limits mu", text) for text in warnings), warnings

@@ -209,8 +209,8 @@ def warnings_of(
 
 
 def _as_strong(times: float) -> str:
-    """Return a phrase such as "2.5 times as strong as", or "as strong as" if the ratio is 1 within 1.5 %."""
-    return "as strong as" if abs(times - 1.0) < _SAME else f"{times:.2g} times as strong as"
+    """Return a phrase such as "1.03 times as strong as", or "as strong as" if the ratio is 1 within 1.5 %."""
+    return "as strong as" if abs(times - 1.0) < _SAME else f"{times:.3g} times as strong as"
 
 
 def mu_by_state(mixture: Mixture, levels: Levels, index: int, level: float) -> list[str]:
