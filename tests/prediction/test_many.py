@@ -1,5 +1,8 @@
 """Predictions of many contacts together are those of each alone."""
 
+import re
+from pathlib import Path
+
 import numpy as np
 import pytest
 from xarray import DataArray
@@ -124,6 +127,15 @@ def test_arrays_of_python_are_predicted_too():
     found = st.predict(contact, load="10 N")
     alone = st.predict(st.Contact(**BARE, interface="oxidised metal"), load="10 N")
     assert found.friction_coefficient[1].item() == pytest.approx(alone.friction_coefficient.item(), rel=1e-9)
+
+
+def test_the_attributes_of_an_array_of_contacts_are_those_that_predict_lists():
+    """`start.md` prints the regime of a contact; an array of contacts has none, as the docstring and that page state."""
+    swept = {"contact": OXIDISED | {"nominal_area": ["1 cm^2", "2 cm^2"]}, "solve": {"load": "1 N"}}
+    listed = st.predict.__doc__.split("With array parameters")[1].split("Raises")[0]
+    assert set(st.predict(swept).attrs) == set(re.findall(r"`(\w+)`", listed))
+    page = (Path(__file__).parents[2] / "docs" / "start.md").read_text(encoding="utf-8")
+    assert "but no `regime`, `next_step` and" in page
 
 
 def test_separations_are_refused_with_what_to_do():

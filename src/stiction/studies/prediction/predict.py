@@ -76,8 +76,8 @@ def predict(
         With measured friction, `shares` is empty. `value`, `low` and `high` over `parameter` are then the updated uncertain
         numbers, and `verdict` names those that the measurement does not determine.
 
-        With array parameters there are no samples, and the attributes are `level`, `draws` (samples per contact), `sources` and
-        `refused` (number of points, each a contact at a load, without an answer).
+        With array parameters there are no samples and no regime, shares or next step. The attributes are `level`, `draws`
+        (samples per contact), `model`, `sources` and `refused` (number of points, each a contact at a load, without an answer).
 
     Raises
     ------
