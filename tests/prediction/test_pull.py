@@ -6,6 +6,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+import stiction as st
+
 
 def script():
     path = Path(__file__).parents[2] / "validation" / "adhesion.py"
@@ -32,3 +34,13 @@ def test_the_energy_of_a_wave_is_that_of_a_sine():
     energy, slope = script().energy_and_slope(heights, 10e-6)
     assert energy == pytest.approx(2e6 / (1 - 0.49**2) * q * amplitude**2 / 8.0, rel=1e-9)
     assert slope == pytest.approx(q * amplitude / 2**0.5, rel=1e-9)
+
+
+def test_the_area_of_a_sticky_contact_grows_with_the_load():
+    """As the load vanishes, adhesion alone presses the surfaces together, and the area tends to a constant."""
+    sticky = st.Contact(
+        first="natural_rubber", second="soda_lime_glass", roughness={"finish": "moulded", "rms_height": "0.5 um"},
+        work_of_adhesion="30 mJ/m^2", interfacial_shear_strength="20 kPa", nominal_area="1 cm^2",
+    )  # fmt: skip
+    area = st.predict(sticky, load=np.geomspace(1e-4, 10.0, 16)).contact_area.values
+    assert (np.diff(area) > -0.01 * area[:-1]).all() and area[3] < 1.5 * area[0]

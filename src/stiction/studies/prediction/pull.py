@@ -5,13 +5,14 @@ goes continuously to 1 as the pull vanishes. Two adhesion models are equally lik
 and Maugis' elastic ones.
 
 In an asperity sum, asperities do not interact. On real surfaces, contact spots that adhesion widens merge. Height maps solved
-with adhesion (validation/adhesion.py) have the larger factor g^m with
+with adhesion (validation/adhesion.py) have the larger factor 1 + c (g - 1) with
 
-    m = 1 + 1/(1 + (U/(10 w))^2).
+    c = 1 + 4 (w/U)^0.9,
 
-U/w is the elastic energy of flattening the roughness over the work of adhesion (Persson & Tosatti 2001), estimated by its
-bound E* h_rms h'/(4 w). If U/w is small, the surfaces jump into full contact. On these maps the standard deviation of the
-error of ln(factor) was 12 %. Twice that is used, because no map with plastic spots was solved.
+fitted to these maps. U/w is the elastic energy of flattening the roughness over the work of adhesion (Persson & Tosatti 2001),
+estimated by its bound E* h_rms h'/(4 w). If U/w is small, the surfaces jump into full contact. The form keeps the area finite
+as the load vanishes: it is then c times the area that adhesion alone makes. On these maps the standard deviation of the error
+of ln(factor) was 11 %. Twice that is used, because no map with plastic spots was solved.
 
 Menisci on 18 maps of silicon, solved with the Laplace pressure, raised the area by 1.03 to 5.9 times as much as the
 meniscus law does (four of them are in tests/prediction/test_menisci_of_a_prediction.py). The difference is largest if
@@ -35,7 +36,7 @@ _DRY, _WET = (
     for law in ("none", "equilibrium_meniscus")
 )
 _ADHESION_ERROR = 0.25  # standard deviation of ln of the factor, over ln of the factor
-_STICKY = 10.0  # U/w below which spots that adhesion widens merge
+_MERGING, _POWER = 4.0, 0.9  # c - 1 at U/w = 1, and the power of w/U with which it grows
 _FLAT = 1e6  # factor of the area of surfaces that adhesion pulls into full contact
 # Mean and standard deviation of ln(increase of the area by menisci on solved maps over that of the meniscus law).
 _MENISCUS_BIAS, _MENISCUS_ERROR = 0.7, 0.53
@@ -109,7 +110,7 @@ def _by_adhesion(sampled: SampledCase) -> list[np.ndarray]:
     for choice in _ADHESION[:1] if sampled.contact.has_film else _ADHESION:  # the second model refuses films
         try:
             pulled, faint = (sampled.areas(choice, ("work_of_adhesion",), faint) for faint in (False, True))
-            factors.append(_factor(pulled, faint) ** _merging(sampled))
+            factors.append(1.0 + _merging(sampled) * (_factor(pulled, faint) - 1.0))
         except (InputError, ArithmeticError) as error:
             if sampled.contacts > 1:
                 raise
@@ -121,12 +122,13 @@ def _by_adhesion(sampled: SampledCase) -> list[np.ndarray]:
 
 
 def _merging(sampled: SampledCase) -> np.ndarray:
-    """Return the exponent (n or 1, m or 1) of the adhesion factor of an asperity sum, from 1 to 2.
+    """Return c (n or 1, m or 1), by which the increase g - 1 of an asperity sum is multiplied: 1 for weak adhesion.
 
-    It is 2 for strong adhesion, which makes contact spots merge, and 1 for weak adhesion.
+    It is larger for strong adhesion, which makes contact spots merge.
     """
     from xarray import DataArray
 
     groups, dims = sampled.groups
-    ratio = np.nan_to_num(elastic_over_adhesion(groups), nan=np.inf) / _STICKY
-    return sampled.column(DataArray((1.0 + 1.0 / (1.0 + ratio**2)).reshape(tuple(dims.values())), dims=list(dims)))
+    with np.errstate(divide="ignore"):
+        weakness = np.nan_to_num(elastic_over_adhesion(groups), nan=np.inf) ** -_POWER
+    return sampled.column(DataArray((1.0 + _MERGING * weakness).reshape(tuple(dims.values())), dims=list(dims)))
