@@ -17,6 +17,7 @@ from stiction.contact.indices import Groups
 from stiction.laws.rough_surface import persson_2001
 from stiction.laws.rough_surface.rough_on_film import area_at_load, area_on_map, thickness_over_wave, waves_of_moments
 from stiction.laws.validity import warnings_of
+from stiction.surfaces.heightmap import HeightMap
 from stiction.surfaces.theory.moments import bandwidth, density_of_bandwidth, slope_over_sharpness
 from tables import column, groups, read
 
@@ -239,3 +240,18 @@ def test_many_loads_are_each_by_itself(decades):
     alone = np.hstack([area_at_load(load[:, [at]], given) for at in range(41)])
     assert_allclose(area_at_load(load, given), alone, rtol=2e-13)
     assert (alone[:, 0] == 0.0).all() and (np.diff(alone) > 0.0).all()
+
+
+def test_the_area_of_a_map_with_a_film_at_a_load_does_not_depend_on_the_other_loads():
+    """Too few points touch at the lighter loads: the ratio to the area law is that of one pressure, whatever else is asked."""
+    ky, kx = np.fft.fftfreq(64)[:, None] * 64, np.fft.rfftfreq(64)[None] * 64
+    waves = np.hypot(ky, kx)
+    power = np.where((waves >= 2.0) & (waves <= 10.0), np.maximum(waves, 1.0) ** -1.8, 0.0)
+    heights = np.fft.irfft2(np.fft.rfft2(np.random.default_rng(3).normal(size=(64, 64))) * power, s=(64, 64))
+    surface = HeightMap(20e-9 * heights / heights.std(), (1e-5, 1e-5), periodic=True)
+    film = st.Coating(material="diamond_like_carbon", thickness="500 nm", bodies="first")
+    contact = st.Contact(first="silicon", second="silicon", roughness=surface, nominal_area=1e-10, coating=film)
+    loads = [1e-5, 1e-4, 1e-3, 2e-2]
+    together = st.solve(contact, load=loads, model=LAW, tangential="none").contact_area.values
+    alone = [st.solve(contact, load=load, model=LAW, tangential="none").contact_area.item() for load in loads]
+    assert alone == pytest.approx(list(together), rel=1e-9)

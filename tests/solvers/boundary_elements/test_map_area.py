@@ -141,3 +141,14 @@ def test_slopes_of_a_map_that_ends():
     assert ends.top(0.05) == pytest.approx(whole.top(0.05), rel=0.02)
     steep = np.arange(64.0)[:, None] + np.zeros(64)
     assert map_slopes(steep + 1e-6 * rough(64), UNIT, periodic=False).gradient == pytest.approx(64.0, rel=1e-4)
+
+
+@pytest.mark.parametrize("hardness", [math.inf, 0.3])
+def test_the_area_at_a_pressure_does_not_depend_on_the_other_pressures(hardness):
+    """At the two lightest pressures too few points touch: the formula is scaled to a solution that is always the same."""
+    heights = rough(128)
+    h = MapArea(heights, UNIT, True).slopes.gradient
+    pressures = np.array([1e-5, 3e-4, 0.03, 0.2]) * h
+    together = MapArea(heights, UNIT, True).share(pressures, hardness * h)
+    for pressure, share in zip(pressures, together, strict=True):
+        assert MapArea(heights, UNIT, True).share(np.array([pressure]), hardness * h) == pytest.approx([share], rel=1e-9)

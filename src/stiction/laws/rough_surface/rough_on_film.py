@@ -65,6 +65,7 @@ _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(24)  # Gauss points of a spec
 # Ratios of largest to smallest wavenumber at which the bandwidth is tabulated.
 _RATIOS = np.concatenate([[1.0], 1.0 + np.geomspace(1e-4, 1.0, 60), np.geomspace(2.0, 1e12, 600)[1:]])
 _SOLVED_LOADS, _NEARLY_FLAT = 5, 0.98  # loads at which a map with its film is solved, up to this area over the nominal area
+_STEPS = 4  # powers of 10 per decade, of which the lightest solved pressure is one
 _TO_A_FACTOR_OF_E = 2  # tabulated pressures of the bare area of a map, per factor e
 _LEAST_AREA = 1e-300  # replaces an area of 0 in logarithms
 _SLOPES = -2.0, -0.5  # limits of the slope of a secant, which near convergence is a quotient of two rounding errors
@@ -257,9 +258,8 @@ def area_on_map(load: np.ndarray, groups: Groups, surface: "HeightMap") -> np.nd
     resolved, density = groups.resolved(), groups.roughness_parameter[:, None]
     pressure = reduced_pressure(np.maximum(load, 0.0), density)
     slopes = groups.sharpness * slope_over_sharpness(groups.roughness_parameter)
-    elastic = np.zeros(load.shape)
-    for i in range(len(load)):
-        elastic[i] = _elastic_on_map(pressure[i], resolved[i : i + 1], surface, float(slopes[i]))
+    each = range(len(load))
+    elastic = np.array([_elastic_on_map(pressure[i], resolved[i : i + 1], surface, float(slopes[i])) for i in each])
     return _flowing(elastic, pressure, resolved) / (math.pi * density)
 
 
@@ -304,12 +304,12 @@ def _elastic_on_map(pressure: np.ndarray, groups: Groups, surface: "HeightMap", 
     """Return the elastic contact area over the nominal area (H,) of one coated contact with a map.
 
     pressure (H,): nominal pressure over E* h'. slope: root mean square gradient h'. The contact is solved with its film at a
-    few loads. The ratio of these solutions to the area law is interpolated over the logarithm of the pressure and applied at
-    all loads. If too few points touch at a load, the ratio of the lightest load with enough points is used.
+    few loads. Their ratio to the area law is interpolated over the logarithm of the pressure and applied at all loads. If too
+    few points touch at a load, the ratio at the lightest pressure 10^(k/4) with enough points is used.
     """
     from scipy.interpolate import PchipInterpolator
 
-    from stiction.solvers.boundary_elements.map_area import FEWEST_CONTACT, map_area  # slow to import
+    from stiction.solvers.boundary_elements.map_area import AT_LEAST, map_area  # slow to import
 
     waves, thickness, n_E = waves_of_map(surface, groups), _thickness(groups), _single(groups.n_E)
 
@@ -318,15 +318,15 @@ def _elastic_on_map(pressure: np.ndarray, groups: Groups, surface: "HeightMap", 
 
     area, points = law(pressure), map_area(surface)
     some = np.unique(np.log(pressure[(pressure > 0.0) & (area < _NEARLY_FLAT)]))
-    if not some.size or not points.solvable:
+    if not (some.size and points.solvable):
         return area
     nodes = np.exp(some if some.size <= _SOLVED_LOADS else np.linspace(some[0], some[-1], _SOLVED_LOADS))
-    touching = law(nodes) * points.heights.size
-    nodes = np.unique(nodes * np.maximum(2.0 * FEWEST_CONTACT / touching, 1.0))
-    of_law = law(nodes)
+    lightest = 10.0 ** (math.floor(_STEPS * math.log10(nodes[0])) / _STEPS)
+    while float(law(np.array([lightest]))[0]) * points.finest_points < AT_LEAST:
+        lightest *= 10.0 ** (1.0 / _STEPS)
+    of_law = law(nodes := np.unique(np.maximum(nodes, lightest)))
     solved = points.solved_with(compliance_of(groups, surface), nodes * slope, of_law)
-    there = np.isfinite(solved)
-    if not there.any():
+    if not (there := np.isfinite(solved)).any():
         return area
     x, y = np.log(nodes[there]), np.log(solved[there] / of_law[there])
     log_pressure = np.clip(np.log(np.maximum(pressure, 1e-300)), x[0], x[-1])
@@ -343,12 +343,12 @@ def _bare_curve(surface: "HeightMap", pressure: np.ndarray, slope: float, n_E: f
 
     from stiction.solvers.boundary_elements.map_area import map_area  # slow to import
 
-    some = pressure[pressure > 0.0]
-    if not some.size:
+    if not (some := pressure[pressure > 0.0]).size:
         return np.zeros_like
     area = map_area(surface)
     low, high = 0.5 * float(some.min()) / max(n_E, 1.0), 2.0 * float(some.max()) / min(n_E, 1.0)
-    log_pressure = np.linspace(math.log(low), math.log(high), _TO_A_FACTOR_OF_E * math.ceil(math.log(high / low)) + 5)
+    ends = _TO_A_FACTOR_OF_E * np.log([low, high]) + [-3.0, 4.0]  # whole numbers of steps: the same points for all loads
+    log_pressure = np.arange(*np.floor(ends)) / _TO_A_FACTOR_OF_E
     of_map = slope / area.slopes.gradient
     curve = PchipInterpolator(log_pressure, np.log([area.by_formula(p * of_map, math.inf) for p in np.exp(log_pressure)]))
 

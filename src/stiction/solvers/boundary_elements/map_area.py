@@ -1,13 +1,15 @@
 """Compute the real contact area of a map against load, by solving some of its points or by a formula.
 
-The area fraction A/A0 is solved at the requested mean pressures. If more than twelve are requested, it is solved at four
-pressures per decade, and ln A is interpolated by a monotone cubic of ln p (p: mean pressure). Each solution uses the fewest
-points that suffice: four in the shortest wave, eight across a lay, and 3000 in contact. Below the lightest and above the
-heaviest solved pressure the area follows a formula (`area_estimates`), scaled to the last solution. The formula also replaces
-solutions of maps that are too large to solve. Solutions are cached as long as the program runs.
+The area fraction A/A0 is solved at the requested mean pressures, each by itself. If more than twelve are requested, it is
+solved at four pressures per decade, and ln A is interpolated by a monotone cubic of ln p (p: mean pressure). Each solution uses
+the fewest points that suffice: four in the shortest wave, eight across a lay, and 3000 in contact. Where fewer than some 120
+points touch, and above the heaviest solved pressure, the area follows a formula (`area_estimates`), scaled to a solution there
+that does not depend on the requested pressures. The formula also replaces solutions of maps that are too large to solve.
+Solutions are cached as long as the program runs.
 """
 
 import hashlib
+import itertools
 import math
 from collections.abc import Callable
 from dataclasses import dataclass, field
@@ -29,6 +31,7 @@ MOST_POINTS = 2**19  # most points that are solved
 # Least points in contact, if the map has so many. With 1000, areas were up to 4.6 % too large on maps with a lay or nearly one.
 LEAST_CONTACT = 3000
 FEWEST_CONTACT = 60  # with fewer points in contact the formula replaces the solution
+AT_LEAST = 2.0 * FEWEST_CONTACT  # points that touch, by an estimate, at the lightest solved pressure
 FEWEST_IN_WAVE = 2.5  # least points in the shortest wave of a map that is solved although it has too few
 # Patches are narrower across a lay: with 4 points in the shortest wave, areas are 3 % too large at a lay of 3:1, 9 % at 6:1.
 _LAID, _LEAST_ACROSS_LAY = 1.7, 8.0
@@ -103,6 +106,11 @@ class MapArea:
         least = LEAST_IN_WAVE if self.slopes.lay < _LAID else _LEAST_ACROSS_LAY
         steps = [every for every in all_of_them if self._may(every, in_wave, least)]
         return steps[::-1] or [every for every in all_of_them if self._may(every, in_wave, FEWEST_IN_WAVE)][:1]
+
+    @property
+    def finest_points(self) -> float:
+        """Return the number of points of the map at the finest sampling step with which it can be solved."""
+        return self.heights.size / self.solvable[-1] ** 2
 
     def _may(self, every: int, in_wave: float, least: float) -> bool:
         divides = not self.periodic or not any(count % every for count in self.heights.shape)
@@ -202,7 +210,8 @@ class _Curve:
         self._area, self._hardness = area, hardness
         self._heaviest = min(_HEAVIEST, _MOST_OF_HARDNESS * hardness)
         self._nodes: dict[float, float] = {}
-        self._lightest = 0.0  # a pressure at which too few points touch
+        self._lightest = 0.0  # the lightest pressure that is solved, or one at which too few points touch
+        self._has_lightest = False  # whether the lightest pressure was looked for
 
     def __call__(self, pressure: np.ndarray) -> np.ndarray:
         areas = np.zeros(pressure.shape)
@@ -226,15 +235,36 @@ class _Curve:
             steps = np.floor(_STEPS * np.log10(inside)).astype(int)
             grid = {int(k) + shift for k in steps for shift in (-1, 0, 1, 2)}
             inside = np.array([min(10.0 ** (k / _STEPS), self._heaviest) for k in grid])
+        if not self._has_lightest and self._touching(float(inside.min())) < 2.0 * AT_LEAST:
+            self._find_lightest()
         missing = sorted({float(f"{ratio:.12g}") for ratio in inside.tolist()} - self._nodes.keys())
         missing = [ratio for ratio in missing if ratio > self._lightest]
+        before = self._lightest
         while missing:  # heaviest first, because no lighter pressure need be tried once too few points touch
             every = self._every(missing[-1])
             together = [ratio for ratio in missing if self._every(ratio) == every]
             self._solve_nodes(together, every)
             missing = [ratio for ratio in missing if ratio not in together and ratio > self._lightest]
-        if not self._nodes:
-            self._solve_nodes([self._heaviest], self._every(self._heaviest))
+        if self._lightest > before and not self._has_lightest:
+            self._find_lightest()
+
+    def _touching(self, pressure: float) -> float:
+        """Return how many points touch at a pressure over E* h', estimated by the formula, if the finest step is solved."""
+        return self._area.by_formula(pressure, self._hardness) * self._area.finest_points
+
+    def _find_lightest(self) -> None:
+        """Solve the lightest pressure 10^(k/4) at which enough points touch. Areas at lighter pressures are scaled from it."""
+        self._has_lightest = True
+        k = math.ceil(_STEPS * math.log10(self._heaviest))
+        while self._touching(10.0 ** ((k - 1) / _STEPS)) >= AT_LEAST:
+            k -= 1
+        for power in itertools.count(k):
+            ratio = float(f"{min(10.0 ** (power / _STEPS), self._heaviest):.12g}")
+            if ratio not in self._nodes:
+                self._solve_nodes([ratio], self._every(ratio))
+            if ratio in self._nodes or ratio >= self._heaviest:
+                break
+        self._lightest = ratio
 
     def _every(self, pressure: float) -> int:
         return self._area.every(self._area.by_formula(pressure, self._hardness))
