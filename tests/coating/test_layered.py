@@ -163,7 +163,7 @@ def test_adhesion_is_the_least_energy(n_E, aspect, monkeypatch):
     independent = importlib.import_module("make_layered")
     theta, nu = 3.0, 0.3
     a = np.linspace(0.02, 4.0, 4000)  # over sqrt(R sigma), E* of the substrate 1
-    coarse = np.linspace(0.02, 4.0, 90)
+    coarse = np.linspace(0.02, 4.0, 45)
     load, approach, stiffness, _ = zip(*(independent.solve(1.0, n_E, nu, nu, one / aspect) for one in coarse), strict=True)
     smooth = importlib.import_module("scipy.interpolate").CubicSpline
     P = smooth(coarse, n_E * np.array(load))(a) * a**3  # over K
@@ -200,7 +200,7 @@ def test_pull_off_between_is_where_no_radius_is_stable(n_E, aspect, monkeypatch)
     monkeypatch.syspath_prepend(str(REFERENCE))
     independent = importlib.import_module("make_layered")
     theta, nu = 3.0, 0.3
-    coarse, a = np.linspace(0.05, 5.0, 80), np.linspace(0.3, 5.0, 9000)  # over sqrt(R sigma)
+    coarse, a = np.linspace(0.05, 5.0, 40), np.linspace(0.3, 5.0, 9000)  # over sqrt(R sigma)
     load, approach, stiffness, _ = zip(*(independent.solve(1.0, n_E, nu, nu, one / aspect) for one in coarse), strict=True)
     smooth = importlib.import_module("scipy.interpolate").CubicSpline
     P, D = (smooth(coarse, one) for one in (n_E * np.array(load) * coarse**3, np.array(approach) * coarse**2))

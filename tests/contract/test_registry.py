@@ -323,7 +323,7 @@ def test_any_asperity_law_with_any_heights(asperity, key):
     for segment in asperity.segments(given, **resolve_options([asperity], {})):
         for i in range(6):
             end = coordinates(replace(segment, edges=segment.edges[:, [0, -1]]), 12.0)[i]  # no height is farther than that
-            u = np.linspace(segment.edges[i, 0], max(end, segment.edges[i, 0]), 20001)
+            u = np.linspace(segment.edges[i, 0], max(end, segment.edges[i, 0]), 8001)
             one = replace(segment, parameters=tuple(np.broadcast_to(p, 6)[i] * np.ones(u.size) for p in segment.parameters),
                           edges=np.zeros((u.size, 2)))  # fmt: skip
             w, slope, load, area = normal_states(one, u).T

@@ -134,7 +134,7 @@ def test_peeling_by_trying_radii(n_E, aspect, zeta, monkeypatch):
     given = groups(theta=theta, nu=nu, **FILM | {"n_E": n_E, "film_aspect": aspect}, peeling=zeta)
     regime = joined("jkr", "layered_peeling", given)
     (bodies,), _ = bodies_of(given.resolved())
-    coarse = np.linspace(0.4, 4.8, 60)  # over sqrt(R sigma)
+    coarse = np.linspace(0.4, 4.8, 30)  # over sqrt(R sigma)
     load, _, stiffness, _ = zip(*(independent.solve(1.0, n_E, nu, nu, one / aspect) for one in coarse), strict=True)
     a = np.linspace(0.4, 4.8, 30001)
     P_H = CubicSpline(coarse, n_E * np.array(load) * coarse**3)(a)  # over K R^(1/2) sigma^(3/2)
