@@ -63,7 +63,7 @@ def label(variable: "xarray.DataArray", longest: int = 200) -> str:
     longest: largest number of characters of a label whose unit stays on the same line.
     """
     name = str(variable.name).rpartition(".")[2]  # "hardness" of "first.hardness"
-    meaning = variable.attrs.get("comment", variable.attrs.get("long_name", name)).partition(",")[0]
+    meaning = variable.attrs.get("comment", variable.attrs.get("long_name", name)).partition(",")[0].partition(" (from")[0]
     symbol = f" ${QUANTITIES[name].latex}$" if name in QUANTITIES else ""
     unit = _unit(variable)
     space = "\n" if len(f"{meaning} {unit_of(variable)}") > longest else " "
