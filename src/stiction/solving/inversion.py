@@ -354,11 +354,11 @@ def _loads_past(problem: Problem, targets: np.ndarray) -> tuple[np.ndarray, np.n
 
 
 def _deepest(problem: Problem) -> np.ndarray | float:
-    """Return how far below the mean plane asperities may be pressed to carry a load, over sigma, (n,) or a number.
+    """Return the largest depth -h of the search for a load, over sigma, (n,) or a number.
 
     An asperity pressed by delta touches the area pi R delta/2 or more, so that N asperities per area fill the plane when
-    pressed by 2/(pi N R) (R: asperity radius). Listed heights may be nearly equal and get the largest separation that can be
-    computed. The result is 0 if the asperity density is unknown.
+    pressed by 2/(pi N R) (R: asperity radius). For listed heights, which may be nearly equal, it is FARTHEST. It is 0 if
+    the asperity density is unknown or the model is no sum over asperities.
     """
     density = problem.groups.roughness_parameter  # N R sigma
     if problem.heights.listed.size:

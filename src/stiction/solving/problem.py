@@ -216,7 +216,7 @@ class AsperitySum(Problem):
     def _by_name(self, sums: np.ndarray) -> dict[str, np.ndarray]:
         """Return the results (n, m) by name from the sums over asperities (regimes, n, m, 5).
 
-        Besides totals, the results include sums of loads, areas and forces over the regimes of each state and of each body.
+        Besides totals, the results include load and area by state (elastic, plastic, ...), and load and friction by body.
         """
         regimes, loads, areas = self.regimes, sums[..., LOAD], sums[..., _AREA]
         total = sums.sum(axis=0)

@@ -114,7 +114,7 @@ class Roughness(Input):
     0.0024
     """
 
-    instead: ClassVar[str] = "; or finish, and rms_height or mean_height if known, in place of all three"
+    instead: ClassVar[str] = "; or, in place of the first three, finish (with rms_height or mean_height if known)"
 
     asperity_height_deviation: Number
     asperity_radius: Number

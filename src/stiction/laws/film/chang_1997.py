@@ -113,7 +113,7 @@ FLOWING = (
         "tau",
         0.1,
         math.inf,
-        "the load that the film carries around each substrate contact is too high; it does not vanish for thin films",
+        "the film carries too much load around substrate contacts: this load does not vanish with the film thickness",
     ),
     Validity("film_plasticity_index", 8.0, math.inf, "the film is modelled as plastic from first touch"),
     Validity(

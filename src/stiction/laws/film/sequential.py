@@ -114,7 +114,7 @@ RECORD = FilmLaw(
             "load_share_substrate",
             0.0,
             0.1,
-            "beyond the film thickness the area is still computed as on the film; area and friction are inaccurate",
+            "asperities that reach the substrate still get the contact area of the film; area and mu are inaccurate",
         ),
     ),
     load_falls=False,

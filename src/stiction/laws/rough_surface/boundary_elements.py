@@ -231,7 +231,10 @@ RECORD = RoughSurface(
         ),
         Validity("points_at_edge", limits.LEAST_POINTS, inf, "the map does not resolve the edge of adhesive contact", "effect"),
         Validity(
-            "range_tabor", limits.LEAST_TABOR, inf, "the shortest range that this map resolves is too long: use a finer map"
+            "range_tabor",
+            limits.LEAST_TABOR,
+            inf,
+            "the attraction has too long a range for the JKR limit; a finer map shortens it, down to 0.3 nm",
         ),
         Validity("attraction_residual", 0.0, limits.MOST_ATTRACTION_LEFT, "the solution did not converge", "effect"),
         Validity("solution_residual", 0.0, limits.TOLERANCE, "the solution did not converge", "effect"),

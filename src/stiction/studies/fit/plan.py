@@ -94,8 +94,8 @@ def middle_of(free: Iterable[Free]) -> dict[Address, float]:
 def _complete(content: Mapping[str, Any], free: tuple[Free, ...], data: Measurements) -> Case:
     """Return the case of these tables; if they are incomplete, numbers that the fit or the data supply are filled in.
 
-    Free parameters are then set halfway between their ends. If this is not enough, numbers that every measured row states are
-    taken from the first row. Raises InputError if the case is still incomplete.
+    Free parameters are then set halfway between their ends. If this is not enough, the numbers of the first measured row are
+    added, provided all rows state the same quantities. Raises InputError if the case is still incomplete.
     """
     known = data.known[0] if all(row.keys() == data.known[0].keys() for row in data.known) else {}
     for numbers in ({}, middle_of(free)):

@@ -53,7 +53,7 @@ class Pull:
         self.adhesion, self.menisci, self.most = adhesion, menisci, most
 
     def at_load(self, index: int) -> "Pull":
-        """Return the factors for one load of a single contact; index: position of this load among the m loads."""
+        """Return the Pull for one load; index: position of this load among the m loads."""
         *adhesion, menisci, most = (
             table[:, [index]] if table.shape[1] > 1 else table for table in (*self.adhesion, self.menisci, self.most)
         )
@@ -77,7 +77,7 @@ class Pull:
 
 
 def pull_of(sampled: SampledCase) -> Pull:
-    """Return the factors by which the work of adhesion and the liquid of a contact enlarge its area.
+    """Return the `Pull` of a sampled contact: area factors of adhesion and menisci, largest meniscus force over the load.
 
     Raises InputError if no adhesion model applies.
     """

@@ -174,7 +174,7 @@ def _curves(segment: NormalSegment, groups: Groups) -> tuple[tuple[np.ndarray, .
 
 
 def _sign_change(first: np.ndarray, values: np.ndarray) -> np.ndarray:
-    """Return the coordinate (n,) at which the values at the knots change sign, by linear interpolation.
+    """Return the coordinate (n,) at which the values at the knots change sign, by interpolation linear in the knot number.
 
     values (n, SEGMENTS + 1): at the knots, negative before the sign change. first (n,): coordinate u at the first knot, which
     is returned if the first value is not negative.
