@@ -103,7 +103,7 @@ def many_loads(count: int, contacts: int = 1) -> tuple[float, float]:
 
 
 def many_loads_on_bodies(count: int, kept: bool) -> float:
-    """Points per second with many loads on one contact of bodies, by st.solve, with errors near the contact up to 200 loads.
+    """Points per second with many loads on one contact of bodies, by st.solve, with errors near the contact up to 25 loads.
 
     kept: whether the contact was solved before, so that its problem is prepared.
     """

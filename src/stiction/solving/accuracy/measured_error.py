@@ -41,7 +41,7 @@ FAR = 2.0  # distance beyond which a benchmark surface says nothing about a cont
 _MOST_ADHESION = 0.1  # largest adhesion over load for which errors are used, because the set has no adhesion
 _FULL = 1.0  # value of the pull over the load where the load is 0
 _LEAST_SHARE = 0.8  # least part of the compliance of the coated body, because in the set the other body is rigid
-_MOST_POINTS = 200  # largest number of points whose errors are reported with a result; a prediction uses all points
+_MOST_POINTS = 25  # largest number of points whose errors are reported with a result; a prediction uses all points
 # Standard deviation of ln of the solved area due to the point spacing, for maps with 8 points in the shortest wave. The numbers
 # are: its value with one point in contact; the power of the number of points in contact with which it falls (truth/points.csv);
 # its value with very many points. The last comes from a comparison with other solvers, on maps with a lay and with plateaus
