@@ -1,8 +1,8 @@
 """Place integration nodes, evaluate a law there and sum, in separate stages that compile quickly.
 
-Only two short loops are compiled for each regime (a smooth part of an asperity law), by `evaluating` and `inverting`. The other
-stages work for every law: `cutting` finds the parts of segments that contribute, `place_nodes` puts Gauss-Legendre nodes on
-them, and `adding` sums the values of the law. `placing` does the same for many separations at once. The single loop of
+Only two short loops are compiled for each regime (a smooth part of an asperity's behaviour), by `evaluating` and `inverting`.
+The other stages work for every law: `cutting` finds the parts of segments that contribute, `place_nodes` puts Gauss-Legendre
+nodes on them, and `adding` sums the values of the law. `placing` does the same for many separations at once. The single loop of
 `sum_kernels.scattering` runs faster but takes six times as long to compile.
 
 A "law" is one parameter set of a regime, a "segment" is the range between two neighbouring edges of a regime. Compiled loops
@@ -26,7 +26,7 @@ Rules = tuple[np.ndarray, np.ndarray]
 
 
 class Laws(NamedTuple):
-    """Store the arrays of a regime (a smooth part of an asperity law) for n parameter sets, as compiled loops take them.
+    """Store the arrays of a regime for n parameter sets, as compiled loops take them.
 
     table (n, p): parameters. edges (n, m + 1): coordinates of the ends of the segments. branch (n, b): coordinates at which the
     resistance behaves like a square root. two_sided: True if a segment may end at a branch point, False if it may only begin
@@ -260,8 +260,8 @@ class Rows(NamedTuple):
 def evaluate_parts(regime: Regime, laws: Laws, parts: Parts, used: int, rules: Rules, rows: Rows) -> Evaluated:
     """Evaluate a regime at the integration nodes of the first `used` intervals in `parts`, and return the values.
 
-    regime: a smooth part of an asperity law. laws: the arrays of its parameter sets. rules: nodes and weights on [0, 1], and
-    their numbers. rows: work arrays; the result refers to their memory.
+    laws: the arrays of the regime's parameter sets. rules: nodes and weights on [0, 1], and their numbers. rows: work arrays;
+    the result refers to their memory.
     """
     parts = Parts(*(array[:used] for array in parts))
     _settle(regime, laws, parts)

@@ -1,8 +1,7 @@
 """Sum asperity laws at several separations, which differ between the laws, under Gaussian heights.
 
-The integration nodes of a law (parameter set of a regime, a smooth part of an asperity law) are placed once for all its
-separations, which takes a fifth of the time of new nodes at each separation. The sums differ from those with new nodes by
-round-off only.
+A law is one parameter set of a regime. Its integration nodes are placed once for all its separations, which takes a fifth of
+the time of new nodes at each separation. The sums differ from those with new nodes by round-off only.
 """
 
 import numpy as np

@@ -1,7 +1,7 @@
-"""Build the compiled loops of the sums over heights, for a height distribution and, for some of them, for a regime.
+"""Build the compiled loops of the sums over heights, each specialised to a height distribution, to a regime or to both.
 
-A regime is a smooth part of an asperity law; a law is one parameter set of a regime. Arguments of the loops are tuples, because
-compiled loops accept these directly:
+A regime is a smooth part of an asperity's behaviour; a law is one parameter set of a regime. Arguments of the loops are tuples,
+because compiled loops accept these directly:
 
 - heights: (shape, knots) of a `Heights`.
 - laws: the fields of `nodes.Laws`: parameters (n, p), edges (n, m), branch points (n, b), two_sided.

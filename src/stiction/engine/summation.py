@@ -1,6 +1,6 @@
 """Sum any asperity law over any distribution of heights; all integration over heights happens here.
 
-For mean separation h (in units of sigma) and heights with density phi, a regime (a smooth part of an asperity law) contributes
+For mean separation h (in units of sigma) and heights with density phi, a regime (a smooth part of an asperity's behaviour) adds
     Integral f(u) phi(h + w(u)) w'(u) du        (Greenwood & Williamson 1966, in the regime's own coordinate u)
 for f = 1 (number of asperities), load, area, slip-limited and yield-limited resistance; w is the displacement of the asperity
 over sigma. Every segment between two kinks is smooth and is integrated by a Gauss-Legendre rule. The engine contains no law.

@@ -254,7 +254,7 @@ def _resistances(resistance: Callable, parameters: int) -> Any:
 
 
 def coordinates(segment: NormalSegment, w: np.ndarray | float) -> np.ndarray:
-    """Return the coordinates u (n,) of a segment at the displacements w, limited to the ends of the segment.
+    """Return the coordinates u (n,) of a segment at the displacements w, clipped to the segment.
 
     w: displacement in units of sigma, a number or an array (n,).
     """
@@ -265,7 +265,7 @@ def coordinates(segment: NormalSegment, w: np.ndarray | float) -> np.ndarray:
 
 
 def coordinates_at_area(segment: NormalSegment, area: np.ndarray | float) -> np.ndarray:
-    """Return the coordinates u (n,) of a segment at the contact areas `area`, limited to the ends of the segment.
+    """Return the coordinates u (n,) of a segment at the contact areas `area`, clipped to the segment.
 
     area: contact area in units of pi R sigma, a number or an array (n,). The area must grow along the segment.
     """

@@ -254,7 +254,7 @@ def _browser() -> str:
 
 
 def _printed_page(made: Path) -> Path:
-    """Convert an HTML file to PDF in the same folder, and return the path of the PDF; the HTML file gets the ending .html."""
+    """Convert an HTML file to PDF in the same folder, and return the path of the PDF; rename the HTML file to end in .html."""
     page, printed_to = made.rename(made.with_suffix(".html")), made.with_suffix(".pdf")
     if browser := _browser():
         words = [browser, "--headless", "--disable-gpu", "--no-pdf-header-footer", f"--user-data-dir={made.parent / 'profile'}"]

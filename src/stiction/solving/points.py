@@ -134,10 +134,10 @@ class Solved:
 
 
 def solve_points(points: Points, refuse: bool = True) -> Solved:
-    """Solve a problem at its points, and return the normalised results.
+    """Solve a problem at the requested loads or separations, and return the normalised results.
 
-    A load that cannot be carried raises Unreachable. With refuse=False its separation is NaN, and its results are those at
-    separation 0. Raises InputError for points that the model does not support.
+    A load that cannot be carried raises Unreachable. With refuse=False the separation of such a load is NaN, and the results
+    are those at separation 0. Raises InputError for loads or separations that the model does not support.
     """
     problem, wanted = points.problem, points.wanted
     if points.name == "mean_separation":

@@ -216,7 +216,8 @@ class AsperitySum(Problem):
     def _by_name(self, sums: np.ndarray) -> dict[str, np.ndarray]:
         """Return the results (n, m) by name from the sums over asperities (regimes, n, m, 5).
 
-        Besides totals, the results include load and area by state (elastic, plastic, ...), and load and friction by body.
+        Besides totals, the results include load and area by state (elastic, plastic, ...), and load and friction by body (film,
+        substrate).
         """
         regimes, loads, areas = self.regimes, sums[..., LOAD], sums[..., _AREA]
         total = sums.sum(axis=0)

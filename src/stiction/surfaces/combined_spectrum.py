@@ -152,9 +152,9 @@ def _reliable(surface: "HeightMap", tip_radius: float | None, field: str) -> Bin
 
 
 def _smoothed(binned: BinnedSpectrum) -> BinnedSpectrum:
-    """Average a binned spectrum in wider bins, each at most 1/_PER_DECADE of a decade of the wave number.
+    """Average a binned spectrum in bins of 1/_PER_DECADE of a decade of the wave number.
 
-    In still wider bins the mean would be too large where the spectrum is steep.
+    In wider bins the mean would be too large where the spectrum is steep.
     """
     _, group = np.unique(np.floor(_PER_DECADE * np.log10(binned.wavevector)), return_inverse=True)
     waves = np.bincount(group, binned.waves)

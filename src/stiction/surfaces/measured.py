@@ -210,10 +210,11 @@ def of_one_map(found: Roughness, asperities: "Asperities", surface: "HeightMap")
 
 
 def roughness_of(scan: Any) -> Roughness:
-    """Return the roughness of a contact from a scan of the first body, or from a table of scans.
+    """Return the roughness of a contact from a scan of the first body, or from a mapping that describes scans.
 
-    scan: any input of `as_height_map`, or a mapping with the fields of MeasuredRoughness. The result also stores what all
-    methods found. Raises InputError if a scan cannot be read or no asperities are found.
+    scan: any input of `as_height_map`, or a mapping with the fields of MeasuredRoughness. One asperity method gives the numbers
+    of the roughness; the result also stores the asperities that each other method found. Raises InputError if a scan cannot be
+    read or no asperities are found.
     """
     from stiction.surfaces.held import as_height_map
 

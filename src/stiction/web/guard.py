@@ -63,7 +63,7 @@ class Guard:
 
 
 def _part_of(address: str, part: str) -> str | None:
-    """Return the `hostname` or the `netloc` (host and port) of an address; None for text that is no address, as "//["."""
+    """Return the `hostname` or the `netloc` (host and port) of an address; None if the text is not one, such as "//["."""
     try:
         return getattr(urlsplit(address), part)
     except ValueError:

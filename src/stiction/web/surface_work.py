@@ -106,9 +106,10 @@ def friction_with(query: Query, scan: Scan, band: Band, load: float) -> str:
 
 
 def pictures_of(surface: HeightMap, band: Band, method: str, narrow: bool) -> tuple[Analysis, str, str]:
-    """Return (analysis, drawing of the asperity heights, drawing of the map with asperities) of a prepared scan.
+    """Prepare a scan; return (analysis, drawing of the asperity heights, drawing of the map with asperities).
 
-    method: asperity method whose asperities are marked on the map. narrow: whether the page is narrow. Raises InputError.
+    band: how the scan is prepared. method: asperity method whose asperities are marked on the map. narrow: whether the page is
+    narrow. Raises InputError.
     """
     found = analyse(band.of(surface))
     heights = drawing_of(asperity_figure(found.asperities.values(), found.surface), _HEIGHTS, narrow)

@@ -31,7 +31,7 @@ from stiction.records.sources import Source
 
 
 def rate(share: np.ndarray) -> np.ndarray:
-    """Return dV/dV_c, the rate at which finer roughness adds to the variance of the pressure, over that in full contact.
+    """Return dV/dV_c, the growth of the pressure variance V with finer roughness relative to its growth in full contact (V_c).
 
     share: contact area over nominal area, an array of any shape. Source: Wang & Müser 2017, as restated by Xu et al. 2024.
     """

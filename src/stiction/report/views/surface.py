@@ -170,7 +170,7 @@ def asperity_table(analysis: Analysis) -> Table:
 
 
 def surface_notes(analysis: Analysis) -> list[Table]:
-    """Return notes on how each asperity method works on this surface, and why a method found nothing."""
+    """Return notes on spikes, on the spectrum, on each asperity method, and on why a method found no asperities."""
     lines = []
     if analysis.spikes:
         lines.append(

@@ -1,9 +1,9 @@
 """Solve one adhesive periodic map, with results of the same type as without adhesion.
 
 The faces attract each other over a range rho (see `adhesive`). The option "atomic_range" is the range of atomic forces, which
-few maps resolve. "shortest_range" is the shortest range that the points of the map resolve: two points across the cohesive
-zone at the contact edge, whose width is E* rho^2/w (w: work of adhesion). The shorter the range, the closer the result is to
-Johnson, Kendall & Roberts.
+few maps resolve. "shortest_range" is the shortest range that the map resolves, but at least the atomic range. A map resolves a
+range if two or more points lie across the cohesive zone at the contact edge; the width of this zone is E* rho^2/w (w: work of
+adhesion). The shorter the range, the closer the result is to Johnson, Kendall & Roberts.
 """
 
 import math
@@ -56,16 +56,16 @@ def adhesive_curve(surface: "HeightMap", bodies: Bodies, pressures: Sequence[flo
     return MapCurve(contacts, 1, numbers, {"attraction_residual": np.array([contact.residual for contact in adhesive])})
 
 
-def _as_contact(one: AdhesiveContact, whole: float) -> MapContact:
+def _as_contact(contact: AdhesiveContact, nominal: float) -> MapContact:
     """Convert an adhesive contact to a MapContact without a pressure map.
 
-    whole: nominal area [m2]. The separation is infinite if the faces do not touch. The pressure map is omitted because tension
-    also acts inside the contact, and other code takes every point with pressure as contact.
+    nominal: nominal area [m2]. The separation is infinite if the faces do not touch. The pressure map is omitted, because
+    tension also acts inside the contact, and other code counts every point with pressure as a contact point.
     """
     return MapContact(
-        load=one.load, mean_pressure=one.load / whole, nominal_area=whole, area=one.area, area_pixels=one.area_pixels,
-        perimeter=one.perimeter, separation=one.mean_gap, mean_gap=one.mean_gap, approach=None, stiffness=math.nan,
-        plastic_area=0.0, plastic_share=0.0, residual=math.nan, pressure_error=math.nan, area_error=math.nan, overlap=0.0,
-        load_error=math.nan, steps=0, points=one.points,
-        load_at_ends=0.0, validity_warnings=one.validity_warnings,
+        load=contact.load, mean_pressure=contact.load / nominal, nominal_area=nominal, area=contact.area,
+        area_pixels=contact.area_pixels, perimeter=contact.perimeter, separation=contact.mean_gap, mean_gap=contact.mean_gap,
+        approach=None, stiffness=math.nan, plastic_area=0.0, plastic_share=0.0, residual=math.nan, pressure_error=math.nan,
+        area_error=math.nan, overlap=0.0, load_error=math.nan, steps=0, points=contact.points, load_at_ends=0.0,
+        validity_warnings=contact.validity_warnings,
     )  # fmt: skip

@@ -215,10 +215,10 @@ def _product(first, second) -> np.ndarray:
 
 
 def _over_directions(forms: Forms, s, q) -> tuple[np.ndarray, np.ndarray]:
-    """Return the squared von Mises stress at the angle theta where it is largest, and |cos(theta)| there.
+    """Return the largest squared von Mises stress over all angles theta from the traction, and |cos(theta)| at the maximum.
 
-    theta: angle from the direction of the traction. forms: coefficients (A, B, D, C) of the squared stress. s, q: mean pressure
-    and traction, numbers or arrays that broadcast with the forms.
+    forms: coefficients (A, B, D, C) of the squared stress. s, q: mean pressure and mean traction, numbers or arrays that
+    broadcast with the forms.
     """
     A, B, D, C = forms
     across = np.maximum(C - D, 1e-300) * q
@@ -228,10 +228,10 @@ def _over_directions(forms: Forms, s, q) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _squares(forms: Forms, angles: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the squared von Mises stress at the angle theta where it is largest (n, m, angles), and |cos(theta)| there.
+    """Return the results of `_over_directions` at every point of a grid and every ratio of traction to pressure.
 
-    theta: angle from the direction of the traction. forms: coefficients on a grid (n, m). angles: arctan(q/s) for mean traction
-    q and mean pressure s, s^2 + q^2 = 1.
+    Both results are arrays (n, m, k). forms: coefficients on the grid (n, m). angles (k,): arctan(q/s) for the mean traction q
+    = sin(angle) and the mean pressure s = cos(angle).
     """
     return _over_directions(tuple(one[..., None] for one in forms), np.cos(angles), np.sin(angles))
 

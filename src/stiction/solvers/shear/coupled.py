@@ -103,7 +103,7 @@ class Pressing:
         self._problem, self._last, self.converged = problem, pressure, True
 
     def __call__(self, parted: np.ndarray) -> np.ndarray:
-        """Return the pressure [Pa] while shear displaces the faces normally by `parted` [m], both (rows, columns)."""
+        """Return the pressure [Pa] if shear displaces the faces normally by `parted` [m]; both are (rows, columns)."""
         problem = replace(self._problem, heights=self._problem.heights - parted)
         found = minimise(problem, self._last, tolerance=_OF_PRESSURE, most=_MOST_STEPS)
         self._last, self.converged = found.pressure, self.converged and found.converged

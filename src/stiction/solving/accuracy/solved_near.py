@@ -194,8 +194,9 @@ def _of_shape(known: SolvedSet, shape: tuple[float, float, float]) -> list[Diffe
 def kind_of_map(surface: "HeightMap") -> str | None:
     """Return the kind of surface (a key of OF_KIND) to which most of the similar benchmark surfaces belong.
 
-    Surfaces are similar in skewness, lay, and slope of their highest parts. The result is None for a profile, for a map with
-    missing points, and if no benchmark surface is similar.
+    Similar surfaces have about the same skewness, lay and slope of the highest parts; each is weighted by its similarity. The
+    result is None for a profile, for a map with missing points or fewer than 8 points along a side, and if no benchmark surface
+    is similar.
     """
     from stiction.solvers.boundary_elements.area_estimates import map_slopes  # only contacts with a map need this
     from stiction.surfaces.asperity_set import skewness
@@ -239,10 +240,11 @@ def film_differences(known: SolvedSet, features: ContactFeatures) -> list[Differ
 def pressure_difference(
     known: SolvedSet, pressure: np.ndarray, hardness: np.ndarray
 ) -> tuple[Difference, np.ndarray, np.ndarray]:
-    """Return how far pressures (k,) lie outside the solved range, and pressures and hardnesses (k,) for reading errors.
+    """Compare pressures with those of the benchmark set; return the difference, and pressures and hardnesses within the set.
 
-    pressure, hardness (k,): divided by E* h', with the contact modulus E* and the rms slope h'. Below the smallest hardness of
-    the set all points flow plastically, so only pressure over hardness matters there.
+    The errors of models are looked up at the returned pressures and hardnesses, (k,) each. pressure, hardness (k,): divided by
+    E* h', with the contact modulus E* and the rms slope h'. Below the smallest hardness of the set all points flow plastically,
+    so only pressure over hardness matters there.
     """
     low, high = float(known["loads"][0]), float(known["loads"][-1])
     softest = float(known["hardnesses"][1:].min())

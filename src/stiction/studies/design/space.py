@@ -121,7 +121,10 @@ class DesignSpace:
         return predict_many(self.case, numbers, points["load"], self._uncertain(list(numbers)), along=(_DESIGN,))
 
     def _alone(self, numbers: Mapping, points: Mapping) -> tuple[Any, Any]:
-        """Return case and results of one design, as `_evaluated` does; raise InputError or ArithmeticError if it is refused."""
+        """Return case and results of one design; raise InputError or ArithmeticError if the design is refused.
+
+        numbers, points: as in `_evaluated`.
+        """
         if not self.is_predicted:
             return evaluate_together(self.case, numbers, points, self.choice, self._kept)
         ((_, case, solved),) = self._evaluated(numbers, points)
@@ -224,11 +227,11 @@ class DesignSpace:
         return found + [words for bit, words in _validity_bits(solved, self.plan.validity).items() if bits & bit]
 
     def _alike(self, shares: np.ndarray) -> list[np.ndarray]:
-        """Return groups of designs that differ in numbers only, not in materials, as arrays of indices.
+        """Return groups of designs, as arrays of indices; in a group all lists of materials or other names have the same entry.
 
-        Designs are sorted by the product of their free roughness numbers. If these are density N, radius R and height
-        deviation sigma of asperities, N R sigma decides which laws apply, so neighbours can be predicted together. shares (n,
-        d): position of each of d choices in its range, 0 to 1.
+        Each group is sorted by the product of the free roughness numbers. If these are density N, radius R and height deviation
+        sigma of asperities, the product N R sigma decides which laws apply; neighbours can then be predicted together. shares
+        (n, d): position of each of d choices in its range, 0 to 1.
         """
         order = np.argsort(self._summits(shares), kind="stable")
         if not self.named:

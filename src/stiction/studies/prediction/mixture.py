@@ -131,10 +131,10 @@ class Mixture:
         return Samples(force * efficiency, area, pull, growth, strength, pressure / hardness, efficiency)
 
     def _of(self, column: np.ndarray, inputs: np.ndarray) -> np.ndarray:
-        """Return the rows of a sampled input number that the samples use, (n, m or 1).
+        """Return the row of a table that each sample uses, as an array (n, m or 1).
 
-        column: values (n or 1, m or 1) over samples and loads; a single row serves all samples. inputs: index of the row for
-        each sample (n,).
+        column: an input number as a table (rows or 1, m or 1), with one column for each load; a single row serves all samples.
+        inputs: index of the row for each sample (n,).
         """
         return column[inputs % len(column)]
 

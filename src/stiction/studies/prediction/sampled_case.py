@@ -172,10 +172,9 @@ class SampledCase:
 
     @property
     def metallic(self) -> np.ndarray:
-        """Return a mask (1 or m,) of the points (contacts at a load) at which contact spots are metal junctions.
+        """Return a mask (1 or m,), True where the softer of the two touching surfaces (bodies or films) is a metal.
 
-        Metal junctions grow under shear. The spots are such junctions if the softer of the two touching surfaces, bodies or
-        films, is a metal.
+        Only junctions of metals grow under shear. m: number of points (contacts at a load).
         """
         first, second = (class_of(body) in ("metal", "soft metal") for body in self.contact.touching)
         return np.where(self._first_is_softer(self.contact), first, second)

@@ -66,8 +66,9 @@ def analyse(surface: HeightMap, progress: Steps = iter, tip_radius: "QuantityLik
     Returns
     -------
     Analysis
-        Its attributes: surface, statistics of the heights, spectrum, spikes, spectral moments; and by asperity method the
-        asperities found, their height distribution, or the reason why none were found.
+        Its attributes: surface, statistics of the heights, spectrum, number of spikes, spectral moments, recommended asperity
+        method and kind of surface; and by asperity method the asperities found and their height distribution, or the reason why
+        none were found.
 
     Raises
     ------

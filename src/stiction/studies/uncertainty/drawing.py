@@ -169,8 +169,9 @@ def _all_together(case: Case, shares: np.ndarray, variant: Variant, names: Seque
 def _are_possible(case: Case, numbers: Mapping[Address, Any], choice: Choice, count: int) -> np.ndarray:
     """Return a mask (count,) of the samples in which every dimensionless group is within its bounds.
 
-    Finding the other samples by bisection would take longer than solving all possible ones. The mask is True everywhere if the
-    contact cannot be built from the numbers, or if no group that varies between samples is out of bounds.
+    Impossible samples are removed before a batch is solved, because bisecting a refused batch would take longer. The mask is
+    True everywhere if the contact cannot be built from the numbers, or if no group that varies between samples is out of
+    bounds.
     """
     try:
         impossible: Any = with_surface_moments(case.at(numbers).subject, choice.model_key).impossible

@@ -102,10 +102,7 @@ def truncated_mean(n: float, h: np.ndarray) -> np.ndarray:
 
 
 def _asymptotic(n, depth):
-    """Return the mean of (depth + z)^n over a standard Gaussian z for a large depth, from the moments of z.
-
-    It is F_n(-depth) to the last digit for depth > 12.
-    """
+    """Return F_n(-depth) (see the module) to the last digit, for a depth above 12, from its asymptotic series."""
     total = term = 1.0
     for k in range(1, 12):  # binomial(n, 2k) (2k - 1)!! / depth^(2k)
         term = term * (n - 2 * k + 2) * (n - 2 * k + 1) / (2 * k) / (depth * depth)
@@ -287,8 +284,9 @@ def _put_panels(d, farthest, rise, rest, ends):
     """Write the ends of integration panels over sqrt(q) into `ends`, and return the number of panels.
 
     q: dimensionless summit curvature. d: separation from the mean plane. farthest: largest separation, which sets the end of
-    the range. rise: mean summit height divided by q. rest: standard deviation of summit heights at fixed q. Panels have equal
-    widths in q up to q = d / rise, where the mean summit height equals the separation; beyond it they usually widen.
+    the range. rise: mean height of a summit of curvature q, divided by q. rest: standard deviation of summit heights at fixed
+    q. Panels have equal widths in q up to q = d / rise, where the mean summit height equals the separation; beyond it they
+    usually widen.
     """
     whole = math.sqrt(rest * rest + 2.0 * rise * rise)  # sqrt(m0)
     width = math.sqrt(2.0) * rest / whole  # deviation of q at a given height

@@ -22,9 +22,10 @@ from stiction.engine.compiled import formula
 class TwoBodies:
     """Hold the elastic constants of n contacts in which one body or both are coated, as arrays (n,).
 
-    first, second: film modulus over the modulus of each body, E'_f/E'_i with E' = E/(1 - nu^2); `second` has no meaning if the
-    second body is bare. share: fraction of the compliance of both bare bodies that belongs to the first body, which is coated.
-    films: number of coated bodies, 1 or 2. nu, nu_first, nu_second: Poisson's ratio of the film and of the bodies.
+    first, second: modulus of the film over the modulus of the first and of the second body, with E' = E/(1 - nu^2); `second`
+    has no meaning if the second body is bare. share: fraction of the compliance of both bare bodies that belongs to the first
+    body, which is coated. films: number of coated bodies, 1 or 2. nu: Poisson's ratio of the film. nu_first, nu_second:
+    Poisson's ratios of the first and of the second body.
     """
 
     first: np.ndarray

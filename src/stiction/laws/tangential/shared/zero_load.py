@@ -50,7 +50,7 @@ def _zeros(normal: Callable, parameters: int) -> Any:
 
 
 def zero_load(segment: NormalSegment) -> np.ndarray | None:
-    """Return the coordinates (n,) at which the load changes from tension to compression, limited to the ends of the segment.
+    """Return the coordinates (n,) at which the load changes from tension to compression, clipped to the segment.
 
     Returns None for a segment that has only one edge.
     """
