@@ -124,7 +124,7 @@ def test_settings(read):
         ('"silver"', '"silvr"', "contact.first: 'silvr'; allowed: a preset: silver"),
         ("[contact.roughness]", "[contact.rougness]", "contact.rougness: "),
         ("[solve]", "[solver]", "solver: "),
-        ("[solve]", "[indices]\ntheta = 1\nlam = 1\n[solve]", "contact or indices: 'both'; allowed: exactly one of"),
+        ("[solve]", "[indices]\ntheta = 1\nlam = 1\n[solve]", "contact or indices: both given; allowed: exactly one of"),
         ("[1]", "[true]", "solve.separation: True; allowed: "),
         ("[1]", "[nan]", "solve.separation: nan; allowed: a finite number"),
         ("[1]", "[1" + "0" * 400 + "]", "solve.separation: 1"),
@@ -153,7 +153,7 @@ def test_settings(read):
         (
             "separation = [1]",
             'separation = [1]\nload = ["1 N"]',
-            "solve.separation or load: 'both'; allowed: exactly one",
+            "solve.separation or load: both given; allowed: exactly one",
         ),
         ("separation = [1]", "", "solve.separation or load: not given; allowed: exactly one of"),
         (

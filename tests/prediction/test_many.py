@@ -117,7 +117,7 @@ def test_loads_that_do_not_press_are_left_out_of_a_sweep():
     pressed = st.predict({"contact": contact, "solve": {"load": ["1 N", "10 N"]}})
     np.testing.assert_allclose(found["friction_coefficient"][:, [1, 3]], pressed["friction_coefficient"], rtol=1e-12)
     assert np.isnan(found["friction_coefficient"][:, [0, 2]]).all() and found.attrs["refused"] == 4
-    with refusal("load", "0", "above 0 N"):
+    with refusal("load", "0", "> 0 N"):
         st.predict({"contact": contact, "solve": {"load": ["-1 N", "0 N"]}})
 
 

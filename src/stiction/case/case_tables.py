@@ -10,7 +10,7 @@ from stiction.case.study_tables import study_tables
 from stiction.case.swept import Points, numbers_schema
 from stiction.case.uncertain import FORMS, Uncertainty
 from stiction.contact.contact import Body, Contact, Indices
-from stiction.quantities.errors import InputError
+from stiction.quantities.errors import InputError, InWords
 from stiction.quantities.inputs import Input
 from stiction.records.additions import names_of_additions
 from stiction.records.registry import all_options
@@ -62,7 +62,7 @@ class _Solve(Input):
     @model_validator(mode="after")
     def _one_kind_of_points(self):
         if (self.separation is None) == (self.load is None):
-            both = "both" if self.load is not None else None
+            both = InWords("both given") if self.load is not None else None
             example = "separation = {start = 4, stop = -1, count = 51}"
             raise InputError("separation or load", both, f"exactly one of the two, e.g. {example}")
         return self
@@ -83,7 +83,7 @@ class _CaseFile(Input):
     @model_validator(mode="after")
     def _one_subject(self):
         if (self.contact is None) == (self.indices is None):
-            both = "both" if self.contact is not None else None
+            both = InWords("both given") if self.contact is not None else None
             raise InputError("contact or indices", both, "exactly one of the tables [contact] and [indices]")
         return self
 

@@ -222,8 +222,8 @@ def preset_name(word: Any, field: str = "material", others: Sequence[str] = ()) 
         choices = ", ".join(f"{name} ({symbols_of(name)[0]})" for name in meant)
         raise InputError(field, word, f"one of {choices}, because several presets have this name")
     wanted = "a material of the case, or a preset: " if others else "a preset: "
-    own = "list: run `stiction materials`; for any other, state youngs_modulus, poissons_ratio and hardness"
-    raise InputError(field, word, f"{wanted}{nearest(word, [*others, *material_names()])}; {own}")
+    own = "(all: run `stiction materials`); for another material, state youngs_modulus, poissons_ratio and hardness"
+    raise InputError(field, word, f"{wanted}{nearest(word, [*others, *material_names()])} {own}")
 
 
 def symbols_of(name: str) -> tuple[str, ...]:

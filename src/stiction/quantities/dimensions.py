@@ -196,5 +196,5 @@ def _disagreement(name: str, dim: str, size: int, other: str) -> InputError:
     return InputError(
         name,
         InWords(f"dimension {dim!r} of length {size}"),
-        f"the length and coordinate of dimension {dim!r} of {other}; to combine all values instead, rename it in {name}",
+        f"the same length and coordinate as in {other}; to combine all values instead, rename the dimension in {name}",
     )

@@ -63,7 +63,8 @@ def points_of(problem: Problem, load: Any = None, separation: Any = None) -> Poi
     Raises InputError if both or neither are stated, and for a separation if the model does not compute separations.
     """
     if (separation is None) == (load is None):
-        raise InputError("separation or load", "both" if load is not None else None, "exactly one of the two")
+        given = InWords("both given") if load is not None else None
+        raise InputError("separation or load", given, "exactly one of the two")
     if problem.needs_load and load is None:
         raise InputError(
             "separation", separation, f"a load instead, because {problem.record.key} does not compute a separation"

@@ -24,7 +24,7 @@ from stiction.laws.joining import coordinates, within
 from stiction.laws.segment import NormalSegment
 from stiction.laws.validity import with_warnings
 from stiction.quantities.dimensions import aligned, dimensions, variable
-from stiction.quantities.errors import InputError, field_named
+from stiction.quantities.errors import InputError, InWords, field_named
 from stiction.quantities.keywords import with_keywords
 from stiction.quantities.table import QUANTITIES
 from stiction.records.registry import AsperityLaw, RoughSurface, TangentialLaw, find
@@ -224,7 +224,7 @@ def _one_of(subject: Subject, **either: Any) -> Any:
     """
     given = [name for name, value in either.items() if value is not None]
     if len(given) != 1:
-        raise InputError(" or ".join(either), "both" if given else None, "exactly one of the two")
+        raise InputError(" or ".join(either), InWords("both given") if given else None, "exactly one of the two")
     name, quantity = given[0], "load" if given[0] == "max_load" else "mean_separation"
     with field_named(name):
         value = requested_points(subject, quantity, either[name])

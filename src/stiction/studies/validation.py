@@ -18,7 +18,7 @@ from stiction.case.uncertain import Uncertain, named
 from stiction.contact.contact import Contact
 from stiction.contact.subject import Subject
 from stiction.laws.validity import warnings_of
-from stiction.quantities.errors import InputError, field_below
+from stiction.quantities.errors import InputError, InWords, field_below
 from stiction.quantities.inputs import Input
 from stiction.quantities.progress import Steps
 from stiction.quantities.table import QUANTITIES
@@ -52,7 +52,7 @@ class Band(Input):
         if not 0.0 < self.low <= self.high:
             raise InputError("low", self.low, f"above 0 and at most high, {self.high:g}")
         if not to_si(self.load, "load") > 0.0:
-            raise InputError("load", self.load, "above 0 N")
+            raise InputError("load", self.load, "> 0 N")
         return self
 
 
@@ -78,7 +78,9 @@ class Origin(Input):
     def _says_where(self):
         if bool(self.file) == bool(self.band):
             raise InputError(
-                "file or band", "both" if self.file else None, "exactly one of the two: a CSV file or [[measured.band]]"
+                "file or band",
+                InWords("both given") if self.file else None,
+                "exactly one of the two: a CSV file or [[measured.band]]",
             )
         if not self.source.strip():
             raise InputError("source", self.source, "authors, title, journal or publisher, year")

@@ -100,7 +100,7 @@ def draw_load(explorer: Explorer, inputs: dict[tuple[str, ...], Any]) -> Callabl
         except InputError as error:
             text.error = str(error)
             return
-        text.error = None if value > 0.0 else "load: must be above 0 N"
+        text.error = None if value > 0.0 else "load: must be > 0 N"
         await put(value)
 
     def follow() -> None:

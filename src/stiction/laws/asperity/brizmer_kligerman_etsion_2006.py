@@ -154,7 +154,7 @@ RECORD = AsperityLaw(
             "nu",
             LEAST_NU,
             0.5,
-            f"the fit begins at {LEAST_NU}; below, the yield ratios (full stick over slip) are those at {LEAST_NU}",
+            f"the fit starts at {LEAST_NU}; below, the stick-to-slip ratios at first yield are those at {LEAST_NU}",
         ),
     ),
     limits=(

@@ -73,7 +73,7 @@ KELVIN = Validity(
     "kelvin_radius_over_confirmed",
     1.0,
     math.inf,
-    f"Kelvin's equation is not confirmed for menisci below {CONFIRMED * 1e9:g} nm ({CONFIRMED_OF_WATER * 1e9:g} nm for water)",
+    f"Kelvin's equation was confirmed only down to {CONFIRMED * 1e9:g} nm ({CONFIRMED_OF_WATER * 1e9:g} nm for water)",
     "fit",
 )
 VALIDITY = (
@@ -88,7 +88,11 @@ VALIDITY = (
     Validity("meniscus_coverage", 0.0, 0.2, "neighbouring menisci merge and pull less than computed, by a tenth or more"),
 )
 PULL_ON_MAPS = Validity(
-    "meniscus_share", 0.0, 0.005, "on solved maps menisci pulled with 0.9 to 4 times the force of this law", "assumption"
+    "meniscus_share",
+    0.0,
+    0.005,
+    "on solved maps menisci pulled 0.9 to 4 times as much as computed: mu may be too low",
+    "assumption",
 )
 
 

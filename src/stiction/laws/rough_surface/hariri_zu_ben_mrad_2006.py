@@ -139,7 +139,7 @@ RECORD = RoughSurface(
             "roughness_parameter",
             LEAST_DENSITY,
             LARGEST_DENSITY,
-            "profiles with exponential autocorrelation have no smaller value; the table of the model ends at the upper limit",
+            "profiles with exponential autocorrelation have at least the lower limit; the table ends at the upper limit",
         ),
         ELASTIC,
     ),

@@ -80,7 +80,7 @@ RECORD = RoughSurface(
     "paper prints no numbers",
     validity=(
         Validity(
-            "mean_separation", -4.0, np.inf, "surfaces this close have no independent asperities (section 4 of the paper)"
+            "mean_separation", -4.0, np.inf, "asperities of surfaces this close are not independent (2015 paper, section 4)"
         ),
     ),
     limits=(

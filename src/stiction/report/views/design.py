@@ -116,7 +116,11 @@ def design_view(design: "DesignSearch", folder: Path | None = None) -> View:
         yield "best for each choice from the lists" if data.sizes["design"] > 1 else "best"
         yield from (design_table(data, "design"), "", *design_notes(data))
         if data.sizes.get("pareto"):
-            yield from ("", "Pareto front: no other design is better in both objectives", design_table(data, "pareto"))
+            yield from (
+                "",
+                "Pareto front: no design improves one objective without worsening the other",
+                design_table(data, "pareto"),
+            )
 
     files: dict[str, Any] = {}
     for along in ("design", *(["pareto"] if data.sizes.get("pareto") else [])):

@@ -50,7 +50,7 @@ def friction_table(contact: Any, *, load: Any = None, level: float = 0.5) -> "xa
         raise InputError("contact", "array parameters", "a single contact for each table")
     stated, working_index = pressing_loads(case)
     if not stated.size:
-        raise InputError("load", None, "above 0 N; the case has no compressive load")
+        raise InputError("load", None, "> 0 N; the case has no compressive load")
     loads, mu = _predicted(case, np.unique(stated), level)
     numbers: Any = case.subject.as_numbers()
     area = float(np.squeeze(numbers.nominal_area))

@@ -11,7 +11,8 @@ from stiction.case.read import Case
 from stiction.case.uncertain import SAMPLE, Uncertain
 from stiction.contact.contact import Contact
 from stiction.quantities.dimensions import arranged, coordinates, dimensions
-from stiction.quantities.errors import InputError
+from stiction.quantities.errors import InputError, InWords
+from stiction.quantities.units import show
 from stiction.solving.choice import RECOMMENDED
 from stiction.solving.pointwise import REFUSED, BatchResult, Region, bisected, pieces
 from stiction.studies.evaluate_many import part_of
@@ -143,7 +144,11 @@ def _together(
         levels = draws_of(case, count)
         sampled = SampledCase(case, loads, levels.inputs)
         if not (sampled.loads > 0.0).all():
-            raise InputError("load", float(sampled.loads.min()), "above 0 N, because mu is friction force over load")
+            raise InputError(
+                "load",
+                InWords(show(sampled.loads.min(), "load")),
+                "> 0 N, because mu is the friction force divided by the load",
+            )
         mixture = Mixture.of(sampled)
         samples = mixture.samples(levels, np.arange(len(levels)))
         tables = intervals(samples, sampled.loads, level)
@@ -185,7 +190,9 @@ def predict_swept(case: Case, level: float = 0.9) -> "xarray.Dataset":
     count, contacts = count_of(math.prod(sizes.values())), math.prod(size for dim, size in sizes.items() if dim != "load")
     pressing = np.flatnonzero(case.load > 0.0)
     if not pressing.size:
-        raise InputError("load", float(case.load.max()), "above 0 N, because mu is friction force over load")
+        raise InputError(
+            "load", InWords(show(case.load.max(), "load")), "> 0 N, because mu is the friction force divided by the load"
+        )
     loads = xarray.DataArray(case.load[pressing], dims=("load",))
     tables: dict[str, tuple] = {}
     sources: dict[str, None] = {}

@@ -11,8 +11,9 @@ import numpy as np
 from stiction.case.read import Case, as_case, case_in
 from stiction.case.uncertain import Uncertain, named, with_ranges
 from stiction.contact.contact import Contact
-from stiction.quantities.errors import InputError
+from stiction.quantities.errors import InputError, InWords
 from stiction.quantities.table import QUANTITIES
+from stiction.quantities.units import show
 from stiction.solving.choice import RECOMMENDED
 from stiction.studies.prediction.beside import bare_metal, checked_against, in_handbooks
 from stiction.studies.prediction.finish import with_finish
@@ -122,7 +123,7 @@ def predict(
     case, (loads, working_index) = with_uncertain(case), pressing_loads(case)
     if not loads.size:
         largest_load = None if case.load is None else case.subject.show(float(case.load.max()), "load")
-        raise InputError("load", largest_load, "above 0 N; the case has no compressive load")
+        raise InputError("load", largest_load, "> 0 N; the case has no compressive load")
     if measured is None:
         levels = draws_of(case)
         mixture = Mixture.of(SampledCase(case, loads, levels.inputs))
@@ -189,7 +190,9 @@ def case_given(given: Any, load: Any) -> Case:
     )
     if not loads.size or not (np.isfinite(loads) & (loads > 0.0)).all():
         raise InputError(
-            "load", float(loads.min()) if loads.size else None, "above 0 N, because mu is friction force over load"
+            "load",
+            InWords(show(loads.min(), "load")) if loads.size else None,
+            "> 0 N, because mu is the friction force divided by the load",
         )
     return replace(case, load=loads, separation=None)
 
