@@ -61,7 +61,7 @@ def _interpolated(places: np.ndarray) -> np.ndarray:
     product = weights[0]
     for factor in weights[1:]:
         product = (product[:, :, None] * factor[:, None, :]).reshape(len(places), -1)
-    return (product @ (table.reshape(-1, _MODES) @ modes)).reshape(-1, CURVES, TERMS)
+    return (product @ table.reshape(-1, _MODES) @ modes).reshape(-1, CURVES, TERMS)
 
 
 @cache

@@ -1,6 +1,7 @@
 """Compute the fractions of the variance of ln mu that are due to each part of a prediction."""
 
 from collections.abc import Callable
+from functools import cache
 
 import numpy as np
 
@@ -49,15 +50,20 @@ def _total(log_mu: Quantity, levels: Levels, part: str, reference: np.ndarray) -
     log_mu: function that returns ln mu (n,) from levels and rows of the inputs. part: name of the part. reference: ln mu (n,)
     of all samples before the exchange.
     """
-    every = range(len(levels))
-    orders = [np.random.default_rng(seed).permutation(every) for seed in _EXCHANGES]
+    every, orders = np.arange(len(levels)), _orders(len(levels))
 
     def change(moved: np.ndarray, rows: np.ndarray) -> np.ndarray:
         return reference[rows] - log_mu(levels.with_rows(part, moved, rows), moved if part == "inputs" else rows)
 
-    if not np.nan_to_num(change(orders[0], np.array(every))).any():  # the part has no effect on this contact
+    if not np.nan_to_num(change(orders[0], every)).any():  # the part has no effect on this contact
         return 0.0
     return 0.5 * float(np.nanmean(change(np.concatenate(orders), np.tile(every, len(_EXCHANGES))) ** 2))
+
+
+@cache
+def _orders(count: int) -> list[np.ndarray]:
+    """Return the random orders (count,) in which the samples are exchanged, one for each seed."""
+    return [np.random.default_rng(seed).permutation(count) for seed in _EXCHANGES]
 
 
 def _of_each_input(mixture: Mixture, levels: Levels, log_mu: Quantity, share: float) -> dict[str, float]:
