@@ -29,7 +29,7 @@ def the_set() -> str:
         hard = int(np.isfinite(known.areas[some, 1:]).any(axis=(1, 2)).sum())
         films = int(np.isin(np.flatnonzero(some), known["film_surfaces"]).sum())
         rows.append((kind, f"{some.sum()} ({int((some & known['held_out']).sum())})", *ranges, f"{hard}", f"{films}"))
-    head = ("kind", "surfaces (held out)", "Nayak's alpha", "skewness", "R", "top slope", "with hardness", "with films")
+    head = ("kind", "surfaces (held out)", "Nayak's alpha", "skewness", "lay ratio", "top slope", "with hardness", "with films")
     return _table(head, rows)
 
 
