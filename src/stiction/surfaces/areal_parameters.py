@@ -9,8 +9,9 @@ The height d of a point is measured from the mean of the map. Level and filter t
                     the longest such distance, None if that distance exceeds the map. The autocorrelation at a distance is
                     the mean product of the heights d of all pairs of points at this distance, divided by its value at 0
     Sk, Spk, Svk,   parameters of the material ratio curve (annex B.1). A straight line is fitted to the 40 % of the curve with
-    Smr1, Smr2      the least steep secant. It spans the core height Sk over 0 to 100 %. Smr1 and Smr2 are the ratios where the
-                    curve leaves the core. Spk and Svk are the heights of triangles with the areas above and below the core
+    Smr1, Smr2      the least steep secant. Between the ratios 0 and 100 % it spans the core height Sk. Smr1 and Smr2 are the
+                    ratios where the curve leaves the core. Spk and Svk are the heights of triangles with the areas above and
+                    below the core
 
 The curve has 10,001 quantiles. On maps with more than 1024 points along a side the autocorrelation uses every second (third,
 ...) point. Checked against surfalize 0.19.2, scikit-image and shapely to 1e-8 (tests/surfaces/test_areal_parameters.py). The
@@ -133,7 +134,7 @@ def _material_ratio(depth: np.ndarray) -> tuple[float, float, float, float, floa
 
 
 def _positive_area(values: np.ndarray) -> float:
-    """Return the area that a polyline through the values (n,), one unit apart, encloses above the zero line."""
+    """Return the area between the zero line and the positive parts of a polyline through values (n,), one unit apart."""
     first, last = values[:-1], values[1:]
     high = np.maximum(np.maximum(first, last), 0.0)
     crossed = high**2 / (2.0 * np.maximum(np.abs(last - first), 1e-300))

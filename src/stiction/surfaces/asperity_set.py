@@ -59,7 +59,7 @@ def of_samples(
     - heights: (n,) [m] above the mean plane; curvatures: (n,) [1/m], positive for a top that curves down
     - density: asperities per nominal area [1/m^2]
     - note: how the asperities were found; it follows their number in the `note` of the result
-    - remedy: a change with which more would be found, for the error
+    - remedy: a change that would find more asperities, for the error
     - places: (n, 2), row and column of each asperity; None if unknown
 
     Raises InputError for fewer than two asperities, a density of 0, or a mean curvature that is not positive.
@@ -123,7 +123,7 @@ def rounding(heights: np.ndarray) -> float:
 
 
 def skewness(samples: np.ndarray) -> float:
-    """Return the skewness of samples (n,): third central moment over the cube of the standard deviation.
+    """Return the skewness of samples (n,): the third central moment divided by the cube of the standard deviation.
 
     The result is 0 if all samples are equal apart from round-off.
     """

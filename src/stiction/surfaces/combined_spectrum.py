@@ -152,7 +152,7 @@ def _reliable(surface: "HeightMap", tip_radius: float | None, field: str) -> Bin
 
 
 def _smoothed(binned: BinnedSpectrum) -> BinnedSpectrum:
-    """Average a binned spectrum in bins of 1/_PER_DECADE of a decade of the wave number.
+    """Average a binned spectrum in bins of the wave number, _PER_DECADE of them per decade.
 
     In wider bins the mean would be too large where the spectrum is steep.
     """

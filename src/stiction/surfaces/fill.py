@@ -62,10 +62,10 @@ _FEW = 1000  # points for which the equations are solved directly
 def _multigrid(matrix: sparse.csr_array, row: np.ndarray, column: np.ndarray) -> LinearOperator:
     """Return an approximate inverse of the matrix of Laplace's equation, computed by one multigrid cycle.
 
-    matrix: equations of the missing points (n, n). row, column (n,): place of each missing point in the map. The inverse is the
-    preconditioner of the conjugate gradients; it keeps the number of iterations small, however wide the holes are. Each block
-    of two by two points forms one point of the next coarser grid. Two links join neighbouring blocks, hence the factor 0.5 for
-    the coarse matrix.
+    matrix: equations of the missing points (n, n). row, column (n,): indices of each missing point in the map. The inverse is
+    the preconditioner of the conjugate gradients; it keeps the number of iterations small, however wide the holes are. Each
+    block of two by two points forms one point of the next coarser grid. Neighbouring blocks are joined by two links, hence the
+    factor 0.5 for the coarse matrix.
     """
     levels = []
     size = matrix.shape

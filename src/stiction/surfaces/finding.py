@@ -1,8 +1,8 @@
-"""Find the asperities of a measured surface by a selected method, and from them sigma, R and N.
+"""Find the asperities of a measured surface by a selected method, and compute sigma, R and N from them.
 
 sigma is the standard deviation of the asperity heights, R the tip radius and N the number per area. They depend on the method
 as strongly as on the point spacing of the map. Each method is a record of the class AsperityMethod, in a file of
-`asperity_method` or in another package, which provides it by an entry point.
+`asperity_method` or in another package, which registers it through an entry point.
 """
 
 from collections.abc import Callable, Mapping
@@ -101,9 +101,9 @@ SPOKEN_OF: dict[str, Callable[[Asperities], float]] = {
 
 
 def _outside(record: AsperityMethod, found: Asperities) -> list[str]:
-    """Return one sentence for each validity range of an asperity method that the found asperities violate.
+    """Return one warning sentence for each validity range of an asperity method that is violated.
 
-    record: the method. found: the asperities that it found.
+    record: the method. found: the asperities that it found, whose properties are checked.
     """
     values = {rule: SPOKEN_OF[rule.quantity](found) for rule in record.validity}
     return [

@@ -43,7 +43,7 @@ class Finished(Input):
     converted by Sq = 1.25 Ra; without either height, the finish provides Sq. kind: kind of surface as in `Roughness`; the
     default is the kind of the finish. skewness, kurtosis, texture_aspect_ratio: as in `Roughness`.
 
-    Raises InputError for two heights, or if sigma, R or N is stated too.
+    Raises InputError if both heights are stated, or if sigma, R or N is stated as well.
     """
 
     finish: Annotated[str, BeforeValidator(_finish)] = Field(description="a finish, e.g. ground, lapped or polished")
@@ -188,7 +188,7 @@ class FinishedBodies(Input):
         return self.replace(first=self.first.replace(**changes))
 
     def notes(self) -> list[str]:
-        """Return one line of text for each group of quantities that the finish of a body provides."""
+        """Return the notes on each body that is described by a finish, preceded by the name of the body."""
         return [
             f"{name} body {line}" for name, body in self.bodies.items() if isinstance(body, Finished) for line in body.notes()
         ]
@@ -196,8 +196,9 @@ class FinishedBodies(Input):
     def _kind(self) -> str | None:
         """Return the kind of surface of the contact, such as "worn", or a mixture of two kinds; None if it is unknown.
 
-        A body with at least 80 % of the summed mean square slope decides alone. From 20 to 80 %, the share of its kind rises
-        linearly from 0 to 1, so that no result jumps. The kinds of both bodies must then be known.
+        A body that contributes at least 80 % of the summed mean square slope determines the kind alone. Between 20 and 80 %,
+        the kinds of both bodies must be known; the fraction of each in the mixture rises linearly from 0 to 1, so that results
+        change continuously.
         """
         kinds: dict[str, Any] = {name: body.kind or getattr(body, "finish", None) for name, body in self.bodies.items()}
         slopes = {name: float(np.mean(_moments(body, name, {}).m2)) for name, body in self.bodies.items()}

@@ -11,8 +11,8 @@ This changes the spectrum, so an iteration alternately restores the amplitudes o
 history of the map.
 
 Stretching an isotropic surface by a factor s along a direction gives h(x / s, y). Along this direction the mean square slope
-falls by s^2 and the mean square second derivative by s^4. Heights, and slopes across it, keep their statistics. The spectrum
-becomes s C(s q_along, q_across).
+falls by s^2 and the mean square second derivative by s^4. Heights, and slopes across this direction, keep their statistics. The
+spectrum becomes s C(s q_along, q_across).
 
 Save a generated surface to read it with `stiction surface made.npy --size "10 um" --unit m`:
 
@@ -49,7 +49,7 @@ _SETTLED = 0.01  # the iteration ends when a step reduces the error of the spect
 
 
 class Lay(TypedDict, total=False):
-    """Define the keyword arguments that `gaussian_surface` and `non_gaussian_surface` share."""
+    """Define the optional keyword arguments shared by `gaussian_surface` and `non_gaussian_surface`."""
 
     stretch: float
     angle: float
@@ -159,7 +159,7 @@ def gaussian_surface(
     angle : float [rad], optional
         Direction of the stretch, from x towards y.
     random_amplitudes : bool, optional
-        True (default): a Gaussian process, whose rms height scatters about that from the spectrum. False: every wave has
+        True (default): a Gaussian process, whose rms height scatters about the value from the spectrum. False: every wave has
         exactly its amplitude in the spectrum, only phases are random, and rms height and slope do not scatter.
 
     Returns
@@ -217,7 +217,7 @@ def non_gaussian_surface(
     Raises
     ------
     InputError
-        As `gaussian_surface`; also for moments that no heights have, and for steps below 0.
+        As `gaussian_surface`; also for a skewness and kurtosis that no heights can have, and for steps below 0.
 
     Examples
     --------
@@ -307,7 +307,7 @@ def _alternate(start, amplitudes, wanted, steps):
     - steps: largest number of iterations after the first one
 
     Returns four values: the heights with the exact distribution; the heights with the exact spectrum; the relative rms error of
-    the amplitudes of the first of these; and the number of steps.
+    the amplitudes of the former heights; and the number of steps.
     """
     spectral, last = start, math.inf
     size = math.sqrt(float(np.sum(amplitudes**2)))

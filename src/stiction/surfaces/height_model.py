@@ -48,9 +48,9 @@ class HeightModel:
 def height_model(found: Asperities, wanted: str | None = None) -> HeightModel:
     """Choose the simplest distribution that fits the heights of asperities: Gaussian, else Weibull, else empirical.
 
-    A distribution fits if its Kolmogorov-Smirnov distance from the heights is at most a limit, which 1 in 20 samples drawn
-    from the distribution itself exceed. Every distribution has the mean and standard deviation of the heights; the Weibull
-    exponent also reproduces their skewness.
+    A distribution fits if its Kolmogorov-Smirnov distance from the heights is at most a limit. Of samples drawn from the
+    distribution itself, 1 in 20 exceeds this limit. Every distribution has the mean and standard deviation of the heights; the
+    Weibull exponent also reproduces their skewness.
 
     - found: the asperities
     - wanted: name of a distribution to use instead, whether it fits or not
@@ -123,9 +123,10 @@ def exponent_of_skewness(skewness: float) -> float:
 
 
 def _representatives(ascending: np.ndarray) -> list[float]:
-    """Return sorted samples unchanged, or _QUANTILES quantiles that stand for them if there are more samples.
+    """Return sorted samples unchanged; represent more than _QUANTILES samples by this number of quantiles.
 
-    ascending: the samples (n,). The lowest and the highest are included, because the highest asperities touch first.
+    ascending: the samples (n,). The lowest and the highest sample are always included, because the highest asperities touch
+    first.
     """
     if len(ascending) <= _QUANTILES:
         return ascending.tolist()

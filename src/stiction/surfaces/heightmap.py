@@ -39,7 +39,8 @@ class HeightMap:
     Raises
     ------
     InputError
-        The heights are not such an array or hold infinite values, or the size is not two finite positive numbers.
+        The heights are not a two-dimensional array of numbers or include infinite values, or the size is not two finite
+        positive lengths.
 
     Examples
     --------
@@ -138,7 +139,7 @@ class HeightMap:
         return replace(self, heights=heights, size=self.size if size is None else size, history=(*self.history, step))
 
     def alone(self) -> "HeightMap":
-        """Return the map marked as not periodic; called after a processing step that breaks the period."""
+        """Return the map marked as not periodic; called after a processing step that destroys periodicity."""
         return replace(self, periodic=False) if self.periodic else self
 
 

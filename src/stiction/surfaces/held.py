@@ -58,7 +58,7 @@ def _is_pair(value: Any) -> bool:
 
 
 def _made(heights: np.ndarray, size: tuple[float, float], what: str, history: tuple[str, ...], name: str = "") -> HeightMap:
-    """Return a HeightMap after the checks that scan files also undergo.
+    """Build a HeightMap, after the same checks as for scan files.
 
     heights: (rows, columns) [m]. size: (y, x) [m]. what: origin of the heights, for the history. history: further lines for it.
     name: name of the map, by default `what`.

@@ -96,7 +96,7 @@ def _skewness_and_kurtosis(curve, delta, gamma) -> tuple[float, float]:
 
 
 def _fitted(curve, skewness: float, kurtosis: float):
-    """Return (curve, delta, gamma) with which a function of Johnson's system has this skewness >= 0 and kurtosis.
+    """Return (curve, delta, gamma) of the function of Johnson's system that has this skewness (>= 0) and kurtosis.
 
     curve: `_bounded` or `_unbounded`, a function of (z, delta, gamma). The search starts from the best points of a coarse grid
     of both parameters. It varies gamma / delta instead of gamma, because that ratio stays of order one. Raises InputError if it

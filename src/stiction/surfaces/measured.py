@@ -81,7 +81,7 @@ def _is_scan(body: Any) -> bool:
 
 
 def _with_methods(schema: dict[str, Any]) -> None:
-    """Add the keys of all asperity methods to the description of the field `method` in the JSON schema, in place."""
+    """Set the description of the field `method` in the JSON schema to a list of all asperity methods, in place."""
     from stiction.surfaces.finding import methods
 
     schema["description"] = f"way of finding asperities: {', '.join(methods())}"
@@ -350,7 +350,7 @@ def _without_moments(why: str | None) -> tuple[str, ...]:
 def _validity_warnings(maps: "list[HeightMap]", numbers: bool, wanted: MeasuredRoughness) -> tuple[str, ...]:
     """Return warnings if the resolutions (shortest wavelengths) of two rough bodies differ, or if one of them is unknown.
 
-    maps: maps of the scanned bodies. numbers: whether one body is stated by sigma, R and N.
+    maps: maps of the scanned bodies. numbers: whether one body is described by sigma, R and N.
     """
     if numbers:
         return ("the resolution of the body stated by numbers is unknown: it must equal the resolution of the scan",)
@@ -382,7 +382,7 @@ def _prepared(surface: "HeightMap", wanted: MeasuredRoughness, scan: Any, body: 
 
 
 def _to_solve(scan: "HeightMap", made_ready: "HeightMap", wanted: MeasuredRoughness) -> "HeightMap":
-    """Return the map to be solved point by point: one period of a periodic scan, else the prepared map `made_ready`."""
+    """Return the map to be solved point by point: the period of a periodic scan, prepared, or else `made_ready`."""
     from stiction.surfaces.prepare import prepared_period
 
     return prepared_period(scan, wanted.spikes, wanted.fill, wanted.shortest, wanted.longest) if scan.periodic else made_ready

@@ -56,7 +56,7 @@ def prepared(
     Raises
     ------
     InputError
-        An option is out of its bounds, or no heights are left without the form.
+        An option is out of its bounds, or only round-off remains after spikes and form are removed.
 
     Examples
     --------
@@ -119,7 +119,7 @@ def _seam(surface: HeightMap) -> str:
 
 
 def _check_left(raw: HeightMap, surface: HeightMap) -> None:
-    """Raise InputError if only round-off is left of the heights after spikes and form are removed.
+    """Raise InputError if only round-off remains after spikes and form are removed.
 
     raw, surface: the map before and after the removal.
     """
@@ -246,10 +246,10 @@ def _range(name: str, given, count: int, pitch: float) -> tuple[int, int]:
 def filter_band(surface: HeightMap, shortest=None, longest=None) -> HeightMap:
     """Return the map with only the wavelengths between two cutoffs (Gaussian filters, ISO 16610).
 
-    shortest, longest: cutoffs, numbers in metres or text with a unit ("800 nm"); None for no such cutoff. The transmission is
-    50 % at a cutoff (ISO 16610-21 and -61). The weights are exp(-pi (x / (alpha lambda))^2) / (alpha lambda) with the cutoff
-    lambda and alpha = sqrt(ln 2 / pi), along x times along y, and pass exp(-ln 2 (lambda / wavelength)^2). At edges and missing
-    points the remaining weights are renormalised, and the filter does not follow a slope. Therefore level the map first, and
+    shortest, longest: cutoffs, numbers in metres or text with a unit ("800 nm"); None for no such cutoff. Along x and along y
+    the weights are exp(-pi (x / (alpha lambda))^2) / (alpha lambda) with the cutoff lambda and alpha = sqrt(ln 2 / pi). The
+    transmission is exp(-ln 2 (lambda / wavelength)^2), 50 % at the cutoff (ISO 16610-21 and -61). At edges and missing points
+    the remaining weights are renormalised, and the filter does not reproduce a slope. Therefore level the map first, and
     exclude half a cutoff at each edge from statistics. Missing points stay missing. Raises InputError unless 2 pitch <=
     shortest < longest <= size (of the longest side).
     """
@@ -312,7 +312,7 @@ def _band(surface: HeightMap, shortest: Any, longest: Any) -> tuple[float | None
 def _smooth(heights: np.ndarray, pitch: tuple[float, float], cutoff: float) -> np.ndarray:
     """Return the Gaussian mean of the heights around each point (rows, columns) [m]; NaN at missing points.
 
-    pitch: distance (dy, dx) of neighbouring points [m]. cutoff: wavelength [m] that the mean passes to 50 %. Weights beyond
+    pitch: distance (dy, dx) of neighbouring points [m]. cutoff: wavelength [m] at which the mean transmits 50 %. Weights beyond
     edges and at missing points are 0, and the others are renormalised.
     """
     missing = np.isnan(heights)
@@ -345,8 +345,8 @@ _AT_ONCE = 1 << 21  # numbers that are transformed together; the limit bounds th
 def _convolve(values: np.ndarray, axis: int, cutoff: float) -> None:
     """Convolve every line of an array along one axis with a Gaussian, in place, with zeros beyond the ends.
 
-    cutoff: wavelength, in points, that the Gaussian passes to 50 %. Lines are padded, transformed in groups, and multiplied by
-    the transmission of the Gaussian.
+    cutoff: wavelength, in points, at which the Gaussian transmits 50 %. Lines are padded, transformed in groups, and multiplied
+    by the transmission of the Gaussian.
     """
     lines = np.moveaxis(values, axis, 1)
     count = lines.shape[1]

@@ -92,7 +92,7 @@ class Roughness(Input):
         Ssk and Sku of the surface heights (ISO 25178-2), 0 and 3 of a Gaussian surface. Like `kind`, they choose the benchmark
         surfaces that the result is compared to, and so narrow the interval of a prediction.
     texture_aspect_ratio : float, optional
-        Str of the surface (ISO 25178-2), 1 of an isotropic one, small with a lay. It is used as the skewness is.
+        Str of the surface (ISO 25178-2), 1 of an isotropic one, small with a lay. It is used like the skewness.
     surface : Roughness, optional
         Asperities with the spectral moments of the surface and Gaussian heights (McCool 1986), for theories of the whole
         surface; by default these use the numbers above.
@@ -195,8 +195,8 @@ class Roughness(Input):
     def _scaled_heights(self) -> list[str]:
         """Return a warning, in a list, if the heights of a discrete distribution are scaled; otherwise an empty list.
 
-        The heights may be listed in m, mm, um, nm or Angstrom. If their standard deviation is the stated one in none of these
-        units, they are scaled to the stated one, and the warning states this.
+        The heights may be listed in m, mm, um, nm or Angstrom. If their standard deviation equals the stated one in none of
+        these units, they are scaled to the stated one, and the warning says so.
         """
         samples = self.height_parameters.get("samples") if self.height_distribution == "discrete" else None
         deviation = 0.0 if samples is None else float(np.std(np.asarray(samples, dtype=float)))

@@ -27,7 +27,7 @@ is the determinant of the mean slope tensor. Hence
 are the moments of an isotropic surface with the same number of summits per area. Its curvature is the geometric mean of the
 two principal curvatures. (Derived here from the affine map.) For an isotropic surface, (1) equals the means above.
 
-On a surface without a shortest wave m2 and m4 grow without bound as the cutoff decreases. They have a meaning only together
+On a surface without a shortest wave m2 and m4 grow without bound as the cutoff decreases. They are meaningful only together
 with their cutoff.
 """
 

@@ -39,7 +39,7 @@ def line_moments(dimensions: int, integrals: Iterable[float]) -> Moments:
 
 
 def _to_metres(spectrum, *names: str) -> None:
-    """Convert the attributes of a spectrum with these names from text with a unit to metres, in place; numbers stay."""
+    """Convert the named attributes of a spectrum from text with a unit to metres, in place; numbers stay unchanged."""
     for name in names:
         object.__setattr__(spectrum, name, in_metres(getattr(spectrum, name), name))
 

@@ -1,8 +1,8 @@
 r"""Find the summits of a map: points higher than their eight neighbours, with fitted curvatures.
 
-The result depends on the pitch, the point spacing (Greenwood 1984): where waves have too few points, some summits are missed,
-and those found are too low and too blunt. Where a long summit runs obliquely to the grid, more than one of its points is higher
-than all neighbours.
+The result depends on the pitch, the point spacing (Greenwood 1984): where waves are sampled by too few points, some summits are
+missed, and the others appear too low and too blunt. Where a long summit runs obliquely to the grid, more than one of its points
+is higher than all neighbours.
 
 *Assumes*: an asperity is a sampled point that is higher than its eight neighbours; its curvature is computed from the
 least-squares paraboloid through 5, 9 (the default), 25 or 49 points around it. *Source*: [nayak_1971] for the summits that

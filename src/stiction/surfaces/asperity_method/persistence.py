@@ -1,14 +1,14 @@
 r"""Find the summits of a map that stand out by more than a threshold, by joining hills from the highest saddle down.
 
-Only few points matter: maxima and saddles. A maximum has no higher neighbour. A saddle has two or more separate groups of
+Only a few points matter: maxima and saddles. A maximum has no higher neighbour. A saddle has two or more separate groups of
 higher neighbours, and may be where two hills meet. At any other point all higher neighbours are connected and belong to one
-hill, and so does the point. Of two points of the same height the one with the larger flat index counts as higher, so that all
-points have one order.
+hill, and so does the point. Of two points of the same height the one with the larger flat index counts as higher, so that the
+order of the points is unique.
 
 *Assumes*: an asperity is the top of a hill from which every path to a higher top descends by more than a threshold; its
 curvature is computed from the least-squares paraboloid around it. *Source*: [iso_25178_2_2012], hills and Wolf pruning.
 *Reconstruction*: the standards were not available; the pruning, and its default of 5 % of $S_z$, are from memory, and dales are
-left out. With the saddle $s$ at which a hill of the top $z$ joins a higher one, the hill counts if
+left out. A hill with its top at $z$, which joins a higher hill at a saddle of height $s$, counts if
 
 $$
 z-s>c,\qquad\kappa=-\tfrac12(z_{xx}+z_{yy}),\qquad N=\frac nA,\qquad\frac1R=\bar\kappa

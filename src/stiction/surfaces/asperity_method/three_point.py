@@ -3,8 +3,8 @@ r"""Find the peaks of profiles: points higher than both neighbours along a row o
 A profile hardly ever crosses a summit: it passes over its shoulders. Its peaks are therefore lower than the summits. On a
 smooth Gaussian surface they are also blunter: the mean curvature of peaks is sqrt(pi m4/2), while the mean curvature of summits
 is (8/3) sqrt(m4/pi), 1.20 times as large (Nayak 1971). On a surface with waves of every size the peaks get ever smaller and
-sharper as the pitch shrinks. They are then a fixed fraction of all points, whatever carries the load. This is Greenwood's
-objection to three-point peaks (Greenwood & Wu 2001); the method is included for comparison.
+sharper as the pitch shrinks. They are then a fixed fraction of all points, regardless of which points carry load. This is
+Greenwood's objection to three-point peaks (Greenwood & Wu 2001); the method is included for comparison.
 
 *Assumes*: an asperity is a sampled point of a profile that is higher than both neighbours. *Source*:
 [greenwood_williamson_1966] for the peaks, [nayak_1971] for the number of summits of an isotropic Gaussian surface from the
@@ -45,9 +45,9 @@ def three_point(surface: HeightMap, directions: str) -> Asperities:
 
 
 def _peaks(lines: np.ndarray, pitch: float) -> tuple[np.ndarray, np.ndarray, float, tuple[np.ndarray, np.ndarray]]:
-    """Return heights (n,) [m] and curvatures (n,) [1/m] of all peaks, their number per length [1/m], and their places.
+    """Return heights (n,) [m] and curvatures (n,) [1/m] of all peaks, their number per length [1/m], and their indices.
 
-    lines: heights (lines, points) [m]. pitch: point spacing [m]. The places are two arrays (n,): index of the line, index of
+    lines: heights (lines, points) [m]. pitch: point spacing [m]. The indices are two arrays (n,): index of the line, index of
     the point.
     """
     middle = lines[:, 1:-1] - rounding(lines)

@@ -64,7 +64,7 @@ def _library(reader, channel, path: Path) -> RawScan | None:
 def _no_line_lost(path: Path, points: int) -> None:
     """Raise InputError if the library read fewer points from a text file than the file has lines of numbers.
 
-    points: number of points that the library read. The library silently skips all lines above one that it cannot read.
+    points: number of points that the library read. If the library cannot read a line, it silently skips all lines above it.
     """
     with path.open("rb") as file:
         lines = sum(line.lstrip()[:1] in b"+-.0123456789" and bool(line.strip()) for line in file)

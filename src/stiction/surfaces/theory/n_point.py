@@ -65,8 +65,8 @@ def n_point_asperities(profile, spacing: float, level: float) -> NPointAsperitie
 
     An asperity is an unbroken run of points above the level, together with the neighbour at or below the level on either side.
     Runs cut by an end of the profile are excluded. profile: heights (N,) [m]. spacing: distance of neighbouring points [m], >
-    0. level: [m], measured from the same zero as the heights. Raises InputError for heights that are not finite or not one row,
-    or a spacing <= 0.
+    0. level: [m], measured from the same zero as the heights. Raises InputError unless the profile is one-dimensional and
+    finite and the spacing is > 0.
     """
     heights = np.asarray(profile, dtype=float)
     if heights.ndim != 1 or not np.isfinite(heights).all():
@@ -104,7 +104,7 @@ def points_above(level):
 
 
 def mean_height(level, correlation):
-    """Return the mean height of the n-point asperities of a Gaussian profile above the level, over all n.
+    """Return the mean height above the level of the n-point asperities of a Gaussian profile, for all n together.
 
     Heights and levels are divided by the standard deviation of the profile. level and correlation (of neighbouring heights):
     numbers or arrays. A table is interpolated, accurate to 5e-6 for levels D of -3 to 10. Beyond them the leading terms are
@@ -144,8 +144,8 @@ def _unit_roughness(correlation):
 def _table() -> np.ndarray:
     """Return Chebyshev coefficients (*_DEGREES) of the logarithm of the mean height of n-point asperities above a level.
 
-    The coefficients are over the level and the correlation of neighbouring heights, both mapped to -1 to 1. The computation
-    takes a third of a second; the result is cached.
+    The two variables of the series are the level and the correlation of neighbouring heights, both mapped to -1 to 1. The
+    computation takes a third of a second; the result is cached.
     """
     x, y = (np.cos(math.pi * (np.arange(n) + 0.5) / n) for n in _DEGREES)
     share = (x + 1.0) / 2.0 * (_HIGHEST - _LOWEST) / (_HIGHEST - _LOWEST + _FOLD)

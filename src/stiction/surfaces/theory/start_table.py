@@ -19,7 +19,7 @@ _LONE = np.linspace(-12.0, 20.0, 257)
 
 @cache
 def _inverse():
-    """Return a spline of the separation of independent spheres over the logarithm of their load F_3/2."""
+    """Return a spline of the separation of independent spheres as a function of the logarithm of their load F_3/2."""
     from scipy.interpolate import CubicSpline
 
     x = np.linspace(-40.0, 36.0, 2001)

@@ -119,9 +119,9 @@ _asymptotic_one = formula(_asymptotic)
 class Shapes:
     """Store load and area factors of an elliptic summit at the Gauss points of its shape t; all arrays are (m,).
 
-    - t: half the difference of the principal curvatures over their mean: 0 for a round summit, 1 for a ridge
+    - t: half the difference of the principal curvatures divided by their mean: 0 for a round summit, 1 for a ridge
     - weight: weight of each Gauss point
-    - load, area: factors C_P(t) and C_A(t): load and contact area over those of a round summit at the same overlap
+    - load, area: factors C_P(t) and C_A(t): load and contact area relative to a round summit at the same overlap
     """
 
     t: np.ndarray
@@ -137,8 +137,9 @@ _LARGEST_Q = 60.0
 def _over_shapes(shapes: Shapes) -> tuple[np.ndarray, np.ndarray]:
     """Return the Chebyshev coefficients of (1 + q^2) g(q), for the load and for the area.
 
-    q is the mean curvature of a summit over s, as in the module docstring. g(q) = Int_0^1 t (1 - t^2) exp(-q^2 t^2 / 2) C(t) dt
-    is the integral over the shapes t of the summits (not normalised), with C the load factor or the area factor in `shapes`.
+    q is the mean curvature of a summit divided by s, as in the module docstring. g(q) = Int_0^1 t (1 - t^2) exp(-q^2 t^2 / 2)
+    C(t) dt is the integral over the shapes t of the summits (not normalised), with C the load factor or the area factor in
+    `shapes`.
     """
     measure = shapes.weight * shapes.t * (1.0 - shapes.t**2)
 
@@ -281,7 +282,7 @@ def _put_means(h, count, above, below, x, work, mean):
 
 @kernel
 def _put_panels(d, farthest, rise, rest, ends):
-    """Write the ends of integration panels over sqrt(q) into `ends`, and return the number of panels.
+    """Write the boundaries of the integration panels in sqrt(q) into `ends`, and return the number of panels.
 
     q: dimensionless summit curvature. d: separation from the mean plane. farthest: largest separation, which sets the end of
     the range. rise: mean height of a summit of curvature q, divided by q. rest: standard deviation of summit heights at fixed

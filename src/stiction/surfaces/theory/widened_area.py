@@ -1,14 +1,14 @@
 """Compute the contact area of a surface from its spectral moments by Persson's theory, fitted to solved maps.
 
 The formulas are this project's own, grade B. Their evidence is solved maps (docs/explanation/truth.md); they are fitted to the
-Gaussian isotropic maps of seeds 1 and 2. They extend A/A0 = erf(2^(1/2) p) (Persson 2001), with the area fraction A/A0, the
-mean pressure p over E* h', the contact modulus E* and the rms gradient h':
+Gaussian isotropic maps of seeds 1 and 2. They extend A/A0 = erf(2^(1/2) p) (Persson 2001), where A/A0 is the area fraction and
+p the mean pressure divided by E* h', with the contact modulus E* and the rms gradient h':
 
     G(p, c) = erf(2^(1/2) p [1 + c (1 - erf(2^(1/2) p)^(1/2))])                                                           (1)
     A = G(p, c), c = .617 - .041 ln alpha, alpha: Nayak's m0 m4/m2^2                                                      (2)
     A = [A^3.5 + (p/H)^3.5]^(1/3.5), A on the right: elastic                                                              (5)
 
-In (5) p/H is the mean pressure over the hardness. (3) and (4), which need a map, are in
+In (5) p/H is the mean pressure divided by the hardness. (3) and (4), which need a map, are in
 solvers.boundary_elements.area_estimates.
 """
 

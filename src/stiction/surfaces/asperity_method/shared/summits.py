@@ -2,9 +2,9 @@
 
 The curvature of a summit is computed from the paraboloid z = a + b x + c y + d x^2 + e x y + f y^2 that fits the points around
 it best (least squares): half the sum of its two principal curvatures, -(d + f). On a grid this is a weighted sum of the
-heights. The result depends on the pitch, the point spacing (Greenwood 1984): where waves have too few points, some summits are
-missed, and those found are too low and too blunt. Fitting more points, or a threshold, trades one bias for another
-(docs/how-to/which-asperity-method.md).
+heights. The result depends on the pitch, the point spacing (Greenwood 1984): where waves are sampled by too few points, some
+summits are missed, and the others appear too low and too blunt. Fitting more points, or a threshold, trades one bias for
+another (docs/how-to/which-asperity-method.md).
 """
 
 from collections.abc import Callable
