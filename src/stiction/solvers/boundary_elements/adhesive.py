@@ -1,32 +1,32 @@
-"""Solve the adhesive contact of a periodic map, whose faces attract each other over a stated range.
+"""Solve the adhesive contact of a periodic map whose faces attract each other over a stated range.
 
 Faces at a gap g >= 0 have the energy -w e^(-g/rho) per area (w: work of adhesion, rho: range), and never overlap. This is the
 law of the contact-mechanics challenge (Mueser et al. 2017, Tribology Lett. 65, 118). Under the mean pressure P the gap is a
 minimum of
 
-    1/2 <u K u> - w <e^(-g/rho)> + P <g>,        u = g + h less its mean,  K = 1/C(k),        over all g >= 0             (1)
+    1/2 <u K u> - w <e^(-g/rho)> + P <g>,        u = g + h minus its mean,  K = 1/C(k),        over all g >= 0         (1)
 
 (Pastewka & Robbins 2014, PNAS 111, 3298), with the heights h, the displacement u, the compliance C(k) at the wavevector k, and
 <> the mean over the map. `descent` finds it. The gradient of (1) is the contact pressure; it vanishes where g > 0. If rho is
 short compared with the deformation at the contact edge, this is the limit of Johnson, Kendall & Roberts. If rho is long, it is
 the limit of Derjaguin, Muller & Toporov.
 
-Because of the attraction, (1) has more than one minimum. The solver finds the one downhill from its start. At the first load it
-starts from the contact without adhesion, and at every further load from the solution at the previous load. Loads in falling
-order therefore describe a separation. Beyond the largest pull there is no contact (`detached`).
+Because of the attraction, (1) has more than one minimum. The solver finds the one that lies downhill from its start. At the
+first load it starts from the contact without adhesion, and at every further load from the solution at the previous load. Loads
+in descending order therefore describe a separation. Beyond the largest pull there is no contact (`detached`).
 
 The grid must resolve the contact edge, where e^(-g/rho) pulls over a length of about E* rho^2/w. With m points along this
 length, the contact edge of a sphere cannot move smoothly past the points. Its largest pull (Tabor's parameter 3; 1.0276 times
 the value of Johnson, Kendall & Roberts, by an axisymmetric solution) is then too high by 5 % at m = .9, 2 % at 1.1, 1.5 % at
 1.3, and .2 to .8 % at 2 to 3. If m is below 2, the map is solved on a finer grid, to which its heights are interpolated by
-Fourier series, where that is accurate enough (m >= .8). Otherwise it has a warning. The contact area is corrected by c S d for
-the pixels at its edge, as in contacts without adhesion (S: length of the pixel sides at the edge, d: side of a pixel; see
-`measures`), with
+Fourier series, provided that this is accurate enough (m >= .8). Otherwise the result has a validity warning. The contact area
+is corrected by c S d for the pixels at its edge, as in contacts without adhesion (S: length of the pixel sides at the edge, d:
+side of a pixel; see `measures`), with
 
     c = .100 + .085/m     (m >= 1)                                                                                        (2)
 
-This was measured on rough maps with 8 points in the shortest wave against the same maps with 32: c = .11 (m = 8), .12 (4), .14
-(2), .19 (1), each +- .015 (standard deviation), for contact on 3 to 80 % of the map.
+It was measured on rough maps with 8 points in the shortest wave, compared with the same maps with 32: c = .11 (m = 8), .12 (4),
+.14 (2), .19 (1), each +- .015 (standard deviation), for contact on 3 to 80 % of the map.
 """
 
 import math
@@ -52,7 +52,7 @@ from stiction.surfaces.memory import require_memory
 _ARRAYS = 20  # number of arrays as large as the map that the minimisation needs
 _BETWEEN = 2.5  # most times that the grid is finer than the map
 _AT_EDGE = 0.085  # in equation (2)
-# Largest pressure error where faces do not touch, over the largest attraction, and over the tension. A larger error would
+# Largest pressure error where faces do not touch, divided by the largest attraction, and by the tension. A larger error would
 # hold faces together beyond the largest pull.
 _LEFT, _OF_TENSION = 0.1 * MOST_ATTRACTION_LEFT, 3e-3
 
@@ -64,11 +64,11 @@ class AdhesiveContact:
     load [N], > 0 if pressed together. area: contact area, corrected for pixel size [m2]. area_pixels: contact area without this
     correction [m2]. points: number of points in contact. perimeter: length of the contact edge [m]. mean_gap: mean distance of
     the faces [m], infinite if they have separated. attraction: sum of the attractive forces at all points, also at those in
-    contact [N]. detached: whether there is no contact at this load; the area is then 0. residual: largest pressure error at
-    points out of contact, or that would have to lose contact, divided by the largest attraction. points_at_edge: number of
-    points across the zone at the contact edge where attraction acts on open faces (cohesive zone). validity_warnings: limits of
-    the solver that this solution exceeds. pressure: contact pressure minus attraction [Pa], (rows, columns) of the solved grid,
-    which is at least as fine as the map.
+    contact [N]. detached: whether there is no contact at this load; the area is then 0. residual: largest pressure error,
+    divided by the largest attraction, at points that are out of contact or should be. points_at_edge: number of points across
+    the zone at the contact edge where attraction acts on open faces (cohesive zone). validity_warnings: limits of the solver
+    that this solution exceeds. pressure: contact pressure minus attraction [Pa], (rows, columns) of the solved grid, which is
+    at least as fine as the map.
     """
 
     load: float
@@ -136,7 +136,7 @@ class AdhesiveState:
     """Store the adhesive contact of a map at one load, so that it can be solved again with less adhesion.
 
     faces: heights and stiffness. gap: solved gap (rows, columns), divided by the range of attraction. grid: quantities that do
-    not depend on load. pressure: mean pressure, divided by the largest attraction (work of adhesion over range).
+    not depend on load. pressure: mean pressure, divided by the largest attraction (work of adhesion divided by range).
     """
 
     faces: Faces
@@ -163,8 +163,8 @@ class AdhesiveState:
     def with_share(self, share: np.ndarray | None) -> "AdhesiveState":
         """Return the contact at the same load with only a fraction of the work of adhesion.
 
-        share: remaining fraction at every point (rows, columns); None for all of it. The energy is minimised again, starting
-        from the present gap.
+        share: remaining fraction at every point (rows, columns); None for the full work of adhesion. The energy is minimised
+        again, starting from the present gap.
         """
         faces = replace(self.faces, share=share)
         return replace(self, faces=faces, gap=_descended(faces, self.gap, self.pressure).gap)
@@ -206,8 +206,8 @@ def _before_adhesion(heights, size, compliance, load, work, reach) -> AdhesiveSt
 class _Grid:
     """Store the quantities of an adhesive map that are the same at all loads.
 
-    size: (y, x) [m]. largest: largest attraction [Pa], work of adhesion over range. reach: range of attraction [m]. points:
-    number of points across the cohesive zone at the contact edge.
+    size: (y, x) [m]. largest: largest attraction [Pa], work of adhesion divided by range. reach: range of attraction [m].
+    points: number of points across the cohesive zone at the contact edge.
     """
 
     size: tuple[float, float]

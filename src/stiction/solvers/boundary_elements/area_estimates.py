@@ -1,8 +1,8 @@
 """Estimate the elastic contact area of a map without solving it, from slopes or ranks of its points.
 
 These are formulas of this project, grade B: their evidence is solved maps. All start from Persson's theory (2001), A/A0 =
-erf(2^(1/2) p), where A/A0 is the area fraction, p the mean pressure over E* h', and h' the rms gradient of the map. Formulas
-(1) and (2) are implemented in surfaces.theory.widened_area, (3) and (4) here. All are extensions of it:
+erf(2^(1/2) p), where A/A0 is the area fraction, p the mean pressure divided by E* h', and h' the rms gradient of the map.
+Formulas (1) and (2) are implemented in surfaces.theory.widened_area, (3) and (4) here. All are extensions of it:
 
     G(p, c) = erf(2^(1/2) p [1 + c (1 - erf(2^(1/2) p)^(1/2))])                                                           (1)
 
@@ -12,14 +12,15 @@ erf(2^(1/2) p), where A/A0 is the area fraction, p the mean pressure over E* h',
                     c = .655 - .071 ln alpha + .183 ln R
 
 alpha is Nayak's m0 m4/m2^2. R is the root of the ratio of the eigenvalues of the gradient tensor. Points are ranked from the
-highest, and r is the fraction of points above. F(A) is the rms gradient of the highest 2A of the map over h'. S(r) is [mean of
-s^m over ranks below r]^(1/m) with m = .783, where s(r) is the local gradient at rank r over h'; beyond r = 1 it stays 1.
+highest, and r is the fraction of points above. F(A) is the rms gradient of the highest 2A of the map, divided by h'. S(r) is
+[mean of s^m over ranks below r]^(1/m) with m = .783, where s(r) is the local gradient at rank r divided by h'. If no r up to 1
+satisfies (4), S is 1.
 
 The constants were fitted to the surfaces of the benchmark set with seeds 1 and 2 (truth.md); (2) and (3) only to its Gaussian
 isotropic ones. Errors on the surfaces with seeds 3 and 4, in % rms (largest), for p = .002 to .3: Gaussian isotropic (2) 6.6
-(37), 80 % of all within 5 %; (3) 3.1 (12), 91 %; (4) 3.2 (13). (4) on other surfaces: skewed 5.1 (18), peaked 7.4, flat 5.1,
-with a lay 5.1 (23), bimodal 3.8, periodic 10, worn 30 (96). At light loads (4) fails on worn plateaus with fine roughness on
-them.
+(37), 80 % of the areas within 5 %; (3) 3.1 (12), 91 %; (4) 3.2 (13). (4) on other surfaces: skewed 5.1 (18), peaked 7.4, flat
+5.1, with a lay 5.1 (23), bimodal 3.8, periodic 10, worn 30 (96). At light loads (4) fails on worn plateaus with fine roughness
+on them.
 """
 
 import math
@@ -76,7 +77,7 @@ def map_slopes(heights: np.ndarray, size: tuple[float, float], periodic: bool = 
 def _of_waves(heights, size):
     """Return rms gradient [1], Nayak's alpha and lay ratio of a periodic map, from its spectrum.
 
-    heights: (rows, columns) [m]. size: (y, x) [m]. The lay ratio is the largest over the smallest rms slope of all directions.
+    heights: (rows, columns) [m]. size: (y, x) [m]. Lay ratio: ratio of the largest to the smallest rms slope of all directions.
     """
     along_y, along_x = components(heights.shape, size)
     power = wave_power(heights - heights.mean()) / float(heights.size) ** 2
@@ -89,9 +90,9 @@ def _of_waves(heights, size):
 def _of_differences(heights, size):
     """Return rms gradient [1], Nayak's alpha and lay ratio of a map that is not periodic, from finite differences.
 
-    heights: (rows, columns) [m]. size: (y, x) [m]. The lay ratio is the largest over the smallest rms slope of all directions.
-    The differences are of fourth order. Mean square slopes are evaluated between points; heights, curvatures and the product of
-    the two slopes at points.
+    heights: (rows, columns) [m]. size: (y, x) [m]. The lay ratio is the ratio of the largest to the smallest rms slope of all
+    directions. The differences are of fourth order. Mean square slopes are evaluated between points; heights, curvatures and
+    the product of the two slopes at points.
     """
     pitch = size[0] / heights.shape[0], size[1] / heights.shape[1]
     yy, xx = (float(np.mean(np.square(_between(np.moveaxis(heights, axis, 0), pitch[axis])))) for axis in (0, 1))
@@ -151,8 +152,8 @@ def _by_rank(heights, size, periodic):
 def by_top_slopes(pressure: float, slopes: MapSlopes) -> float:
     """Estimate the area fraction A/A0 of a Gaussian isotropic map from the gradient of its highest points.
 
-    This is formula (3) of this module. A/A0: real over nominal contact area. pressure: mean pressure divided by E* h', > 0; E*
-    is the contact modulus and h' the rms gradient. slopes: measured by `map_slopes`.
+    This is formula (3) of this module. A/A0: ratio of real to nominal contact area. pressure: mean pressure, > 0, divided by
+    E* h', with the contact modulus E* and the rms gradient h'. slopes: measured by `map_slopes`.
     """
     c = 0.672 - 0.071 * math.log(slopes.alpha)
     ratio = np.sqrt(np.cumsum(slopes.squares) / np.arange(1, len(slopes.squares) + 1))
@@ -163,8 +164,8 @@ def by_top_slopes(pressure: float, slopes: MapSlopes) -> float:
 def by_ranks(pressure: float, slopes: MapSlopes) -> float:
     """Estimate the area fraction A/A0 of any map from the gradients of its points ranked by height.
 
-    This is formula (4) of this module. A/A0: real over nominal contact area. pressure: mean pressure divided by E* h', > 0; E*
-    is the contact modulus and h' the rms gradient. slopes: measured by `map_slopes`.
+    This is formula (4) of this module. A/A0: ratio of real to nominal contact area. pressure: mean pressure, > 0, divided by
+    E* h', with the contact modulus E* and the rms gradient h'. slopes: measured by `map_slopes`.
     """
     c = 0.655 - 0.071 * math.log(slopes.alpha) + 0.183 * math.log(slopes.lay)
     count = np.arange(1, len(slopes.squares) + 1)
@@ -177,7 +178,8 @@ def by_ranks(pressure: float, slopes: MapSlopes) -> float:
 def first_crossing(area, wanted, beyond):
     """Return the value of `area` where it first reaches `wanted`, interpolated linearly between elements.
 
-    area, wanted: (n,), compared element by element. beyond: the value returned if `area` never reaches `wanted`.
+    area, wanted: (n,), compared element by element. beyond: the value returned if `area` never reaches `wanted`. If the first
+    element does, `wanted[0]` is returned.
     """
     reached = np.flatnonzero(area >= wanted)
     if not len(reached):

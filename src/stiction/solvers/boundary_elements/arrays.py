@@ -1,11 +1,11 @@
 """Provide the array operations of the map solver that depend on the array library.
 
 The solver computes with NumPy. It also runs with a library that meets the array API standard (Consortium for Python Data API
-Standards 2024, https://data-apis.org/array-api), on a device of that library. Every function recognises the library by its
+Standards 2024, https://data-apis.org/array-api), on a device of that library. Every function infers the library from its
 argument. Slices must be views, so JAX cannot be used.
 
 For NumPy, SciPy's transforms run on two threads, and loops run over blocks of rows that stay in the processor's cache. For
-other libraries a block is the whole map, because each call of a device takes time.
+other libraries a block is the whole map, because each call to a device takes time.
 """
 
 from collections.abc import Iterator

@@ -1,7 +1,7 @@
 """Store solutions of map contacts in a cache on disk, and read them again.
 
-There is one file for each load. Its name is a hash of the inputs and of the solver's code, so a series of loads that was
-interrupted continues where it stopped. When the cache is full, the files not used for longest are deleted.
+There is one file for each load. Its name is a hash of the inputs and of the solver's code, so an interrupted series of loads
+continues where it stopped. When the cache is full, the least recently used files are deleted.
 """
 
 import ast
@@ -30,7 +30,7 @@ _OF_FILE = ("pressure", "validity_warnings")  # fields of a contact that are not
 def solve_cached(
     heights: np.ndarray, size: tuple[float, float], *, modulus: float, loads: Sequence[float], periodic: bool, **how
 ) -> MapContacts:
-    """Solve a map as `solve_map` does, but read loads solved before from the cache on disk.
+    """Solve a map like `solve_map`, but read the contacts at loads solved before from the cache on disk.
 
     heights: (rows, columns) [m]. size: (y, x) [m]. modulus [Pa], loads [N], periodic, how: as in `solve_map`, with the same
     results and errors. A cached solution may have been started from another pressure; it agrees within the tolerance.
@@ -50,7 +50,7 @@ def solve_cached(
     report = how.pop("done", None)
 
     def asked(contact: MapContact) -> float:
-        """Return the requested load of a contact, whose own load may differ by rounding."""
+        """Return the requested load that belongs to a contact; the attribute `load` may differ from it by rounding."""
         return min(missing, key=lambda load: abs(load - contact.load))
 
     def done(contact: MapContact) -> None:
@@ -65,7 +65,7 @@ def solve_cached(
 
 
 def _name(heights: np.ndarray, size: tuple[float, float], **inputs: Any) -> str:
-    """Return the cache key of a map: a hash of its heights, its size, the solver's code and all other inputs but the load."""
+    """Return the cache key of a map: a hash of its heights, its size, the solver's code and all inputs except the load."""
     digest = hashlib.sha256(_solver())
     digest.update(np.ascontiguousarray(heights, dtype=np.float64).tobytes())
     digest.update(repr((np.shape(heights), tuple(map(float, size)), sorted(inputs.items(), key=lambda item: item[0]))).encode())

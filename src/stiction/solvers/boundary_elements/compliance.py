@@ -1,4 +1,4 @@
-"""Compute the compliance of elastic bodies to a wave of pressure: normal displacement over pressure, by wavevector k.
+"""Compute the compliance of elastic bodies to a wave of pressure: normal displacement per pressure at the wavenumber k.
 
 Half-space (Johnson 1985, Contact Mechanics, section 13.2; plane-strain modulus E* = E/(1 - nu^2), for a pair of bodies 1/E* is
 the sum):
@@ -12,9 +12,9 @@ of Nogi & Kato (1997, J. Tribology 119, 493):
     C(k) = 2/(E1* k) [1 + 4 x K e^(-2x) - L K e^(-4x)] / [1 - (L + K + 4 K x^2) e^(-2x) + L K e^(-4x)]                    (2)
     L = 1 - 4 (1 - nu1) / (1 + G (3 - 4 nu2)),          K = (G - 1) / (G + 3 - 4 nu1)
 
-Grade B: (2) was not compared with print. Tests compare it with a direct solution of the six boundary conditions of one wave. t
--> 0 and G -> 1 give (1) of the substrate, and t -> infinity (1) of the film. G = 0 is a film on a rigid base, and nu1 = 1/2 an
-incompressible film.
+Grade B: (2) was not compared with the printed equations. Tests compare it with a direct solution of the six boundary conditions
+of one wave. t -> 0 and G -> 1 give (1) of the substrate, and t -> infinity (1) of the film. G = 0 is a film on a rigid base,
+and nu1 = 1/2 an incompressible film.
 
 With y = 2x, numerator and denominator of (2) are multiplied by e^y. This avoids differences of nearly equal numbers as x -> 0.
 In that limit the compliance of a film on a rigid base is proportional to t, or to k^2 t^3 if the film is incompressible:
@@ -111,7 +111,7 @@ class Film:
 
 
 def _near(y, _, k, one_less_lk, linear, constant):
-    """Return the compliance of a film over the compliance of a half-space of film material, for long waves.
+    """Return the compliance of a film relative to a half-space of film material, for long waves.
 
     y: 2 k t, below 1, with the wavenumber k and the film thickness t. The other arguments are L (not used), K, 1 - LK, 1 + LK +
     2K and (1 - L)(1 - K). This is equation (3) of this module, which loses no digits for small y.
@@ -124,7 +124,7 @@ def _near(y, _, k, one_less_lk, linear, constant):
 
 
 def _away(y, el, k, *_):
-    """Return the compliance of a film over the compliance of a half-space of film material, for short waves.
+    """Return the compliance of a film relative to a half-space of film material, for short waves.
 
     y: 2 k t, 1 or more, with the wavenumber k and the film thickness t. el, k: the numbers L and K of equation (2) of this
     module, which is evaluated here.
@@ -177,7 +177,7 @@ class Compliance:
         return max((film.thickness for film in self.films), default=0.0)
 
     def times_half_k(self, k: np.ndarray) -> np.ndarray:
-        """Return the compliance C(k) of both bodies, displacement over pressure, times k/2 [1/Pa].
+        """Return the compliance C(k) of both bodies (displacement per pressure) times k/2 [1/Pa].
 
         k: wavenumbers > 0 [1/m], any shape. The result has the same shape.
         """
@@ -187,7 +187,7 @@ class Compliance:
         return total
 
     def at(self, k: np.ndarray) -> np.ndarray:
-        """Return the compliance C(k) of both bodies together, displacement over pressure [m/Pa].
+        """Return the compliance C(k) of both bodies together: displacement per pressure [m/Pa].
 
         k: wavenumbers >= 0 [1/m], any shape. At k = 0 the result is the limit if this is finite, and 0 otherwise: the mean
         displacement of half-spaces is not finite.

@@ -22,13 +22,13 @@ from scipy.fft import irfft2, rfft2
 
 from stiction.solvers.boundary_elements.arrays import dot
 
-FAR = 1e3  # gap over the range of attraction, by which separated faces are moved apart
-_FLAT = 0.05  # least curvature along a direction, over the elastic one; attraction makes it smaller or negative
-_RANGE = 2.0  # largest step over the range of attraction
-_ACTS = 1e-3  # attraction over the largest attraction, above which a point counts as attracted
+FAR = 1e3  # distance by which separated faces are moved apart, divided by the range of attraction
+_FLAT = 0.05  # least curvature along a direction, relative to the elastic one; attraction makes it smaller or negative
+_RANGE = 2.0  # largest step, divided by the range of attraction
+_ACTS = 1e-3  # attraction, divided by the largest one, above which a point counts as attracted
 _MOST = 3000
 _HALVINGS = 40
-_NONE = 40.0  # gap over the range, beyond which the attraction is below round-off
+_NONE = 40.0  # gap, divided by the range, beyond which the attraction is below round-off
 _LARGEST = 700.0  # largest exponent whose exponential is a finite number
 
 
@@ -37,8 +37,8 @@ class Faces:
     """Store the heights and the stiffness of two faces that attract each other.
 
     heights (rows, columns): heights divided by the range of attraction. stiffness: dimensionless stiffness (elastic pressure
-    over displacement) of each wave, in the order of `rfft2`; 0 for the mean. share (rows, columns): fraction of the work of
-    adhesion that remains; None for all of it.
+    per displacement) of each wave, in the order of `rfft2`; 0 for the mean. share (rows, columns): fraction of the work of
+    adhesion that remains; None if it is 1 everywhere.
     """
 
     heights: np.ndarray
@@ -91,7 +91,7 @@ class DescentSearch:
 
     def __init__(self, faces: Faces, gap: np.ndarray, pressure: float):
         self._faces, self._pressure = faces, pressure
-        self._way: np.ndarray | None = None
+        self._previous: np.ndarray | None = None
         self._force, self._square = np.zeros_like(gap), 0.0
         self.gap, self._elastic = gap, faces.elastic(gap + faces.heights)
         self.apart, self.residual = False, math.inf
@@ -110,12 +110,12 @@ class DescentSearch:
                 self.apart = True
                 return
             if not self._step(self._direction()):
-                if self._way is None:
+                if self._previous is None:
                     return  # only round-off prevents a lower energy
-                self._way = None
+                self._previous = None
 
     def _arrive(self) -> None:
-        """Compute gradient, free points and residual anew after the gap has changed."""
+        """Recompute gradient, free points and residual after the gap has changed."""
         self._near = self._faces.attraction(self.gap)
         self._slope = self._elastic + self._near
         self._slope += self._pressure
@@ -132,49 +132,49 @@ class DescentSearch:
         smooth = self._faces.smoothed(force)
         smooth *= self._free
         square = dot(force, smooth)
-        way = smooth
-        if self._way is not None:
+        direction = smooth
+        if self._previous is not None:
             part = (square - dot(self._force, smooth)) / self._square
             if part > 0.0:
-                way = smooth + part * np.where(self._free, self._way, 0.0)
-                if dot(way, force) <= 0.0:
-                    way = smooth
+                direction = smooth + part * np.where(self._free, self._previous, 0.0)
+                if dot(direction, force) <= 0.0:
+                    direction = smooth
         self._force, self._square = force, square
-        return way
+        return direction
 
-    def _step(self, way: np.ndarray) -> bool:
-        """Take a step along the direction `way` (rows, columns); return False if no step length lowers the energy.
+    def _step(self, direction: np.ndarray) -> bool:
+        """Take a step along `direction` (rows, columns); return False if no step length lowers the energy.
 
         The step is halved until the energy falls.
         """
-        answer = self._faces.elastic(way)
-        down, elastic = dot(way, self._force), dot(way, answer)
-        curvature = max(elastic - float(np.einsum("ij,ij,ij->", way, way, self._near)), _FLAT * elastic)
-        length = self._room(way)
+        answer = self._faces.elastic(direction)
+        down, elastic = dot(direction, self._force), dot(direction, answer)
+        curvature = max(elastic - float(np.einsum("ij,ij,ij->", direction, direction, self._near)), _FLAT * elastic)
+        length = self._room(direction)
         if curvature * length > down:
             length = down / curvature
         for _ in range(_HALVINGS):
-            gap = self.gap + length * way
+            gap = self.gap + length * direction
             if gap.min() < 0.0:
                 np.maximum(gap, 0.0, out=gap)
                 force = self._faces.elastic(gap + self._faces.heights)
             else:
                 force = self._elastic + length * answer
             if self._change(gap, force) < 0.0:
-                self._way, self.gap, self._elastic = way, gap, force
+                self._previous, self.gap, self._elastic = direction, gap, force
                 self._arrive()
                 return True
             length *= 0.5
         return False
 
-    def _room(self, way: np.ndarray) -> float:
-        """Return the largest allowed factor of the direction `way` (rows, columns) in one step.
+    def _room(self, direction: np.ndarray) -> float:
+        """Return the largest allowed factor of `direction` (rows, columns) in one step.
 
-        A step closes no gap by more than the gap plus twice the range of attraction, and opens attracted points by at most
-        twice the range.
+        A step reduces no gap by more than the gap itself plus twice the range of attraction, and increases the gaps of
+        attracted points by at most twice the range.
         """
-        closes = max(-float(np.min(way / (self.gap + _RANGE))), 0.0)
-        opens = max(float(np.max(way * (self._near > _ACTS))), 0.0) / _RANGE
+        closes = max(-float(np.min(direction / (self.gap + _RANGE))), 0.0)
+        opens = max(float(np.max(direction * (self._near > _ACTS))), 0.0) / _RANGE
         fastest = max(closes, opens)
         return 1.0 / fastest if fastest > 0.0 else 1.0
 

@@ -1,6 +1,6 @@
 """Set the limits beyond which a map solution has a validity warning."""
 
-TOLERANCE = 1e-5  # largest residual: rms gap error in contact, over the rms height difference of neighbouring points
+TOLERANCE = 1e-5  # largest residual: rms gap error in contact, divided by the rms height difference of neighbouring points
 LEAST_PIXELS = 8.0  # points in the shortest wave
 LEAST_IN_WAVE = 4.0  # points in the shortest wave if only the area is needed, to a few per cent
 LEAST_WAVES = 6.0  # longest waves along a side
@@ -9,6 +9,6 @@ LEAST_CONTACT = 100  # points in contact
 MOST_AT_ENDS = 0.01  # fraction of the load on the outermost points of a map with free edges
 LEAST_LOAD_ERROR = 1e-9
 LEAST_POINTS = 2.0  # points across the zone at the contact edge where attraction acts on open faces (cohesive zone)
-MOST_ATTRACTION_LEFT = 1e-3  # pressure error where attracting faces do not touch, over the largest attraction
+MOST_ATTRACTION_LEFT = 1e-3  # pressure error where attracting faces do not touch, divided by the largest attraction
 LEAST_TABOR = 5.0  # Tabor parameter from which a range of attraction counts as short
 LEAST_WEAKENING = 3.0  # points along the length over which strength is lost, for the largest tangential force

@@ -1,11 +1,11 @@
 """Compute the real contact area of a map against load, by solving some of its points or by a formula.
 
-The area fraction A/A0 is solved at the requested mean pressures, each by itself. If more than twelve are requested, it is
-solved at four pressures per decade, and ln A is interpolated by a monotone cubic of ln p (p: mean pressure). Each solution uses
-the fewest points that suffice: four in the shortest wave, eight across a lay, and 3000 in contact. Where fewer than some 120
-points touch, and above the heaviest solved pressure, the area follows a formula (`area_estimates`), scaled to a solution there
-that does not depend on the requested pressures. The formula also replaces solutions of maps that are too large to solve.
-Solutions are cached as long as the program runs.
+The area fraction A/A0 is solved at each requested mean pressure separately. If more than twelve are requested, it is solved at
+four pressures per decade, and ln A is interpolated by a monotone cubic of ln p (p: mean pressure). Each solution uses the
+fewest points that suffice: four in the shortest wave, eight across a lay, and 3000 in contact. Below the pressure at which some
+120 points touch, and above a highest pressure, the area follows a formula (`area_estimates`), scaled to the solution at this
+end pressure, which does not depend on the requested pressures. The formula also replaces solutions of maps that are too large
+to solve. Solutions are cached as long as the program runs.
 """
 
 import hashlib
@@ -41,7 +41,7 @@ _STEPS, _FEW = 4, 12  # solved pressures per decade, if more than twelve pressur
 # plastic maps (H/(E* h') .25 to 1.2, 1.4 to 6 waves, seven kinds of surface), intervals of 90 % with this factor contain the
 # area in 91 % of cases; the lowest rate of one kind, with a lay, is 83 %.
 _OF_WAVES = 0.8
-_HEAVIEST = 1.2  # largest pressure over E* h' that is solved
+_HEAVIEST = 1.2  # largest pressure that is solved, divided by E* h'
 _MOST_OF_HARDNESS = 0.97
 # Limits of maps that are Gaussian and isotropic enough for the formula by top slopes.
 _MOST_SKEWNESS, _MOST_LAY, _TOP, _TOP_RANGE = 0.5, 1.3, 0.05, (0.75, 1.3)
@@ -98,8 +98,8 @@ class MapArea:
     def solvable(self) -> list[int]:
         """Return the sampling steps with which the map can be solved, coarsest first; empty if there are none.
 
-        A step of r uses every r-th point of each row and column. With each step, few enough points are left to solve. Steps
-        above 1 also leave enough points in the shortest wave.
+        A step of r uses every r-th point of each row and column, few enough to solve. Steps above 1 also leave enough points in
+        the shortest wave; if no step meets both limits, the finest step that leaves FEWEST_IN_WAVE points is returned alone.
         """
         in_wave = self.waves.points_in_shortest_wave
         all_of_them = range(1, min(self.heights.shape) // 16 + 1)
@@ -136,7 +136,7 @@ class MapArea:
     def formula(self) -> Callable[[float, MapSlopes], float]:
         """Return the function that estimates the area fraction A/A0 at pressures that are not solved.
 
-        Its arguments are the mean pressure over E* h', with the rms gradient h' of the map, and the `MapSlopes` of the map.
+        Its arguments are the mean pressure divided by E* h', where h' is the rms gradient, and the `MapSlopes` of the map.
         """
         return by_top_slopes if self.gaussian else by_ranks
 
@@ -203,7 +203,7 @@ class _Curve:
     """Compute the area fraction A/A0 of a map against mean pressure at one hardness.
 
     Pressure and hardness are divided by E* h', with h' the rms gradient. Solutions are stored as ln(A/A0) at each pressure. For
-    many pressures the map is solved at 10^(k/4) only (k whole), and ln(A/A0) is interpolated.
+    many pressures the map is solved only at 10^(k/4), with integers k, and ln(A/A0) is interpolated.
     """
 
     def __init__(self, area: MapArea, hardness: float):
@@ -226,9 +226,9 @@ class _Curve:
         return areas
 
     def _solve(self, pressure: np.ndarray) -> None:
-        """Solve the map at the pressures (n,), over E* h', if they are at most twelve; else at powers 10^(k/4) around them.
+        """Solve the map at the pressures (n,) or, if there are more than twelve, at the powers 10^(k/4) around them.
 
-        The results are stored; pressures solved before are skipped.
+        Pressures are divided by E* h'. The results are stored; pressures solved before are skipped.
         """
         inside = np.minimum(pressure, self._heaviest)
         if len(pressure) > _FEW:
@@ -249,11 +249,11 @@ class _Curve:
             self._find_lightest()
 
     def _touching(self, pressure: float) -> float:
-        """Return how many points touch at a pressure over E* h', estimated by the formula, if the finest step is solved."""
+        """Estimate by the formula how many points touch at a pressure (divided by E* h') at the finest sampling step."""
         return self._area.by_formula(pressure, self._hardness) * self._area.finest_points
 
     def _find_lightest(self) -> None:
-        """Solve the lightest pressure 10^(k/4) at which enough points touch. Areas at lighter pressures are scaled from it."""
+        """Solve the map at the lowest 10^(k/4) at which enough points touch; areas at lower pressures are scaled from it."""
         self._has_lightest = True
         k = math.ceil(_STEPS * math.log10(self._heaviest))
         while self._touching(10.0 ** ((k - 1) / _STEPS)) >= AT_LEAST:
@@ -311,7 +311,7 @@ def map_area(surface: HeightMap) -> MapArea:
 
 
 class _Held:
-    """Wrap a map so that all wrapped maps compare equal: the cache then tells maps apart by their digest alone."""
+    """Wrap a map so that all wrapped maps compare equal: the cache then distinguishes maps by their digest alone."""
 
     def __init__(self, surface: HeightMap):
         self.surface = surface

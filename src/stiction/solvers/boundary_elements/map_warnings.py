@@ -1,4 +1,4 @@
-"""Make the validity warnings of a solved map, for example that the shortest wave has too few points."""
+"""Generate the validity warnings of a solved map, for example that the shortest wave has too few points."""
 
 import math
 
@@ -56,8 +56,8 @@ def _warnings_of_film(film, pitch):
 def warnings_of_load(solution: Found, load_error: float, ends: bool, tolerance: float) -> tuple[ValidityWarning, ...]:
     """Return the validity warnings of the solution at one load.
 
-    load_error: relative error of the summed pressures. ends: whether the map has free edges, so that nothing presses outside
-    it. tolerance: largest accepted residual.
+    load_error: relative error of the summed pressures. ends: whether the map has free edges, with no pressure outside.
+    tolerance: largest accepted residual.
     """
     return (*_warnings_of_solution(solution, load_error, tolerance), *(_warnings_of_ends(solution.pressure) if ends else ()))
 

@@ -18,8 +18,8 @@ It makes areas of maps with a lay along the pixels up to 4 % smaller, and as acc
 (validation/maps). The mean area of rough maps with 8 points in the shortest wave is within 1 % of the area with 32; with .118
 it is 1 to 2 % low.
 
-c is smaller where the pressure at most of the edge is the hardness. The area is never less than the load over the hardness,
-and is close to this limit where points yield. The length of the contact edge is pi/4 S, averaged over its directions.
+c is smaller where the pressure at most of the edge is the hardness. The area is never less than the load divided by the
+hardness, and is close to this limit where points yield. The length of the contact edge is pi/4 S, averaged over its directions.
 """
 
 import math
@@ -77,8 +77,8 @@ def edges(contact: np.ndarray, periodic: bool) -> Edges:
 def corrected_area(pressure: np.ndarray, pixel: float, periodic: bool, hardness: float) -> float:
     """Return the contact area [m2] of a pressure map (rows, columns) [Pa], corrected for the pixels at its edge.
 
-    The area is at least the load over the hardness [Pa], which may be infinite. pixel: area of a point [m2]. periodic: whether
-    the map repeats.
+    The area is at least the load divided by the hardness [Pa], which may be infinite. pixel: area of a point [m2]. periodic:
+    whether the map repeats.
     """
     contact = pressure > 0.0
     counted = int(np.count_nonzero(contact)) * pixel
@@ -86,7 +86,7 @@ def corrected_area(pressure: np.ndarray, pixel: float, periodic: bool, hardness:
 
 
 def _changes(contact, periodic):
-    """Return how many pairs of neighbouring points in the same row consist of one point in contact and one not.
+    """Return the number of pairs of neighbours in a row with one point in contact and the other out of contact.
 
     contact: mask (rows, columns). periodic: whether the last point of a row is a neighbour of its first.
     """

@@ -8,9 +8,9 @@ contact pressure plus s on B. The pressure is p = q - s on B, and q solves the c
     heights  h + C(s on B),     mean pressure  P/A_n + s |B|/A_n,     hardness  H_s + s                                     (1)
 
 B and q are computed alternately, beginning with B of the dry contact. Suction nowhere opens a gap: where the difference of two
-gaps is largest, the pressure would have to fall, which it does not. Therefore B only grows, up to the smallest set that agrees
-with (1). This is the set that vapour fills as it condenses around dry contacts. The model is the attraction of Maugis & Dugdale
-(Maugis 1992) at every point of a map; derived here. As in theirs, the pressure at the edge of contact is -s.
+gaps is largest, the pressure would have to fall, which it does not. Therefore B only grows, up to the smallest set that
+satisfies (1). This is the set that vapour fills as it condenses around dry contacts. The model is the attraction of Maugis &
+Dugdale (Maugis 1992) at every point of a map; derived here. As in theirs, the pressure at the edge of contact is -s.
 """
 
 from collections.abc import Callable
@@ -29,7 +29,7 @@ _ROUGHLY = 1e-3  # tolerance while the wet area still grows; only the last solut
 class Menisci:
     """Describe the liquid between two faces.
 
-    pressure: suction of the liquid [Pa], which is surface tension over Kelvin radius. height: largest gap that the liquid fills
+    pressure: suction of the liquid [Pa]: surface tension divided by Kelvin radius. height: largest gap that the liquid fills
     [m]. Raises InputError unless both are > 0.
     """
 

@@ -7,23 +7,24 @@ given mean with 0 <= p <= H, the solution is the one that minimises
 
 This is contact without friction (Kalker & van Randen 1972; Polonsky & Keer 1999, Wear 231, 206) of bodies that are elastic
 below the hardness H and flow at p = H (Almqvist, Sahlin, Larsson & Glavatskih 2007, Tribology Int. 40, 574). The minimum is
-unique. It meets the conditions of Karush, Kuhn & Tucker with an offset a and the gap g = u - h - a:
+unique. It satisfies the Karush-Kuhn-Tucker conditions with an offset a and the gap g = u - h - a:
 
     p = 0: g >= 0        0 < p < H: g = 0        p = H: g <= 0, the depth of plastic flow                                 (2)
 
-`residual` measures how far (2) is from being met, so any solution can be checked by itself.
+`residual` measures how far a solution violates (2), so any solution can be checked by itself.
 
 The method of Polonsky & Keer is used: conjugate gradients over the points with 0 < p < H. Five changes make it converge also
-where points flow, in a number of steps that hardly grows with the map size. Equation numbers were not compared with print.
+where points flow, in a number of steps that hardly grows with the map size. Equation numbers were not checked against the
+publications.
 
 - The gradient is divided by C(k) on these points and shifted to zero sum. Near full contact this is the solution.
-- The pressure gets its mean back by a shift of these points. A factor would raise it above H.
+- The mean pressure is restored by a shift of the pressure at these points. A factor would raise it above H.
 - Directions are combined by the rule of Polak & Ribiere, also after points enter or leave contact (as in Bugnicourt et al.
   2018, Tribology Lett. 66, 29).
 - The energy must fall in each step. If not, a projected gradient step is taken, and shortened until the energy falls (Bertsekas
   1999, Nonlinear Programming, section 2.3; it converges from any start).
-- Steps are in single precision. At times the gap is computed anew in double precision (iterative refinement: Moler 1967, J. ACM
-  14, 316). The reported `residual` is always in double precision.
+- Steps are in single precision. From time to time the gap is recomputed in double precision (iterative refinement: Moler 1967,
+  J. ACM 14, 316). The reported `residual` is always in double precision.
 
 Maps are arrays of NumPy, or of another library of `arrays`.
 """
@@ -56,12 +57,12 @@ class Boundary(Protocol):
         """Return a pressure map (rows, columns) [Pa] that causes this displacement map [m], exactly or approximately."""
 
 
-_ENOUGH = 1e-4  # least decrease of the energy by a projected step, over the decrease that the gradient predicts
+_ENOUGH = 1e-4  # least decrease of the energy by a projected step, relative to the decrease that the gradient predicts
 _SHIFTS = 100
 _ROUNDING = 1e-13  # accepted error of the mean pressure, relative
 _WRONG = 0.05  # fraction of the pressure that would close a wrong gap; with more, points enter and leave in turn
-_DIGITS = 1e-4  # residual over the last one in double precision that single precision can reach
-_AIM = 0.7  # tolerance of the residual in single precision, over the full tolerance
+_DIGITS = 1e-4  # residual, relative to the last one in double precision, that single precision can reach
+_AIM = 0.7  # tolerance of the residual in single precision, relative to the full tolerance
 
 
 @dataclass(frozen=True)
@@ -81,7 +82,7 @@ class Problem:
 
     @cached_property
     def point_stiffness(self) -> float:
-        """Return the stiffness of a point [Pa/m]: its pressure over its displacement while all other points stay."""
+        """Return the stiffness of a point [Pa/m]: its pressure per displacement while all other points stay in place."""
         xp = namespace(self.heights)
         point = xp.zeros_like(self.heights, dtype=xp.float32)
         point[0, 0] = 1.0
@@ -355,7 +356,7 @@ class _Search:
 
 
 def on_level(pressure: np.ndarray, problem: Problem) -> np.ndarray:
-    """Return the pressure map, shifted to the mean pressure of the problem and clipped to 0 to the hardness.
+    """Return the pressure map, shifted to the mean pressure of the problem and clipped between 0 and the hardness.
 
     Only points with a pressure between 0 and the hardness are shifted, in place. If this does not reach the mean, all points
     are shifted, in a new array.
@@ -378,9 +379,9 @@ def on_level(pressure: np.ndarray, problem: Problem) -> np.ndarray:
 
 
 def _nearest(pressure: np.ndarray, problem: Problem) -> np.ndarray:
-    """Return the pressure map nearest to the given one (least squares) that has the problem's mean and lies in its bounds.
+    """Return the pressure map nearest to the given one (least squares) that has the problem's mean and lies within its bounds.
 
-    All points are shifted equally and clipped to 0 to the hardness. The shift is found by Newton's method, safeguarded by
+    All points are shifted equally and clipped between 0 and the hardness. The shift is found by Newton's method, safeguarded by
     bisection.
     """
     top, wanted, xp = problem.hardness, problem.mean, namespace(pressure)

@@ -7,8 +7,8 @@ have zero mean.
 Mirrored map: a window of a larger surface, continued by mirror images along both axes. The period is twice the sides of the
 window. Pressure and displacement are even about every side, so cosine transforms of the window suffice.
 
-Free map: nothing presses outside the map. The pressure is uniform on each pixel. The convolution uses a grid that is twice as
-large along both axes, so that copies of the map have no effect (Hockney; Liu, Wang & Liu 2000, Wear 243, 101: DC-FFT). One
+Free map: there is no pressure outside the map. The pressure is uniform on each pixel. The convolution uses a grid that is twice
+as large along both axes, so that copies of the map have no effect (Hockney; Liu, Wang & Liu 2000, Wear 243, 101: DC-FFT). One
 pixel with sides 2a, 2b displaces a half-space by (Love 1929; Johnson 1985, Contact Mechanics, eq. 3.25)
 
     u(x, y) = p/(pi E*) [f(x+a, y+b) - f(x+a, y-b) - f(x-a, y+b) + f(x-a, y-b)],   f = x arsinh(y/|x|) + y arsinh(x/|y|)   (1)
@@ -38,7 +38,7 @@ from scipy.fft import dctn, fftfreq, idctn, next_fast_len, rfft2, rfftfreq
 from stiction.solvers.boundary_elements.arrays import backward, forward, is_numpy, like, namespace, workers
 from stiction.solvers.boundary_elements.compliance import Compliance
 
-_DEPTH = 1.5  # the length c of (2) over the film thickness
+_DEPTH = 1.5  # the length c of (2), divided by the film thickness
 
 
 def components(shape: tuple[int, int], size: tuple[float, float]) -> tuple[np.ndarray, np.ndarray]:
@@ -52,7 +52,7 @@ def components(shape: tuple[int, int], size: tuple[float, float]) -> tuple[np.nd
 
 
 def wavevectors(shape: tuple[int, int], size: tuple[float, float]) -> np.ndarray:
-    """Return the wavenumbers, 2 pi over wavelength, of the entries of `rfft2` [rad/m].
+    """Return the wavenumbers (2 pi / wavelength) of the entries of `rfft2` [rad/m].
 
     shape: (rows, columns) of the grid. size: (y, x) of the grid [m].
     """
@@ -124,7 +124,7 @@ class PeriodicBoundary:
 
 
 class MirroredBoundary(PeriodicBoundary):
-    """Compute displacements of a window of a larger surface, which mirror images continue on all sides.
+    """Compute displacements of a window of a larger surface, continued by mirror images on all sides.
 
     Window and mirror images together are a periodic map with twice the sides. Array libraries other than NumPy have no cosine
     transforms, and use the Fourier transform of this larger map.

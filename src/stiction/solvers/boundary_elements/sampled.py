@@ -36,7 +36,7 @@ def solve_sampled(
     heights: np.ndarray, size: tuple[float, float], *, modulus: float, loads: Sequence[float], periodic: bool,
     solve: Callable[..., MapContacts] = solve_map, **how,
 ) -> SampledContacts:  # fmt: skip
-    """Solve the contact of a map like `solve_map`, with as few points as are accurate enough.
+    """Solve the contact of a map like `solve_map`, with as few points as the accuracy allows.
 
     Every r-th point of each row and column is solved, with at least four points in the shortest wave. r is reduced while fewer
     than 1000 points are in contact at the lightest load. Arguments and errors are those of `solve_map`. solve: the solver to

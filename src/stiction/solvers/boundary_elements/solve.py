@@ -39,15 +39,15 @@ _COARSE_TOLERANCE = 1e-2
 class MapContact:
     """Store the contact of a map at one load; all values refer to the whole map.
 
-    load [N]. mean_pressure: load over nominal area [Pa]. nominal_area [m2]. area: real area, corrected for edge pixels [m2].
-    area_pixels: area of all pixels in contact [m2]. perimeter: length of the contact edge [m]. separation: distance from the
-    mean plane of the undeformed heights to the flat counterface [m]; for half-spaces on a periodic map, to its deformed mean.
-    mean_gap: mean distance of the faces [m], with 0 where they touch. approach: approach since first touch [m]; None for
+    load [N]. mean_pressure: load divided by nominal area [Pa]. nominal_area [m2]. area: real area, corrected for edge pixels
+    [m2]. area_pixels: area of all pixels in contact [m2]. perimeter: length of the contact edge [m]. separation: distance from
+    the mean plane of the undeformed heights to the flat counterface [m]; for half-spaces on a periodic map, to its deformed
+    mean. mean_gap: mean distance of the faces [m], with 0 where they touch. approach: approach since first touch [m]; None for
     half-spaces on a periodic map. stiffness: derivative of the load with respect to the approach [N/m]; NaN without elastic
     points, or if not requested. plastic_area: area where the pressure equals the hardness [m2]. plastic_share: fraction of the
     load on this area [1].
 
-    pressure: (rows, columns) [Pa]; None if not stored. residual: error of the contact conditions, relative. steps: number of
+    pressure: (rows, columns) [Pa]; None if not stored. residual: relative error of the contact conditions. steps: number of
     steps of the solver. pressure_error, area_error [1], overlap [m]: error bounds on this grid (see `certificate`). load_error:
     relative error of the summed pressures. points: number of points in contact. load_at_ends: fraction of the load on the
     outermost points; 0 for a map without free edges. validity_warnings: limits of the solver that this load exceeds. pull:
@@ -128,13 +128,12 @@ def solve_map(
 
     heights: (rows, columns) [m], finite, not all equal. size: (y, x) [m]. modulus: contact modulus E* [Pa] of the uncoated
     bodies: of both, or of the only one without a film; infinite if both have films or the uncoated bodies are rigid. loads:
-    [N], > 0, in any order. periodic: True if the map is one period of an endless surface; otherwise it is a window that its
-    mirror images continue. film, counter_film: elastic film on the first and the second body, or None. hardness: largest
-    pressure [Pa]; None for elastic bodies. menisci: liquid between the faces in equilibrium with its vapour; None for dry
-    faces.
+    [N], > 0, in any order. periodic: True if the map is one period of an endless surface; otherwise it is a window, continued
+    by its mirror images. film, counter_film: elastic film on the first and the second body, or None. hardness: largest pressure
+    [Pa]; None for elastic bodies. menisci: liquid between the faces in equilibrium with its vapour; None for dry faces.
 
-    Further keywords: free: whether nothing presses outside of a map that is not periodic (default False). tolerance: largest
-    accepted residual. most_steps: largest number of steps. keep_maps: whether pressure maps are stored (default True).
+    Further keywords: free: whether there is no pressure outside of a map that is not periodic (default False). tolerance:
+    largest accepted residual. most_steps: largest number of steps. keep_maps: whether pressure maps are stored (default True).
     stiffness: whether the contact stiffness is computed (default True). progress: called with a `Progress` before every step.
     done: called with each solved contact. device: array library that solves the map instead of NumPy, optionally with one of
     its devices, such as "torch:cuda". Results are NumPy arrays in the order of the loads.

@@ -2,9 +2,9 @@
 
 The coordinate is u = x^(1/4), with x = a^2/(R sigma), a the contact radius, R the asperity radius and sigma the rms height. A
 row of parameters holds ln n_E, per_root = (R sigma)^(1/4)/sqrt(t_1) with t_1 the thickness of one film, the strength of
-adhesion, and the coefficients of two or three of `solvers.layered.curves`. n_E is the contact modulus of the surfaces that meet
-over the contact modulus of the bodies without films. With z = (q - 1)/(q + 1) and q = per_root u the coefficients give the
-sphere's moduli E_P, E_S and B, divided by the modulus of the bodies without a film, and D in the approach D a^2/R.
+adhesion, and the coefficients of two or three of `solvers.layered.curves`. n_E is the contact modulus of the surfaces that
+meet, divided by the contact modulus of the bodies without films. With z = (q - 1)/(q + 1) and q = per_root u the coefficients
+give the sphere's moduli E_P, E_S and B, divided by the modulus of the bodies without a film, and D in the approach D a^2/R.
 Displacement, load, stiffness and area without adhesion are
 
     w_H = D u^4,  P_H = E_P u^6,  dP_H/dw_H = (3/2) E_S u^2,  A = u^4
@@ -14,9 +14,9 @@ the load is P_H minus the load of a flat punch, and the energy released at the c
 
     w = w_H - s u/sqrt(B),  P = P_H - (3/2) s E_S u^3/sqrt(B),  s = (2/3) sqrt(6 pi n_g/theta)
 
-theta is the adhesion index and n_g the work of adhesion with the film over that without. In SI units delta = delta_H - sqrt(4
-pi a gamma/S'), P = P_H - S sqrt(4 pi a gamma/S'), S = 2 a E_S, S' = dS/da = 2 B (compare Barthel & Perriot 2007; the limit of
-short-ranged forces).
+theta is the adhesion index and n_g the work of adhesion with the film divided by the value without it. In SI units delta =
+delta_H - sqrt(4 pi a gamma/S'), P = P_H - S sqrt(4 pi a gamma/S'), S = 2 a E_S, S' = dS/da = 2 B (compare Barthel & Perriot
+2007; the limit of short-ranged forces).
 """
 
 import math
@@ -92,7 +92,8 @@ def plain(u, *row):
     """Return displacement w, dw/du, load and area of an asperity without adhesion or with DMT's adhesion.
 
     u: coordinate, (a^2/(R sigma))^(1/4). row: parameters; the third is the pull that is subtracted from the load. Displacements
-    are over sigma, loads over K R^(1/2) sigma^(3/2) and areas over pi R sigma, with K = (4/3) E* of the bodies without a film.
+    are divided by sigma, loads by K R^(1/2) sigma^(3/2) and areas by pi R sigma, with K = (4/3) E* of the bodies without a
+    film.
     """
     _, _, E_P, D, _, approach_slope = _hertzian(u, row)
     u3 = u * u * u
@@ -124,7 +125,7 @@ def _stiffness(E_P, D, load_slope, approach_slope):
 def parted(u, row):
     """Return the load without adhesion at the coordinate u, and the amount by which the load with JKR's adhesion is smaller.
 
-    Loads are over K R^(1/2) sigma^(3/2), with K = (4/3) E* of the bodies without a film. row: parameters of the asperity.
+    Loads are divided by K R^(1/2) sigma^(3/2), with K = (4/3) E* of the bodies without a film. row: parameters of the asperity.
     """
     z, by_u, E_P, D, load_slope, approach_slope = _hertzian(u, row)
     u3, softness = u * u * u, _edge(z, by_u, row)[0]
@@ -135,8 +136,8 @@ def parted(u, row):
 def edged(u, *row):
     """Return displacement w, dw/du, load and area of an asperity with JKR's adhesion.
 
-    u: coordinate, (a^2/(R sigma))^(1/4). row: parameters; the third is the strength of adhesion s. Displacements are over
-    sigma, loads over K R^(1/2) sigma^(3/2) and areas over pi R sigma, with K = (4/3) E* of the bodies without a film.
+    u: coordinate, (a^2/(R sigma))^(1/4). row: parameters; the third is the strength of adhesion s. Displacements are divided by
+    sigma, loads by K R^(1/2) sigma^(3/2) and areas by pi R sigma, with K = (4/3) E* of the bodies without a film.
     """
     z, by_u, E_P, D, load_slope, approach_slope = _hertzian(u, row)
     softness, softness_slope = _edge(z, by_u, row)
@@ -148,9 +149,10 @@ def edged(u, *row):
 
 @formula
 def plain_coordinate(w, *row):
-    """Return the coordinate u of an asperity without adhesion or with DMT's, at the displacement w over sigma; 0 for w <= 0.
+    """Return the coordinate u of an asperity without adhesion or with DMT's at the displacement w; 0 for w <= 0.
 
-    row: parameters of the asperity. Newton's method is used on logarithms, because ln w rises with ln u at a slope close to 4.
+    w: divided by sigma. row: parameters of the asperity. Newton's method is applied to logarithms, because ln w rises with ln u
+    at a slope close to 4.
     """
     if not w > 0.0:
         return 0.0
@@ -168,10 +170,10 @@ def plain_coordinate(w, *row):
 
 @formula
 def _approached(w, row):
-    """Return the coordinate u of an asperity with JKR's adhesion at the displacement w >= 0 (over sigma).
+    """Return the coordinate u of an asperity with JKR's adhesion at the displacement w >= 0.
 
-    row: parameters of the asperity. Adhesion lowers the displacement w_H(u) of the contact without adhesion by v(u), so that w
-    = w_H - v. Newton's method solves ln(w_H/(w + v)) = 0, whose left side rises with ln u.
+    w: divided by sigma. row: parameters of the asperity. Adhesion lowers the displacement w_H(u) of the contact without
+    adhesion by v(u), so that w = w_H - v. Newton's method solves ln(w_H/(w + v)) = 0, whose left side rises with ln u.
     """
     u = max(math.sqrt(math.sqrt(w)), max(row[2], 1e-200) ** (1.0 / 3.0))
     for _ in range(_MOST_STEPS):
@@ -205,7 +207,7 @@ def _comes_off(u, row):
 def _is_short(u, given):
     """Return whether u is too small: the displacement at u is less than w, or does not rise with u.
 
-    given: (w, row), the displacement over sigma and the parameters of the asperity.
+    given: (w, row), the displacement divided by sigma and the parameters of the asperity.
     """
     w, row = given
     here = edged(u, *row)
@@ -217,9 +219,9 @@ _halve_off, _halve_short = halving(_comes_off), halving(_is_short)
 
 @formula
 def edged_coordinate(w, *row):
-    """Return the coordinate u of an asperity with JKR's adhesion at the displacement w (over sigma), on the stable branch.
+    """Return the coordinate u of an asperity with JKR's adhesion at the displacement w, on the stable branch.
 
-    On this branch the displacement grows with u. row: parameters of the asperity.
+    On this branch the displacement grows with u. w: divided by sigma. row: parameters of the asperity.
     """
     if w == math.inf:
         return math.inf

@@ -8,7 +8,8 @@ body). With H_s the hardness of the body, z the depth divided by a, and nu its P
 
     p/H_s = max_z s(z)/max_{z >= t_e/a} s(z),   s(z) = 3/(2 (1 + z^2)) - (1 + nu)(1 - z arctan(1/z))
 
-This is 1 if t_e is below about a/2. The formula is this project's own and is a judgement (grade C): plasticity is not solved.
+The result is 1 if t_e is below about a/2. The formula is this project's own and is a judgement (grade C): plasticity is not
+solved.
 """
 
 import numpy as np
@@ -16,8 +17,8 @@ import numpy as np
 from stiction.contact.indices import Groups
 from stiction.solvers.layered.bodies import per_root
 
-_NEAR = np.linspace(0.3, 0.7, 81)  # depths over the contact radius, among which the largest stress is searched
-_DEEPEST = 1e3  # depth over the contact radius from which a body never yields before its film
+_NEAR = np.linspace(0.3, 0.7, 81)  # depths divided by the contact radius, among which the largest stress is searched
+_DEEPEST = 1e3  # depth, divided by the contact radius, from which a body never yields before its film
 
 
 def carried_at_depth(depth: np.ndarray, nu: np.ndarray) -> np.ndarray:
@@ -32,7 +33,7 @@ def carried_at_depth(depth: np.ndarray, nu: np.ndarray) -> np.ndarray:
 
 
 def pressure_carried_below(spot: np.ndarray, groups: Groups) -> np.ndarray:
-    """Return the mean pressure (n, m) on a contact spot at which the body below the film yields, over the body's hardness.
+    """Return the mean pressure (n, m) on a contact spot at which the body below the film yields, divided by its hardness.
 
     spot: contact area (n, m), divided by pi R sigma (R: asperity radius, sigma: rms height). groups: dimensionless groups of n
     contacts.

@@ -9,7 +9,7 @@ from stiction.quantities.errors import InputError
 from stiction.solvers.layered.compliance import Layer, Pair
 from stiction.solvers.layered.waves import CoatedBody
 
-# Limits of the film thickness over sqrt(R sigma): thinner films are as good as absent, thicker ones as good as infinite.
+# Limits of the film thickness divided by sqrt(R sigma): thinner films have no effect, thicker ones act as half-spaces.
 _THINNEST, _THICKEST = 1e-60, 1e200
 _NAMED = ("n_E", "films", "coated_share", "layer_nu", "coated_nu", "counter_nu")
 
@@ -18,9 +18,9 @@ class Bodies(NamedTuple):
     """Store the elastic constants of two bodies in contact, one or both with a film.
 
     pair: the films, with their fractions of the elastic compliance. coated: elastic constants of each coated body.
-    film_modulus: plane-strain modulus of the film over the contact modulus of the bodies without films. bare_share: compliance
-    of the uncoated body over the compliance of both bodies without films; 0 if both are coated. bare_nu: Poisson's ratio of the
-    uncoated body.
+    film_modulus: plane-strain modulus of the film divided by the contact modulus of the bodies without films. bare_share:
+    compliance of the uncoated body divided by the compliance of both bodies without films; 0 if both are coated. bare_nu:
+    Poisson's ratio of the uncoated body.
     """
 
     pair: Pair
@@ -43,7 +43,7 @@ def per_root(groups: Groups) -> np.ndarray:
 def columns_of(groups: Groups) -> np.ndarray:
     """Return the six groups (6, n) on which the elastic constants of the coated bodies of n contacts depend.
 
-    Their rows are: contact modulus of the surfaces over the contact modulus of the bodies without films, number of films,
+    Their rows are: contact modulus of the surfaces divided by the contact modulus of the bodies without films, number of films,
     fraction of the compliance without films that belongs to the coated (first) body, and Poisson's ratios of film, coated body
     and counterbody.
     """
@@ -51,7 +51,7 @@ def columns_of(groups: Groups) -> np.ndarray:
 
 
 def film_share(given: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the films' fraction of the surface compliance, and their modulus over the modulus of the body below: (n,) each.
+    """Return the films' fraction of the surface compliance, and the ratio of the moduli of film and body below: (n,) each.
 
     given: rows as returned by `columns_of`. The surface compliance belongs to two half-spaces that consist of the surface
     materials. The fraction is 1 if both bodies are coated. Raises InputError if an n_E is impossible for its coated_share.

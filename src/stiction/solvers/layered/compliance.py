@@ -61,7 +61,7 @@ def poisson_excess(ratio, nu, nu_below):
 
 
 def _film(x: np.ndarray, ratio: float, excess: float) -> np.ndarray:
-    """Return the compliance c(x) of a film on a body over the compliance of a half-space of film material.
+    """Return the compliance c(x) of a film on a body relative to a half-space of film material.
 
     x: wavenumber times film thickness. ratio: ratio of the plane-strain moduli of film and body. excess: 4 beta - alpha with
     Dundurs' parameters.
@@ -85,7 +85,7 @@ def compliance(x: np.ndarray, pair: Pair) -> np.ndarray:
 
 
 def modulus_without_film(pair: Pair) -> float:
-    """Return the contact modulus of the bodies without films over the modulus of half-spaces of their surface materials.
+    """Return the contact modulus of the bodies without films relative to half-spaces of their surface materials.
 
     The result is infinite if both bodies are rigid.
     """

@@ -29,7 +29,7 @@ from stiction.solvers.layered.many_spheres import STIFFEST, respond_many
 from stiction.solvers.layered.sphere import Response, respond
 
 CURVES, TERMS = 3, 19
-# Contact radii of the exact solutions, over the thickness of one film.
+# Contact radii of the exact solutions, divided by the thickness of one film.
 RADII = np.concatenate([[1e-5, 1e-4, 5e-4], np.geomspace(0.002, 600.0, 24)])
 # Pairs that are solved faster together than one by one.
 _MANY = 64
@@ -60,7 +60,7 @@ def curves(pair: Pair) -> np.ndarray:
 def curves_of_pairs(pairs: Sequence[Pair]) -> np.ndarray:
     """Return the coefficients (n, CURVES, TERMS) of n pairs of bodies, as `curves` does for one.
 
-    Many pairs are solved together, which is ten times as fast. Films that are too stiff for this are solved one by one.
+    Many pairs are solved together, which is ten times faster. Films that are too stiff for this are solved one by one.
     """
     together = [i for i, pair in enumerate(pairs) if all(film.ratio <= STIFFEST for film in pair)]
     solved = _solved_together(tuple(pairs[i] for i in together)) if len(together) >= _MANY else np.empty(0)
@@ -78,8 +78,8 @@ def _solved_together(pairs: tuple[Pair, ...]) -> np.ndarray:
 def fit(solved: np.ndarray, below: float) -> np.ndarray:
     """Fit the coefficients (CURVES, TERMS) of the curves ln E_P, ln D and ln B to exact solutions at the contact radii RADII.
 
-    solved: fields of `sphere.Response` (radii, 7). below: contact modulus of the bodies without films over the contact modulus
-    of half-spaces of the surface materials.
+    solved: fields of `sphere.Response` (radii, 7). below: contact modulus of the bodies without films, divided by the contact
+    modulus of half-spaces of the surface materials.
     """
     at = {name: column for name, column in zip(Response._fields, solved.T, strict=True)}
     ends = {"load": np.log(below), "approach": 0.0, "edge": np.log(below)}

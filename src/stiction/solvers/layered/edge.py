@@ -22,7 +22,7 @@ from stiction.solvers.layered.stresses import Radial, Stresses
 from stiction.solvers.layered.waves import CoatedBody
 
 FORMS, EDGE_TERMS = 3, 17
-# Contact radii of the solutions, over the film thickness. The film's contribution to stresses has a relative error of
+# Contact radii of the solutions, divided by the film thickness. The film's contribution to stresses has a relative error of
 # exp(-_REACH).
 _RADII = np.concatenate([[1e-5, 1e-4, 1e-3, 0.005, 0.02, 0.06], np.geomspace(0.14, 200.0, 21)])
 _REACH = 12.0
@@ -37,9 +37,9 @@ def edge_curves(bodies: Bodies) -> np.ndarray:
     """Return curves of the coefficients ln D, A and B of the edge stress against contact size: (FORMS, 2 + EDGE_TERMS).
 
     A row holds the limits f (a half-space of film material) and g (a film of zero thickness), then the c_k of the curve (1 -
-    z)/2 f + (1 + z)/2 g + (1 - z^2) Sum c_k z^k. z = (q - 1)/(q + 1) with q the root of contact radius over film thickness. If
-    two coated bodies differ, the values at each contact radius are those of the body whose film has the higher stress under
-    traction.
+    z)/2 f + (1 + z)/2 g + (1 - z^2) Sum c_k z^k. z = (q - 1)/(q + 1), where q is the square root of contact radius divided by
+    film thickness. If two coated bodies differ, the values at each contact radius are those of the body whose film has the
+    higher stress under traction.
     """
     each = [_of_body(bodies, body) for body in dict.fromkeys(bodies.coated)]
     rows = np.stack(each)

@@ -31,8 +31,8 @@ _SOLVED = np.concatenate(
     [[-0.8, -0.65, -0.5, -0.4], np.linspace(-0.33, 0.33, 15), [0.42, 0.5, 0.58, 0.66, 0.74, 0.81, 0.87, 0.92]]
 )
 _REACH = 12.0
-# Search grids: radii over the contact radius, dense at the contact edge; depths over the film thickness in the film, and depths
-# below the film in the body.
+# Search grids: radii divided by the contact radius, dense at the contact edge; depths in the film, divided by its thickness;
+# depths below the film in the body.
 _RADII = np.concatenate([np.sin(np.linspace(0.0, np.pi / 2.0, 23)), 1.0 + 0.6 * np.linspace(0.0, 1.0, 9)[1:] ** 2])
 _EDGE = 22  # index of the contact edge, where stresses on the surface have a cusp
 _IN_FILM = (1.0 - np.cos(np.linspace(0.0, np.pi, 11))) / 2.0
@@ -45,9 +45,9 @@ Forms = tuple[np.ndarray, ...]
 class Yield(NamedTuple):
     """Store where a coated body first yields, and how high the stress there is, at mean pressure 1 and a given traction.
 
-    excess: von Mises stress at this place, times the yield stress of the body over the yield stress of the material there.
-    where: "film", "interface" (either side) or "body". x: position ahead of the axis, in the direction of the traction. z:
-    depth below the surface. x and z are divided by the contact radius.
+    excess: von Mises stress at this point, times the ratio of the yield stress of the body to that of the material at this
+    point. where: "film", "interface" (either side) or "body". x: position ahead of the axis, in the direction of the traction.
+    z: depth below the surface. x and z are divided by the contact radius.
     """
 
     excess: float
@@ -152,7 +152,7 @@ def _of_film(forms: Forms, angles: np.ndarray) -> np.ndarray:
 
 
 def _fields(stresses: Stresses) -> list[tuple[Radial, np.ndarray, np.ndarray]]:
-    """Return, for film and body, the stresses on a search grid, and the grid's radii and depths over the contact radius."""
+    """Return, for film and body, the stresses on a search grid, and its radii and depths divided by the contact radius."""
     t = stresses.thickness
     film_r, film_z = _RADII, t * np.minimum(_IN_FILM, 1.0) if t < 1.4 else _thick(t)
     body_r = _WIDE * max(1.0, t) if t > 0.3 else _RADII
@@ -164,7 +164,7 @@ def _fields(stresses: Stresses) -> list[tuple[Radial, np.ndarray, np.ndarray]]:
 
 
 def _thick(t: float) -> np.ndarray:
-    """Return search depths in a thick film of thickness t, dense near the surface; all lengths are over the contact radius."""
+    """Return search depths in a film of thickness t, dense near the surface; lengths are divided by the contact radius."""
     return np.concatenate([_IN_BODY, np.geomspace(1.5, t, 4)[1:]]) if t > 1.6 else np.append(_IN_BODY, t)
 
 
@@ -241,7 +241,7 @@ def _norm(forms: Forms, angles: np.ndarray) -> np.ndarray:
 
 
 def _refined(square: np.ndarray, among: np.ndarray) -> np.ndarray:
-    """Return the largest squared stress (angles,) over the part of a grid that a mask selects.
+    """Return the largest squared stress (angles,) in the part of a grid selected by a mask.
 
     square: squared stresses (n, m, angles). among: mask (n, m). A parabola through each maximum and its neighbours refines the
     value.

@@ -20,7 +20,7 @@ import numpy as np
 from stiction.engine.compiled import kernel
 from stiction.solvers.layered.sphere import value_of
 
-_CLOSEST = 1e-9  # least radius over the contact radius, because r = 0 would divide by zero
+_CLOSEST = 1e-9  # least radius, divided by the contact radius, because r = 0 would divide by zero
 # Largest depth T of the path, and largest T times the number of coefficients of g, because g grows off the real axis.
 _DEEPEST, _GROWTH = 0.35, 3.0
 

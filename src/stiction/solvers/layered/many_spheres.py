@@ -1,10 +1,10 @@
 """Solve the contact of a rigid sphere with many pairs of coated bodies at once.
 
-The equation of `sphere` depends on the bodies through the compliance of each wave alone, and is linear in it. Between the ends
-below, the compliance is interpolated by polynomials. The matrices of these polynomials depend on no material and are computed
-once for each contact radius, in the time that some 40 pairs take by `sphere.respond`. Each further pair needs sums over 210
-nodes instead of up to 8,000 waves, a tenth of that time. Responses differ from those of `sphere.respond` by up to 1e-9 where
-films are at most 100 times as stiff as their body, and by up to 1e-5 at the limit STIFFEST.
+The equation of `sphere` depends on the bodies through the compliance of each wave alone, and is linear in it. Between the
+wavenumbers _ENDS, the compliance is interpolated by polynomials. The matrices of these polynomials depend on no material and
+are computed once for each contact radius, in the time that some 40 pairs take by `sphere.respond`. Each further pair needs sums
+over 210 nodes instead of up to 8,000 waves, a tenth of that time. Responses differ from those of `sphere.respond` by up to 1e-9
+where films are at most 100 times as stiff as their body, and by up to 1e-5 at the limit STIFFEST.
 """
 
 from collections.abc import Iterable, Sequence
@@ -43,7 +43,7 @@ class _Sums(NamedTuple):
 def respond_many(pairs: Sequence[Pair], radii: Iterable[float]) -> np.ndarray:
     """Return the fields of `sphere.Response` (p, r, 7) for p pairs of bodies.
 
-    radii: contact radii over the thickness of one film (r,).
+    radii: contact radii divided by the thickness of one film (r,).
     """
     softer = np.array([compliance(_WAVES, pair) for pair in pairs]) - 1.0
     parts = np.split(softer, range(_AT_ONCE, len(softer), _AT_ONCE))

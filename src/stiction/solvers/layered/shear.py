@@ -2,7 +2,7 @@
 
 Every point of the contact, of radius 1, moves by delta in the direction x. The traction has a component along x with the Hankel
 transform Q0(k) (k: wavenumber). A second harmonic Q2(k) is added, because the compliances C_L(k)/k along a wave and C_T(k)/k
-across it have another ratio than on a half-space. For a wave in the direction phi, (Q0 - Q2) cos(phi) is along the wave and
+across it have a different ratio than on a half-space. For a wave in the direction phi, (Q0 - Q2) cos(phi) is along the wave and
 -(Q0 + Q2) sin(phi) across it. For all tractions q0, q2 on the contact (Galerkin's equations)
 
     (2/pi) Integral C_L (q0 - q2)(Q0 - Q2) + C_T (q0 + q2)(Q0 + Q2) dk = (4/pi) delta q0(0),   T = 2 pi Q0(0).
@@ -62,7 +62,8 @@ def shear_curve(bodies: Bodies) -> np.ndarray:
 
     K beta: 4/3 of the contact modulus without a film, times the tangential compliance beta of T = 8 a delta/beta (force T,
     contact radius a, displacement delta). ln(K beta) = (1 - z)/2 ln(film only) + (1 + z)/2 ln(no film) + (1 - z^2) Sum c_k z^k,
-    with the ends of `shear_ends` and z = (q - 1)/(q + 1), q the root of contact radius over film thickness.
+    with the limits from `shear_ends` and z = (q - 1)/(q + 1), where q is the square root of contact radius divided by film
+    thickness.
     """
     solved = np.array([shear_compliance(bodies, radius) for radius in RADII])
     film, below = np.log(shear_ends(bodies))

@@ -8,11 +8,11 @@ divided by the contact modulus E1 of the two surface materials, it is
     g(s) + (2/pi) Integral_0^1 K(s, s') g(s') ds' = delta - s^2/R,
     K(s, s') = Integral_0^infinity [c(k t) - 1] cos(k s) cos(k s') dk,    load = 2 E1 Integral_0^1 g ds,    g(1) = 0.
 
-c is the compliance at the wavenumber k over the compliance of half-spaces, t the film thickness. Galerkin's method in even
-Legendre polynomials solves the equation; their transforms are spherical Bessel functions. The solution has the least elastic
-energy among these pressures, and errors fall geometrically. This holds for a = 1000 t too: the polynomials are dense at the
-contact edge and resolve a boundary layer as wide as the film. Let g_0 be the solution of the flat punch (right side 1) and g_2
-the solution for the right side s^2. Then
+c is the compliance at the wavenumber k relative to half-spaces, t the film thickness. Galerkin's method in even Legendre
+polynomials solves the equation; their transforms are spherical Bessel functions. The solution has the least elastic energy
+among these pressures, and errors fall geometrically. This holds for a = 1000 t too: the polynomials are dense at the contact
+edge and resolve a boundary layer as wide as the film. Let g_0 be the solution of the flat punch (right side 1) and g_2 the
+solution for the right side s^2. Then
 
     stiffness S = 2 a E_S, E_S = Integral g_0;   approach delta = D a^2/R, D = g_2(1)/g_0(1);
     load P = 4 E_P a^3/(3R), E_P = (3/2)(D Integral g_0 - Integral g_2);   dS/da = 2 B, B = g_0(1)^2 (Krein's identity).
@@ -95,7 +95,7 @@ def pressure(pair: Pair, radius: float) -> np.ndarray:
     """Return the coefficients (n,) of the pressure under a sphere on coated bodies, in orthonormal even polynomials.
 
     The sum g(s) of coefficients times polynomials gives the Hankel transform of the pressure, P(k) = Integral_0^1 g(s) cos(k s)
-    ds. Mean pressure and contact radius are 1. radius: contact radius over the thickness of one film.
+    ds. Mean pressure and contact radius are 1. radius: contact radius divided by the thickness of one film.
     """
     _, g_0, g_2, _, to_edge = _solve(pair, float(radius))
     g = (1.0 - to_edge @ g_2) / (1.0 - to_edge @ g_0) * g_0 - g_2
@@ -107,7 +107,7 @@ def spherical_waves(radius: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return nodes for integrals over wavenumbers, and at them the transforms of the polynomials that represent the pressure.
 
     The arrays are the wavenumbers k a (m,), the integration weights times 2/pi (m,), and the transforms (n, m) of n orthonormal
-    even polynomials on 0 to 1. radius: contact radius a over the thickness of one film.
+    even polynomials on 0 to 1. radius: contact radius a divided by the thickness of one film.
     """
     k, weights, even, _, _ = waves(float(radius))
     return k, weights, even
@@ -136,9 +136,9 @@ def transform(g: np.ndarray, k: np.ndarray) -> np.ndarray:
 def _solve(pair: Pair, radius: float) -> tuple[np.ndarray, ...]:
     """Solve the contact equation for the flat punch, for the displacement s^2, and for the change with the contact radius.
 
-    radius: contact radius over the thickness of one film. Returns the weights times the relative excess compliance of each wave
-    (m,); the coefficients (n,) of the flat punch's solution g_0, of the solution g_2 for s^2, and of the change of g_0 with the
-    contact radius; and the factors (n,) that give the edge value g(1) from coefficients.
+    radius: contact radius divided by the thickness of one film. Returns the weights times the relative excess compliance of
+    each wave (m,); the coefficients (n,) of the flat punch's solution g_0, of the solution g_2 for s^2, and of the change of
+    g_0 with the contact radius; and the factors (n,) that give the edge value g(1) from coefficients.
     """
     k, weights, even, at_edge, _ = waves(radius)
     softer = weights * (compliance(k / radius, pair) - 1.0)
@@ -160,7 +160,7 @@ def right_sides(size: int) -> np.ndarray:
 def waves(radius: float) -> tuple[np.ndarray, ...]:
     """Return wavenumbers k a (m,), integration weights, transforms (n, m), cos(k a) and -k a sin(k a).
 
-    radius: contact radius a over the thickness of one film. Weights include the factor 2/pi. Transforms are those of even
+    radius: contact radius a divided by the thickness of one film. Weights include the factor 2/pi. Transforms are those of even
     polynomials orthonormal on 0 to 1. The results depend on no material and are cached.
     """
     x, weights = gauss(_ENDS, radius)

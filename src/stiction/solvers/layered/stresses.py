@@ -85,8 +85,8 @@ class Stresses:
         """Return a function (name, order) -> (n, m) that transforms the amplitude of a stress component to depths and radii.
 
         name: of the amplitude f. The transform of order n is the integral of f k P(k) J_n(k r) over the wavenumber k, with the
-        pressure's transform P(k). r (m,), z (n,): radii and depths over the contact radius. function, across: functions that
-        return the stress function and the antiplane stresses of all waves at a depth.
+        pressure's transform P(k). r (m,), z (n,): radii and depths divided by the contact radius. function, across: functions
+        that return the stress function and the antiplane stresses of all waves at a depth.
         """
         F = np.stack([function(self._waves, depth / self.thickness) for depth in z], axis=2)  # (3, 2, n, waves)
         amplitudes = _amplitudes(F, nu)
@@ -195,7 +195,7 @@ def _dragged(of: Callable[[str, int], np.ndarray]) -> tuple[np.ndarray, ...]:
 def _nodes(radius: float, reach: float) -> tuple[np.ndarray, np.ndarray]:
     """Return nodes and weights for integrals over x = k t up to `reach` (k: wavenumber, t: film thickness).
 
-    radius: contact radius over t. The nodes are dense enough to integrate J(k r) cos(k) up to r = 3 contact radii.
+    radius: contact radius divided by t. The nodes are dense enough to integrate J(k r) cos(k) up to r = 3 contact radii.
     """
     return gauss((*_ENDS, *((12.0,) if reach > 12.0 else ()), reach), 2.0 * radius)
 

@@ -1,7 +1,7 @@
 """Interpolate the response curves of a film on one body from a table that holds for any materials.
 
 The table makes sweeps over thousands of material pairs fast. Running `python -m stiction.solvers.layered.table` (two minutes)
-computes it from exact solutions and writes `curves.npz`. It has three coordinates: ln r over ln 200, where r is the ratio of
+computes it from exact solutions and writes `curves.npz`. It has three coordinates: ln r / ln 200, where r is the ratio of
 moduli; the excess of `compliance.Layer`; and v = sqrt(r) W/(1 - W + sqrt(r) W), where W is the film's share of the compliance.
 v is 0 if the film has no effect and 1 for a rigid counterbody. The curves (see `curves`) are Chebyshev series in these
 coordinates. E_P, D and E_S are within 0.4 % of exact solutions, and B within 0.8 %. Pairs with a ratio r outside 1/200 to 200
@@ -29,8 +29,8 @@ _FILE = "curves.npz"
 def curves_of_films(share: np.ndarray, ratio: np.ndarray, excess: np.ndarray) -> np.ndarray:
     """Return the response curves of n films, each on one body, as coefficients (n, CURVES, TERMS) of `curves`.
 
-    share, ratio, excess (n,): the film's fraction of the compliance, its modulus over the modulus of the body below, and 4 beta
-    - alpha with Dundurs' parameters, as in `compliance.Layer`.
+    share, ratio, excess (n,): the film's fraction of the compliance, the ratio of its modulus to that of the body below, and 4
+    beta - alpha with Dundurs' parameters, as in `compliance.Layer`.
     """
     places = np.stack([np.log(ratio) / _RANGE, excess, 2.0 * _together(share, ratio) - 1.0], axis=1)
     tabled = np.abs(places[:, 0]) <= 1.0

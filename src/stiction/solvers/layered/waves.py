@@ -161,6 +161,6 @@ def _continuous(F: np.ndarray, nu: float, softness: float) -> tuple[np.ndarray, 
 
     They are the stress function, its derivative with respect to depth, and 2 mu times the displacements along the wave and in
     the depth direction, with mu the shear modulus of the film. F: the stress function and its first three derivatives. nu:
-    Poisson's ratio on this side. softness: mu over the shear modulus on this side.
+    Poisson's ratio on this side. softness: mu divided by the shear modulus on this side.
     """
     return F[0], F[1], softness * ((1.0 - nu) * F[2] + nu * F[0]), softness * ((1.0 - nu) * F[3] - (2.0 - nu) * F[1])

@@ -92,8 +92,8 @@ class ShearCompliance:
     def at_zero(self) -> float:
         """Return the displacement per uniform traction [m/Pa].
 
-        It is the sum of thickness over shear modulus of films on rigid substrates. It is 0 if any body or substrate is an
-        elastic half-space, whose displacement under uniform traction is not defined.
+        It is the sum of thickness divided by shear modulus for films on rigid substrates. It is 0 if any body or substrate is
+        an elastic half-space, whose displacement under uniform traction is not defined.
         """
         films = [body for body in self.bodies if isinstance(body, Film)]
         if self.sums[0] > 0.0 or any(film.far > 0.0 for film in films):

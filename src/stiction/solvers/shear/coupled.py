@@ -8,7 +8,7 @@ Contact Mechanics, eqs. 3.22 and 3.75; sign of q as in `compliance`)
 
 with the tangential and normal compliance operators C and C_n, Poisson's ratios nu, shear moduli G, and * for a convolution. In
 Fourier space D = -i M k/k^2. M is 0 for two bodies of one material, and for an incompressible body on a rigid one. For films M
-depends on k (see `compliance`). Dundurs' parameter beta is M over the sum of (1 - nu)/G.
+depends on k (see `compliance`). Dundurs' parameter beta is M divided by the sum of (1 - nu)/G.
 
 Pressure and traction are solved alternately (Panagiotopoulos 1975, Ing.-Arch. 44, 421). The pressure is solved with D^T q
 subtracted from the heights. The traction is then solved with D p subtracted from the rigid shift, and with the strength that
@@ -121,7 +121,7 @@ class CoupledState(State):
     pressure, strength [Pa]: (rows, columns). strength is the shear strength that a point has before any slip. turns: number of
     alternating solutions of pressure and traction. change: relative change of the pressure in the last turn. misfit: sum over
     the points of the difference between the strength used and the strength that the pressure gives, divided by the sum of the
-    strengths that the pressure gives. It is not 0 if some points at the edge would touch in every second turn only; their
+    strengths that the pressure gives. It is not 0 if some points at the edge would touch only in every second turn; their
     strength is then fixed (see `_Strengths`).
     """
 

@@ -20,7 +20,7 @@ import numpy as np
 
 from stiction.solvers.shear.operators import ShearOperator
 
-_ENOUGH = 1e-4  # least decrease of the energy by a projected step, over the decrease that the gradient predicts
+_ENOUGH = 1e-4  # least decrease of the energy by a projected step, relative to the decrease that the gradient predicts
 _AT = 8.0  # a traction at most this many rounding units below the strength counts as equal to it
 
 

@@ -6,8 +6,8 @@ adhesion. With x = G_T/w, y = G_N/w and the phase angle tan^2(psi) = x/y, the ed
     x + y = f(psi)                                                                                                        (1)
 
 y is the fraction of w that remains for the normal contact. The functions f are those of Hutchinson & Suo (1992, Adv. Appl.
-Mech. 29, 63, section III), written from memory and not compared with print (grade C). zeta is the fraction of G_T that opens
-the edge, 0 to 1:
+Mech. 29, 63, section III), written from memory and not compared with the printed equations (grade C). zeta is the fraction of
+G_T that opens the edge, 0 to 1:
 
     savkoor_briggs_1977         1/[1 + (zeta - 1) sin^2 psi]        y = 1 - zeta x                                        (2)
     waters_guduru_2010          1 + tan^2[(1 - zeta) psi]           y = (cos psi/cos[(1 - zeta) psi])^2                   (3)
@@ -16,9 +16,9 @@ the edge, 0 to 1:
 
 (2) with zeta = 1 is Savkoor & Briggs (1977), a brittle edge. Papangelo & Ciavarella (2018, arXiv:1809.10676; abstract read)
 compare (2) to (4), which end in different ways: by a jump, at Hertz's contact, or never. (5): under a uniform shear stress the
-area stays (Menga, Carbone & Dini 2018, J. Mech. Phys. Solids 112, 145, with the corrigendum of 2019, 133, 103744). The physics
-is disputed: Cricri & Ciavarella (2019, arXiv:1908.04490) find with the same energies that the area falls. Measured contacts
-shrink less than (2) with zeta = 1. No law is recommended.
+area does not change (Menga, Carbone & Dini 2018, J. Mech. Phys. Solids 112, 145, with the corrigendum of 2019, 133, 103744).
+The physics is disputed: Cricri & Ciavarella (2019, arXiv:1908.04490) find with the same energies that the area falls. Measured
+contacts shrink less than (2) with zeta = 1. No law is recommended.
 """
 
 import math
@@ -37,8 +37,9 @@ class ModeMixity:
     """Define a law of mode mixity: how shear lowers the work of adhesion at the edge of a contact.
 
     share: function (x, zeta) that returns the remaining fraction of the work of adhesion. x (any shape) is the energy that
-    shear releases per area over the work of adhesion, zeta the fraction of this energy that opens the edge, 0 to 1. grade: a
-    key of `claims.GRADES`, which states how the law was checked. source: publication. evidence: what the law was compared with.
+    shear releases per area divided by the work of adhesion, zeta the fraction of this energy that opens the edge, 0 to 1.
+    grade: a key of `claims.GRADES`, which states how the law was checked. source: publication. evidence: what the law was
+    compared with.
     """
 
     share: Callable[[np.ndarray, float], np.ndarray]

@@ -59,7 +59,7 @@ class PeriodicShear:
 
 
 class MirroredShear:
-    """Compute shear displacements of a map that its mirror images continue on every side.
+    """Compute shear displacements of a map that is continued by its mirror images on every side.
 
     compliance: of the two bodies. shape: (rows, columns). size: (y, x) [m]. One component is even about every side, so cosine
     transforms of the map suffice. Two components need the transforms of a whole period.

@@ -19,7 +19,7 @@ from stiction.solvers.shear.operators import ShearOperator
 TOLERANCE = 1e-6
 MOST_STEPS = 2000
 _MOST_TURNS = 400
-_SETTLED = 1e-3  # largest change of a point's strength in the last iteration, over its first strength
+_SETTLED = 1e-3  # largest change of a point's strength in the last iteration, relative to its first strength
 _TURNING = 1e-4  # tolerance of the traction while strengths change; a tolerance of 1e-6 changes peaks by 1e-5 only
 _NONE = np.empty(0)  # replaces a map that is not stored
 _FINER = 8  # number of smaller steps that replace each of the two steps around the largest force
@@ -28,7 +28,7 @@ SHAPES: dict[str, Callable[[np.ndarray], np.ndarray]] = {
     "linear": lambda slip: np.maximum(1.0 - slip, 0.0),
     "exponential": lambda slip: np.exp(-slip),
 }
-"""Functions of slip over characteristic slip that return the remaining fraction of the strength that slip can remove."""
+"""Functions of slip divided by characteristic slip that return the remaining fraction of the strength that slip can remove."""
 
 
 @dataclass(frozen=True)
@@ -105,7 +105,7 @@ class SlidingPath:
     def largest(self) -> float:
         """Return the largest friction force [N] of the path.
 
-        If strength does not fall with slip, the force at very large shifts is included, also if no state was computed there.
+        If strength does not fall with slip, the force at very large shifts is included, even if no state was computed there.
         """
         return max(self.peak.force, self.limit or 0.0) * self.pixel
 
@@ -295,7 +295,7 @@ def _weakened(
 
 
 def after_step(state: State, step: SlipStep, touching: np.ndarray, apart: np.ndarray | float = 0.0) -> dict[str, Any]:
-    """Return name -> value of all attributes, except the shift, of the state after a step.
+    """Return all attributes of the state after a step, except the shift, as a dict by name.
 
     state: the state before the step. step: result of the step. touching: mask (rows, columns) of points in contact. apart: slip
     of the points without contact in this step [m].

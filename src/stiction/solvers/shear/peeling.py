@@ -1,4 +1,4 @@
-"""Solve the adhesive contact of a periodic map that a tangential force peels.
+"""Solve the adhesive contact of a periodic map that is peeled off by a tangential force.
 
 The map is solved with the attraction of `boundary_elements.adhesive`. A law of `mode_mixity` lowers the work of adhesion w at
 every point to y w. The touching points stick and bear the tangential force T; points that do not touch bear no shear. The
@@ -10,8 +10,8 @@ Fract. Mech. 9, 931):
 q is the traction of the point, and s the slip of its neighbours outside the contact. The constant c was determined for discs of
 radius a, whose mean G_T is beta T^2/(32 pi a^3) with the tangential compliance beta (Savkoor & Briggs 1977): within 3 % at
 radii of 6 to 40 points. Pixels make G_T uneven, so it is smoothed along the edge over a few points. Every point of the map
-takes G_T of the nearest point of the edge. Contact and shear are solved alternately until the area stays. In these iterations
-the contact only shrinks.
+takes G_T of the nearest point of the edge. Contact and shear are solved alternately until the area no longer changes. In these
+iterations the contact only shrinks.
 
 `peel_map` applies given forces to a contact that sticks. `slide_and_peel` shifts a contact whose points slip at their strength;
 G_T is still computed for a contact that sticks under the same force, as in the closed forms.
@@ -160,15 +160,16 @@ def slide_and_peel(
 
 
 class _UnitRelease:
-    """Compute the energy that a tangential unit force releases at the contact edge; reuse it until the contact changes."""
+    """Compute the energy that a unit tangential force releases at the contact edge; reuse it until the contact changes."""
 
     def __init__(self, operator: ShearOperator):
         self._operator, self._touching, self._released = operator, np.zeros(0, dtype=bool), np.zeros(0)
 
     def __call__(self, touching: np.ndarray) -> np.ndarray:
-        """Return the energy per area that shear releases at the nearest edge point, over T^2, for every point (rows, columns).
+        """Return the energy released at the nearest edge point, per area and T^2, for every point (rows, columns).
 
-        T is the tangential force over the area of a point [Pa], so the unit is J/(m2 Pa2). touching: mask (rows, columns).
+        T is the tangential force divided by the area of a point [Pa], so the unit is J/(m2 Pa2). touching: mask (rows,
+        columns).
         """
         if not np.array_equal(touching, self._touching):
             self._touching = touching
