@@ -1,9 +1,9 @@
 """Find starting values of the separation at a given load, for Gaussian heights.
 
 Under Gaussian heights the load at a separation h is a sum over integration nodes of a weight times exp(-(h + w)^2 / 2), where w
-is the displacement at the node; h and w are over sigma. The nodes therefore do not depend on h and are placed once. On an even
-grid of separations, the term of a node at the next h is its term at the last h times a constant factor (a recurrence). Between
-grid points, the slope and curvature of the load need no exponentials beyond those of the load itself.
+is the displacement at the node; h and w are in units of sigma. The nodes therefore do not depend on h and are placed once. On a
+grid of equally spaced separations, the term of a node at the next h is its term at the last h times a constant factor (a
+recurrence). Between grid points, the slope and curvature of the load need no exponentials beyond those of the load itself.
 
 The results are starting values. The caller refines them with the sums of `summation`, which place new nodes at each separation.
 """
@@ -23,12 +23,12 @@ from stiction.engine.summation import _COUNTS, _RULES
 from stiction.engine.tiers import ENGINE, specialised
 from stiction.engine.vectorised import exponential
 
-# Evenly spaced separations over sigma. Above 10 almost nothing touches, and below -8 no model is valid.
-WAY = np.linspace(10.0, -8.0, 73)
-_STEP = float(WAY[0] - WAY[1])
+# Equally spaced separations in units of sigma. Above 10 almost nothing touches, and below -8 no model is valid.
+GRID = np.linspace(10.0, -8.0, 73)
+_STEP = float(GRID[0] - GRID[1])
 
-# Range of the displacements, over sigma, that contribute to the load at any of these separations.
-NODE_RANGE = -3.0 * math.sqrt(2.0 * NEGLIGIBLE) - WAY[0], 2.5 + math.sqrt(2.0 * NEGLIGIBLE) - WAY[-1]
+# Range of the displacements, in units of sigma, that contribute to the load at any of these separations.
+NODE_RANGE = -3.0 * math.sqrt(2.0 * NEGLIGIBLE) - GRID[0], 2.5 + math.sqrt(2.0 * NEGLIGIBLE) - GRID[-1]
 _BLOCK = 256  # number of laws in a block, so few that their nodes stay in the processor's cache
 
 # Iterations end with a step below these. The error left is of the order of the step cubed for Halley's method, and of the
@@ -43,15 +43,15 @@ _PAIRS = 8
 
 
 @engine_kernel
-def _sample(way, w_top, nodes):
-    """Compute the load of n laws (parameter sets), and its derivative, on an even grid of separations.
+def _sample(grid, w_top, nodes):
+    """Compute the load of n laws (parameter sets), and its derivative, on a grid of equally spaced separations.
 
-    way: tuple (h, loads, slopes). h (H,): separations over sigma, evenly spaced, in falling order. loads, slopes (n, H): output
-    arrays for the load and its derivative with respect to h. w_top: displacement over sigma at which the recurrence factors are
-    scaled to 1, to avoid overflow. nodes: displacements (n, room), weights (n, room) and number (n,) of integration nodes, with
-    space for `room` nodes per law.
+    grid: tuple (h, loads, slopes). h (H,): separations in units of sigma, equally spaced, in descending order. loads, slopes
+    (n, H): output arrays for the load and its derivative with respect to h. w_top: displacement in units of sigma at which the
+    recurrence factors are scaled to 1, to avoid overflow. nodes: displacements (n, room), weights (n, room) and number (n,) of
+    integration nodes, with space for `room` nodes per law.
     """
-    h, loads, slopes = way
+    h, loads, slopes = grid
     place, weights, used = nodes
     step = h[0] - h[1]
     term, factor = np.empty(place.shape[1]), np.empty(place.shape[1])
@@ -79,8 +79,8 @@ def _sums(h, place, weights, count):
     """Return the load of one law at the separation h, its first two derivatives with respect to h, and its size.
 
     A law is one parameter set of an asperity law. The size is the sum of the absolute terms of the load, a measure of its
-    round-off. h: over sigma. place, weights: displacements over sigma and weights of the integration nodes (one array each).
-    count: number of nodes.
+    round-off. h: in units of sigma. place, weights: displacements in units of sigma and weights of the integration nodes (one
+    array each). count: number of nodes.
     """
     total = first = second = size = 0.0
     for node in range(8 * (count // 8)):
@@ -98,7 +98,7 @@ def _turning_point(far, near, slope_far, slope_near, place, weights, count):
     """Return the separation between `far` and `near` at which the derivative of the load is zero.
 
     slope_far, slope_near: derivatives of the load with respect to the separation, at `far` (the larger separation) and at
-    `near`. They must have opposite signs. All separations and displacements are over sigma. place, weights, count:
+    `near`. They must have opposite signs. All separations and displacements are in units of sigma. place, weights, count:
     displacements, weights and number of the integration nodes with which the load is summed.
     """
     x = far - (far - near) * (slope_far / (slope_far - slope_near) if slope_far != 0.0 else 0.5)
@@ -118,16 +118,16 @@ def _turning_point(far, near, slope_far, slope_near, place, weights, count):
 
 
 @engine_kernel
-def _find_lowest(way, lowest, nodes):
+def _find_lowest(grid, lowest, nodes):
     """Find the largest tension (negative load) of each law (parameter set), and store it with its separation in `lowest`.
 
-    way: (h, loads, slopes). h (H,): grid of separations over sigma, in falling order. loads, slopes (n, H): loads at these
-    separations, and their derivatives with respect to h. nodes: displacements, weights and numbers of the integration nodes of
-    the laws. lowest: (tension, where, nearer), each (n,). tension: largest tension, 0 if the load is never negative. where:
-    separation of the largest tension, else NaN. nearer: index of the first separation in h that is smaller than `where`, 1
-    without tension.
+    grid: (h, loads, slopes). h (H,): grid of separations in units of sigma, in descending order. loads, slopes (n, H): loads at
+    these separations, and their derivatives with respect to h. nodes: displacements, weights and numbers of the integration
+    nodes of the laws. lowest: (tension, where, nearer), each (n,). tension: largest tension, 0 if the load is never negative.
+    where: separation of the largest tension, else NaN. nearer: index of the first separation in h that is smaller than `where`,
+    1 without tension.
     """
-    h, loads, slopes = way
+    h, loads, slopes = grid
     tension, where, nearer = lowest
     place, weights, used = nodes
     for i in range(used.size):
@@ -153,9 +153,9 @@ def _find_lowest(way, lowest, nodes):
 def _between(target, far, near, load_far, load_near, slope_far, slope_near):
     """Return the separation between `far` and `near` at which the interpolated load equals `target`.
 
-    far, near: neighbouring separations over sigma, far the larger. load_far, load_near, slope_far, slope_near: loads at both,
-    and their derivatives with respect to the separation. A cubic is fitted to these four numbers, or to the logarithm of the
-    load if the loads are compressive.
+    far, near: neighbouring separations in units of sigma, far the larger. load_far, load_near, slope_far, slope_near: loads at
+    both, and their derivatives with respect to the separation. A cubic is fitted to these four numbers, or to the logarithm of
+    the load if the loads are compressive.
     """
     span = far - near
     if load_far > 0.0:
@@ -185,7 +185,7 @@ def _between(target, far, near, load_far, load_near, slope_far, slope_near):
 def _root(target, far, near, x, place, weights, count):
     """Find the separation at which the load equals `target`; return it with the slope and the size of the load there.
 
-    Halley's method starts at the separation x and stays between the separations `far` and `near`, all over sigma. slope:
+    Halley's method starts at the separation x and stays between the separations `far` and `near`, all in units of sigma. slope:
     derivative of the load with respect to the separation. size: sum of the absolute terms of the load. place, weights, count:
     displacements, weights and number of the integration nodes with which the load is summed.
     """
@@ -211,10 +211,10 @@ def _root(target, far, near, x, place, weights, count):
 def _carried(h, loads, slopes, start, first, most, could, odd):
     """Fill `most`, `could` and `odd` (H,) with bounds of the load on approach, from grid point `start` on.
 
-    h, loads, slopes (H,): separations over sigma in falling order, the loads at them, and the derivatives of these loads with
-    respect to h. first: (separation, load, slope) of the point before grid point `start`. most: largest load at the grid points
-    so far. could: upper bound of the load so far, also between grid points. odd: True if the load rises on approach at both
-    ends of an interval, but the cubic between them is not certainly monotonic (circle of Fritsch & Carlson 1980).
+    h, loads, slopes (H,): separations in units of sigma, in descending order, the loads at them, and the derivatives of these
+    loads with respect to h. first: (separation, load, slope) of the point before grid point `start`. most: largest load at the
+    grid points so far. could: upper bound of the load so far, also between grid points. odd: True if the load rises on approach
+    at both ends of an interval, but the cubic between them is not certainly monotonic (circle of Fritsch & Carlson 1980).
     """
     most[:start], could[:start] = -np.inf, -np.inf
     for k in range(start, h.size):
@@ -244,16 +244,16 @@ def _first_not_below(ascending, value):
 
 
 @engine_kernel
-def _find_roots(way, lowest, targets, nodes, roots):
+def _find_roots(grid, lowest, targets, nodes, roots):
     """Find the separation at which each law i (parameter set) carries the load targets[i, k], and store it in roots[i, k].
 
-    roots[i, k] receives the separation over sigma, the derivative of the load with respect to the separation, and the sum of
-    the absolute terms of the load. All three are NaN if the load is not reached on the grid, or if two such separations may be
-    too close together for the grid to tell them apart. If more than one separation carries the load, the first on approach is
-    stored. The approach starts at the separation of the largest tension, or at the far end of the grid if the law has no
-    tension. way, lowest, nodes: as in `_find_lowest`.
+    roots[i, k] receives the separation in units of sigma, the derivative of the load with respect to the separation, and the
+    sum of the absolute terms of the load. All three are NaN if the load is not reached on the grid, or if two such separations
+    may be too close together for the grid to tell them apart. If more than one separation carries the load, the first on
+    approach is stored. The approach starts at the separation of the largest tension, or at the far end of the grid if the law
+    has no tension. grid, lowest, nodes: as in `_find_lowest`.
     """
-    h, loads, slopes = way
+    h, loads, slopes = grid
     tension, where, nearer = lowest
     place, weights, used = nodes
     most, could, odd = np.empty(h.size), np.empty(h.size), np.empty(h.size, dtype=np.bool_)
@@ -296,9 +296,9 @@ class Starts:
     """Store starting values of the separation for n laws (parameter sets) at m loads each; NaN if no value was found.
 
     tension (n,): largest tension, 0 without tension. where (n,): separation of the largest tension. h (n, m): separations at
-    the loads. All separations are over sigma. slope, size (n, m): at h, derivative of the load with respect to h, and sum of
-    the absolute terms of the load. plain (n,): True if the grid of separations covers the whole approach: from no load to at
-    least the largest tension in compression.
+    the loads. All separations are in units of sigma. slope, size (n, m): at h, derivative of the load with respect to h, and
+    sum of the absolute terms of the load. plain (n,): True if the grid of separations covers the whole approach: from no load
+    to at least the largest tension in compression.
     """
 
     tension: np.ndarray
@@ -312,8 +312,8 @@ class Starts:
 class Approach:
     """Find the separations at which n laws (parameter sets) carry given loads under Gaussian heights.
 
-    regimes: smooth parts of an asperity law, each for the n laws. The loads on a grid of separations are computed before the
-    requested loads are known; with few laws they are reused in later calls.
+    regimes: smooth parts of an asperity's behaviour, each for the n laws. The loads on a grid of separations are computed
+    before the requested loads are known; with few laws they are reused in later calls.
     """
 
     def __init__(self, regimes: Sequence[Regime]):
@@ -322,9 +322,9 @@ class Approach:
 
     @property
     def lowest(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Return three arrays (n,): largest tension, its separation over sigma, and whether the grid covers the whole approach.
+        """Return three arrays (n,): largest tension, its separation, and whether the grid covers the whole approach.
 
-        Without tension the tension is 0 and its separation NaN.
+        The separation is in units of sigma. Laws without tension have the tension 0 and the separation NaN.
         """
         if self._lowest is None:
             self.starts(np.empty((self._laws, 0)))
@@ -334,14 +334,14 @@ class Approach:
     def starts(self, targets: np.ndarray) -> Starts:
         """Return the largest tension of each of n laws, and the separations at which it carries the loads `targets` (n, m).
 
-        Separations are over sigma and accurate to about 1e-9. A separation is NaN if none was found.
+        Separations are in units of sigma and accurate to about 1e-9. A separation is NaN if none was found.
         """
         targets = np.ascontiguousarray(targets)
         tension, where = np.empty((2, self._laws))
         roots, plain = np.empty((*targets.shape, 3)), np.empty(self._laws, dtype=np.bool_)
-        for some, nodes, way, lowest in [self._only_block] if self._laws <= _BLOCK else self._blocks():
-            tension[some], where[some], plain[some] = lowest[0], lowest[1], _covers_approach(way[1], lowest[0])
-            _find_roots(way, lowest, targets[some], nodes, roots[some])
+        for some, nodes, grid, lowest in [self._only_block] if self._laws <= _BLOCK else self._blocks():
+            tension[some], where[some], plain[some] = lowest[0], lowest[1], _covers_approach(grid[1], lowest[0])
+            _find_roots(grid, lowest, targets[some], nodes, roots[some])
         self._lowest = tension, where, plain
         return Starts(tension, where, roots[:, :, 0], roots[:, :, 1], roots[:, :, 2], plain)
 
@@ -362,19 +362,19 @@ class Approach:
         placing = [Placing.of(regime, gaussian_window, NODE_RANGE[1] - w_low, 1, alone) for regime in self._regimes]
         room, shape = sum(placed.room for placed in placing), np.zeros(1)
         place, weights = np.empty((most, room)), np.empty((most, 1, room))
-        loads, slopes = np.empty((2, most, WAY.size))
+        loads, slopes = np.empty((2, most, GRID.size))
         appenders = [placed.on(most, (_RULES, _COUNTS)) for placed in placing]
         for start in range(0, max(self._laws, 1), most):
             some = slice(start, min(start + most, self._laws))
             count = some.stop - some.start
             used, nearer = np.zeros((2, count), dtype=np.int64)
-            nodes, way = (place, weights[:, 0], used), (WAY, loads[:count], slopes[:count])
+            nodes, grid = (place, weights[:, 0], used), (GRID, loads[:count], slopes[:count])
             lowest = (*np.empty((2, count)), nearer)
             for append in appenders:
-                append((w_low, NODE_RANGE[1], WAY[-1]), shape, some, (place, weights, used))
-            _sample(way, NODE_RANGE[1], nodes)
-            _find_lowest(way, lowest, nodes)
-            yield some, nodes, way, lowest
+                append((w_low, NODE_RANGE[1], GRID[-1]), shape, some, (place, weights, used))
+            _sample(grid, NODE_RANGE[1], nodes)
+            _find_lowest(grid, lowest, nodes)
+            yield some, nodes, grid, lowest
 
 
 def _covers_approach(loads: np.ndarray, tension: np.ndarray) -> np.ndarray:

@@ -6,7 +6,7 @@ a hash of the code of the kernel and of everything that this code refers to. A k
 if, some of that code changes. `numba_internals` explains why Numba's own cache cannot do this.
 
 Plain Python runs the kernels at first. Numba is imported when the first kernel is compiled or loaded from the cache, because
-this takes longer than the answer for one contact.
+importing it takes longer than solving one contact in plain Python.
 """
 
 import hashlib
@@ -121,7 +121,7 @@ def engine_kernel(function: Callable) -> Any:
 
 
 def lazy_kernel(worth: int) -> Callable:
-    """Return a decorator for loops that plain Python runs until they have done enough work, and compiled code from then on.
+    """Return a decorator for loops that run in plain Python until they have done enough work, and are compiled then.
 
     worth: work of all calls together after which the loop is compiled. The work of one call is the number of elements of its
     last argument.
@@ -205,7 +205,7 @@ def _code(code: types.CodeType, doc: str | None = None) -> str:
 
 
 def _referenced(function: types.FunctionType) -> dict[str, Any]:
-    """Return name -> value of everything that a function refers to in its closure, its module and imported modules."""
+    """Return a dict, by name, of everything that a function refers to in its closure, its module and imported modules."""
     codes, names = [function.__code__], set()
     for code in codes:
         names |= {*code.co_names}

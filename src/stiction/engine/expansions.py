@@ -1,8 +1,8 @@
-"""Sum asperity laws at many separations from Taylor series about a few separations; heights are Gaussian.
+"""Sum asperity laws at many separations by Taylor series about a few separations, for Gaussian heights.
 
-An asperity at the displacement w touches at the mean separation h if its height is z = h + w (all over sigma). The height
-density at a separation h + d is exp(-(z + d)^2/2) = exp(-z^2/2) exp(-d z) exp(-d^2/2), up to a constant. The sum of a law at h
-+ d is therefore exp(-d^2/2) times a power series in d, whose coefficients are sums at h of the values of the law times
+An asperity at the displacement w touches at the mean separation h if its height is z = h + w (all in units of sigma). The
+height density at a separation h + d is exp(-(z + d)^2/2) = exp(-z^2/2) exp(-d z) exp(-d^2/2), up to a constant. The sum of a
+law at h + d is therefore exp(-d^2/2) times a power series in d, whose coefficients are sums at h of the values of the law times
 (-z)^k/k!. These coefficients are summed once for all separations within half a step of h, at the integration nodes for h.
 """
 
@@ -25,9 +25,9 @@ _MANY, _EACH = 1000, 10
 def series_for(h: np.ndarray, law: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray] | None:
     """Choose expansion points for Taylor series that replace m sums over asperity heights.
 
-    h (m,): mean separation of each sum, over sigma. law (m,): index of the law (parameter set) that is summed. Returns the
-    separations (s,) and law indices (s,) of s series, and for each sum the index (m,) of its series. Returns None if computing
-    each sum by itself takes less time, or if a separation is beyond 10 sigma.
+    h (m,): mean separation of each sum, in units of sigma. law (m,): index of the law (parameter set) that is summed. Returns
+    the separations (s,) and law indices (s,) of s series, and for each sum the index (m,) of its series. Returns None if
+    computing each sum separately takes less time, or if a separation is beyond 10 sigma.
     """
     if h.size < _MANY or not np.abs(h).max() <= _FARTHEST:
         return None
@@ -47,10 +47,11 @@ def series_for(h: np.ndarray, law: np.ndarray) -> tuple[np.ndarray, np.ndarray, 
 
 @engine_kernel
 def expand(h, shape, evaluated, out):
-    """Fill out (s, TERMS, 5) with the coefficients of s Taylor series, each about its mean separation h (s,), over sigma.
+    """Fill out (s, TERMS, 5) with the coefficients of s Taylor series, each about its mean separation h (s,).
 
-    The last axis holds the number of touching asperities, load, area, slip-limited and yield-limited resistance. shape:
-    parameters of the height density. evaluated: the fields of `nodes.Evaluated`, the values of the laws at integration nodes.
+    The last axis holds the number of touching asperities, load, area, slip-limited and yield-limited resistance. h: in units of
+    sigma. shape: parameters of the height density. evaluated: the fields of `nodes.Evaluated`, the values of the laws at
+    integration nodes.
     """
     owner, counts, weights, states = evaluated
     out[:] = 0.0
@@ -74,8 +75,8 @@ def expand(h, shape, evaluated, out):
 def read_series(d, number, coefficients, out):
     """Fill out (m, 5) with the values of Taylor series for m sums, at distances d (m,) from the separations of the series.
 
-    d: separation minus separation of the series, over sigma. number (m,): index of the series. coefficients (s, TERMS, 5):
-    coefficients that `expand` computed. The five values are number of touching asperities, load, area, slip-limited and
+    d: separation minus separation of the series, in units of sigma. number (m,): index of the series. coefficients (s, TERMS,
+    5): coefficients that `expand` computed. The five values are number of touching asperities, load, area, slip-limited and
     yield-limited resistance.
     """
     for i in range(d.size):

@@ -36,10 +36,10 @@ class Heights:
 
     key: name of the distribution. density(z, shape): probability density. window(z_left, z_right, shape) -> (low, high): the
     part of the interval in which the density is not negligible. shape: parameters of density and window. knots: heights at
-    which the density is not smooth; the integration is split there. tops: upper ends of the ranges in which heights occur, at
-    which asperities come into contact anew on approach; empty if the density fades out without an end. entire: True if the
-    density is an entire function (it has no singularity), so that sums over many separations can be interpolated. listed: the
-    heights of single asperities, which replace the density; empty for a density.
+    which the density is not smooth; the integration is split there. tops: upper ends of the ranges in which heights occur,
+    where further asperities begin to touch on approach; empty if the density has no upper end. entire: True if the density is
+    an entire function (it has no singularity), so that sums over many separations can be interpolated. listed: the heights of
+    single asperities, which replace the density; empty for a density.
     """
 
     key: str
@@ -87,7 +87,7 @@ def exponential_window(z_left, z_right, shape):
 def exponential_heights() -> Heights:
     """Return exponential heights, for which sums over touching asperities fall as exp(-h) with the separation h >= -1.
 
-    Greenwood & Williamson 1966, section 3. h: separation from the mean height, over sigma. No asperity is lower than -1.
+    Greenwood & Williamson 1966, section 3. h: separation from the mean height, in units of sigma. No asperity is lower than -1.
     """
     return Heights("exponential", exponential_density, exponential_window, knots=np.array([-1.0]))
 

@@ -136,7 +136,7 @@ def inverting(coordinate: Callable, parameters: int) -> Any:
 
 
 def displacements(regime: Regime, laws: Laws) -> np.ndarray:
-    """Return the displacements (n, m + 1), over sigma, at the edges of a regime with n parameter sets."""
+    """Return the displacements (n, m + 1), in units of sigma, at the edges of a regime with n parameter sets."""
     return np.ascontiguousarray(values_at(regime.along, laws.table, laws.edges)[:, 0])
 
 
@@ -174,9 +174,9 @@ def cutting(window: Callable) -> Any:
     def cut(h, law, heights, laws, parts):
         """Fill `parts` with the integration intervals of the law law[i] at the separation h[i], and return their number.
 
-        h, law (m,): separation over sigma and index of the parameter set of each sum. heights: parameters of the density, and
-        heights at which it is not smooth. laws: (edges, displacements at the edges), both (n, m + 1). parts: fields of `Parts`;
-        the owner of an interval is i.
+        h, law (m,): separation in units of sigma and index of the parameter set of each sum. heights: parameters of the
+        density, and heights at which it is not smooth. laws: (edges, displacements at the edges), both (n, m + 1). parts:
+        fields of `Parts`; the owner of an interval is i.
         """
         (_, knots), (edges, displaced), (laws_of, owner, ends, end_w, rule, at_knot) = heights, laws, parts
         used = 0
@@ -284,7 +284,7 @@ def _settle(regime: Regime, laws: Laws, parts: Parts) -> None:
 def list_end_displacements(parts, w, law, place):
     """List the interval ends that are given as displacements (not NaN in `Parts.end_w`), and return how many there are.
 
-    parts: fields of `Parts`. For each such end the output arrays receive: w: displacement over sigma; law: index of the
+    parts: fields of `Parts`. For each such end the output arrays receive: w: displacement in units of sigma; law: index of the
     parameter set; place: 2 i for the start of interval i, 2 i + 1 for its end.
     """
     law_of, _, _, end_w, _, _ = parts
@@ -313,16 +313,16 @@ def put_ends(coordinates, place, ends):
 def adding(density: Callable) -> Any:
     """Return a compiled loop that sums the values of asperity laws at integration nodes, weighted by a height density.
 
-    density: formula density(z, shape) of the height z over sigma.
+    density: formula density(z, shape) of the height z in units of sigma.
     """
 
     @engine_kernel
     def add(h, shape, evaluated, out):
         """Fill out (m, 5) with m sums: number touching, load, area, slip-limited and yield-limited resistance.
 
-        h (m,): mean separation of each sum over sigma. shape: parameters of the density. evaluated: fields of `Evaluated`, the
-        values of the laws at nodes; each row of nodes is added to the sum that is its owner. Sums are averages over all
-        asperities.
+        h (m,): mean separation of each sum in units of sigma. shape: parameters of the density. evaluated: fields of
+        `Evaluated`, the values of the laws at nodes; each row of nodes is added to the sum that is its owner. Sums are averages
+        over all asperities.
         """
         owner, counts, weights, states = evaluated
         out[:] = 0.0

@@ -1,4 +1,4 @@
-"""Contain all uses of Numba that are not part of its public interface; tests fail if a Numba release breaks them.
+"""Hold all code that uses Numba beyond its public interface; tests fail if a Numba release breaks it.
 
 Numba's own cache (`cache=True`) cannot serve the loops that are compiled here, for three reasons. It hashes a closure by the
 identities of the compiled functions in it, which differ in every process. It notices edits only in the loop's own file.

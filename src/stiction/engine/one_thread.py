@@ -1,7 +1,7 @@
 """Run linear algebra on one thread, for computations with many small systems.
 
 Threads do not speed up systems of some dozens of unknowns, and several processes with many threads each slow each other down
-tenfold. On one thread, sums are also rounded the same way each time: the same case gives the same bits in every process.
+tenfold. On one thread, sums are also rounded identically each time, so that results are bit-identical in every process.
 """
 
 from collections.abc import Callable

@@ -1,4 +1,4 @@
-"""Sum asperity laws at several separations, which differ between the laws, under Gaussian heights.
+"""Sum asperity laws at several separations, which differ between the laws, for Gaussian heights.
 
 A law is one parameter set of a regime. Its integration nodes are placed once for all its separations, which takes a fifth of
 the time of new nodes at each separation. The sums differ from those with new nodes by round-off only.
@@ -6,7 +6,7 @@ the time of new nodes at each separation. The sums differ from those with new no
 
 import numpy as np
 
-from stiction.engine.at_loads import NODE_RANGE, WAY
+from stiction.engine.at_loads import GRID, NODE_RANGE
 from stiction.engine.compiled import engine_kernel
 from stiction.engine.heights import gaussian_density, gaussian_window
 from stiction.engine.placing import Placing
@@ -20,8 +20,8 @@ _BLOCK = 128  # number of laws in a block, so few that their nodes stay in the p
 def _sum_each(h, nodes, out):
     """Fill out (n, m, 5) with five sums over asperity heights, for each law i (parameter set) at its separations h[i, k].
 
-    The sums are number touching, load, area, slip-limited and yield-limited resistance. h: over sigma. nodes: displacements (n,
-    room), integration weights times each quantity (n, 5, room), and number of nodes of each law (n,).
+    The sums are number touching, load, area, slip-limited and yield-limited resistance. h: in units of sigma. nodes:
+    displacements (n, room), integration weights times each quantity (n, 5, room), and number of nodes of each law (n,).
     """
     places, values, used = nodes
     for i in range(used.size):
@@ -42,16 +42,16 @@ def _sum_each(h, nodes, out):
 
 
 def sums_of_each(scattered: Scattered, h: np.ndarray, threads: int = 1) -> np.ndarray:
-    """Return the sums (regimes, n, m, 5) of n laws (parameter sets), each at its own m separations h (n, m), over sigma.
+    """Return the sums (regimes, n, m, 5) of n laws (parameter sets), each at its own m separations h (n, m).
 
-    The five values are averages over all asperities: number touching, load, area, slip-limited and yield-limited resistance.
-    scattered: holds the regimes and the heights. It computes the sums pair by pair, with new nodes for each, where nodes cannot
-    be shared: for a single law, for one separation per law, for heights that are not Gaussian, and for laws with a separation
-    outside -8 to 10 sigma.
+    h: in units of sigma. The five values are averages over all asperities: number touching, load, area, slip-limited and
+    yield-limited resistance. scattered: holds the regimes and the heights. It computes the sums pair by pair, with new nodes
+    for each, where nodes cannot be shared: for a single law, for one separation per law, for heights that are not Gaussian, and
+    for laws with a separation outside -8 to 10 sigma.
     """
     laws, each = h.shape
     sums = np.empty((len(scattered.regimes), laws, each, len(QUANTITIES)))
-    near = ((h <= WAY[0]) & (h >= WAY[-1])).all(axis=1)
+    near = ((h <= GRID[0]) & (h >= GRID[-1])).all(axis=1)
     if laws == 1 or each == 1 or scattered.heights.density is not gaussian_density:
         near[:] = False
     if near.any():
@@ -70,7 +70,7 @@ def _fill(scattered: Scattered, laws: np.ndarray, h: np.ndarray, sums: np.ndarra
     """
     ENGINE.take(len(sums) * laws.size * h.shape[1])
     w_low = max(min(regime.lowest for regime in scattered.regimes), NODE_RANGE[0])
-    reach, shape = (w_low, NODE_RANGE[1], WAY[-1]), np.zeros(1)
+    reach, shape = (w_low, NODE_RANGE[1], GRID[-1]), np.zeros(1)
     for regime, out in zip(scattered.regimes, sums, strict=True):
         placed = Placing.of(regime, gaussian_window, NODE_RANGE[1] - w_low, len(QUANTITIES), specialised(len(h)))
 

@@ -1,6 +1,6 @@
 """Place integration nodes once for many separations, by shared loops or by one loop compiled for the regime.
 
-A regime is one smooth part of an asperity law, for several parameter sets ("laws").
+A regime is one smooth part of an asperity's behaviour, for several parameter sets ("laws").
 """
 
 import math
@@ -30,9 +30,9 @@ def spanning(window: Callable) -> Any:
     def span(reach, shape, laws, parts):
         """Fill `parts` with the integration intervals of every law (parameter set), and return their number.
 
-        reach: lowest and highest displacement that is integrated and smallest separation, all over sigma. shape: parameters of
-        the height distribution. laws: (edges, displacements at the edges), both (n, m + 1); each pair of neighbouring edges
-        bounds a segment. parts: fields of `nodes.Parts`; the owner of an interval is the index of its law.
+        reach: lowest and highest displacement that is integrated and smallest separation, all in units of sigma. shape:
+        parameters of the height distribution. laws: (edges, displacements at the edges), both (n, m + 1); each pair of
+        neighbouring edges bounds a segment. parts: fields of `nodes.Parts`; the owner of an interval is the index of its law.
         """
         edges, displaced = laws
         laws_of, owner, ends, end_w, rule, at_knot = parts
@@ -110,9 +110,9 @@ class Placing:
     """Describe how the integration nodes of one regime are placed once for many separations.
 
     window: formula that limits an interval to heights that are not negligible, as in `Heights`. parts: largest number of
-    integration intervals of one law (parameter set). displaced (n, m + 1): displacements at the edges over sigma, None if a
-    loop compiled for the regime is used. rows: number of summed values: 1 (load), 3 (load, area, total resistance) or 5 (number
-    touching, load, area, slip-limited and yield-limited resistance).
+    integration intervals of one law (parameter set). displaced (n, m + 1): displacements at the edges in units of sigma, None
+    if a loop compiled for the regime is used. rows: number of summed values: 1 (load), 3 (load, area, total resistance) or 5
+    (number touching, load, area, slip-limited and yield-limited resistance).
     """
 
     regime: Regime
@@ -126,9 +126,9 @@ class Placing:
     def of(cls, regime: Regime, window: Callable, widest: float, rows: int, specialised: bool) -> "Placing":
         """Return the description of how the nodes of a regime are placed.
 
-        window: window formula of the height distribution, as in `Heights`. widest: largest range of displacements, over sigma,
-        in which nodes are placed. rows: number of summed values: 1, 3 or 5. specialised: whether to use a loop compiled for the
-        regime.
+        window: window formula of the height distribution, as in `Heights`. widest: largest range of displacements, in units of
+        sigma, in which nodes are placed. rows: number of summed values: 1, 3 or 5. specialised: whether to use a loop compiled
+        for the regime.
         """
         laws = Laws.of(regime)
         parts = (laws.edges.shape[1] - 1) * (1 + int(widest / WIDEST))
@@ -144,9 +144,9 @@ class Placing:
         """Return append(reach, shape, block, nodes), which adds the integration nodes of a block of laws to the table `nodes`.
 
         laws: largest number of laws (parameter sets) in a block. rules: nodes and weights of the integration rules. The
-        arguments of append: reach: lowest and highest displacement that is integrated and smallest separation, over sigma.
-        shape: parameters of the height distribution. block: slice of the laws. nodes: (displacements, weights times values,
-        numbers of nodes), one row for each law of the block.
+        arguments of append: reach: lowest and highest displacement that is integrated and smallest separation, in units of
+        sigma. shape: parameters of the height distribution. block: slice of the laws. nodes: (displacements, weights times
+        values, numbers of nodes), one row for each law of the block.
         """
         regime, displaced = self.regime, self.displaced
         if displaced is None:

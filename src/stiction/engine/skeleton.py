@@ -17,7 +17,7 @@ from stiction.engine.heights import Heights
 
 # Numbers of separations in a skeleton; multiples of four, because the product adds four terms at a time.
 _SKELETONS = (16, 20, 24, 28, 32, 40, 48, 64)
-# Separations over a wider range, over sigma, would need more than 64 in the skeleton, and are divided into groups.
+# Separations over a wider range, in units of sigma, would need more than 64 in the skeleton, and are divided into groups.
 _SPAN = 14.0
 # Largest error of the matrix. It grows with h^2, because the exponent h^2/2 of the density itself is rounded.
 _RESIDUAL, _ROUNDING = 5e-15, 2.3e-16
@@ -42,8 +42,8 @@ def near_each_other(h: np.ndarray) -> list[np.ndarray]:
 def skeleton(h_bytes: bytes, w_low: float, w_high: float, heights: Heights) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return a few separations, and the matrix that extends sums at these to the separations h, with its accuracy.
 
-    h_bytes: bytes of the array h (H,), separations over sigma. w_low, w_high: range of the displacements over sigma. heights:
-    distribution of the heights.
+    h_bytes: bytes of the array h (H,), separations in units of sigma. w_low, w_high: range of the displacements in units of
+    sigma. heights: distribution of the heights.
 
     Returns the few separations (L,), the matrix (L, H) cut into tiles, and a threshold (H,). A positive sum may have lost
     digits if it is below threshold times size, where the size is the same sum without the height density. The first two arrays
@@ -69,8 +69,8 @@ def skeleton(h_bytes: bytes, w_low: float, w_high: float, heights: Heights) -> t
 def _spike_sums(h: np.ndarray, spikes: np.ndarray, heights: Heights) -> tuple[np.ndarray, np.ndarray]:
     """Return the height density at h + w for each spike w, divided by its maximum at each h, and this maximum.
 
-    h (H,), spikes: separations and displacements over sigma. The returned shapes are (H, spikes) and (H,). A spike is a law
-    whose value is concentrated at a single displacement.
+    h (H,), spikes: separations and displacements in units of sigma. The returned shapes are (H, spikes) and (H,). A spike is a
+    law whose value is concentrated at a single displacement.
     """
     z = np.add.outer(h, spikes)
     density = np.empty(z.size)

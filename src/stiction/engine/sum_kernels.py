@@ -19,9 +19,9 @@ import numpy as np
 
 from stiction.engine.compiled import engine_kernel, formula, kernel, loop, unpack
 
-# Segments up to this length, over sigma, use the first integration rule, longer segments the second.
+# Segments up to this length, in units of sigma, use the first integration rule, longer segments the second.
 SHORT = 1.0
-# Segments longer than this, over sigma, are divided. Adhering asperities that are stretched have such segments.
+# Segments longer than this, in units of sigma, are divided. Adhering asperities that are stretched have such segments.
 WIDEST = 17.0
 # Number of places in one row of a table of nodes, and largest number of nodes of a segment part on a grid.
 LONGEST = 56
@@ -79,9 +79,9 @@ def _adding(along: Callable, density: Callable) -> Any:
     def add(sums, h, shape, row, mapped, rule, count):
         """Add one integration interval to five sums and return them.
 
-        sums: number touching, load, area, slip-limited and yield-limited resistance. h: mean separation over sigma. shape:
-        parameters of the height density. row: parameters of the law. mapped: (low, linear, square) of the change of variable u
-        = low + linear t + square t^2. rule (2, count): nodes t and weights on [0, 1].
+        sums: number touching, load, area, slip-limited and yield-limited resistance. h: mean separation in units of sigma.
+        shape: parameters of the height density. row: parameters of the law. mapped: (low, linear, square) of the change of
+        variable u = low + linear t + square t^2. rule (2, count): nodes t and weights on [0, 1].
         """
         touching, load, area, slip_limited, yield_limited = sums
         low, linear, square = mapped
@@ -113,9 +113,9 @@ def scattering(along: Callable, coordinate: Callable, density: Callable, window:
     def scatter(h, law, heights, laws, rules, out):
         """Fill out[i] with five sums over asperity heights, for parameter set law[i] at the mean separation h[i].
 
-        The sums are averages over all asperities: number touching, load, area, slip-limited and yield-limited resistance. h:
-        over sigma. heights: parameters and knots of the density. laws: fields of `nodes.Laws`. rules: nodes and weights on [0,
-        1], and their numbers.
+        The sums are averages over all asperities: number touching, load, area, slip-limited and yield-limited resistance. h: in
+        units of sigma. heights: parameters and knots of the density. laws: fields of `nodes.Laws`. rules: nodes and weights on
+        [0, 1], and their numbers.
         """
         (shape, knots), (table, edges, branch, two_sided), (rule_table, counts) = heights, laws, rules
         for i in range(h.size):
@@ -157,7 +157,8 @@ def listing(along: Callable, coordinate: Callable, parameters: int) -> Any:
         """Fill out[i] with five averages over the heights `listed`, for the law with index law[i] at separation h[i].
 
         They are the fraction touching, load, area, slip-limited and yield-limited resistance. h (m,), listed: separations and
-        heights over sigma; `listed` ascends. law (m,): index of the parameter set. laws: fields of `nodes.Laws`. out: (m, 5).
+        heights in units of sigma; `listed` ascends. law (m,): index of the parameter set. laws: fields of `nodes.Laws`. out:
+        (m, 5).
         """
         table, edges, _, _ = laws
         for i in range(h.size):
@@ -223,8 +224,8 @@ def reaching(window: Callable) -> Any:
     window: window formula of the height distribution, as in `Heights`. The returned formula maps (w_left, w_right, reach,
     shape) to: displacement at the start, step to the end of each part, number of parts (0 if nothing contributes), displacement
     at the end, index of the integration rule. reach: (w_low, w_top, nearest), the displacements between which nodes are placed
-    and the smallest separation, over sigma. The range ends where the density at the smallest separation has become negligible
-    against the density at the start; at larger separations it is then negligible too.
+    and the smallest separation, in units of sigma. The range ends where the density at the smallest separation has become
+    negligible against the density at the start; at larger separations it is then negligible too.
     """
 
     @formula
@@ -254,8 +255,8 @@ def placing(along: Callable, coordinate: Callable, window: Callable, parameters:
     def place(reach, shape, laws, rules, nodes):
         """Append the integration nodes of the regime to the table of nodes of each law (parameter set).
 
-        reach: lowest and highest displacement that is integrated and smallest separation, over sigma. shape: parameters of the
-        height density. laws: fields of `nodes.Laws`. rules: nodes and weights on [0, 1], and their numbers. nodes:
+        reach: lowest and highest displacement that is integrated and smallest separation, in units of sigma. shape: parameters
+        of the height density. laws: fields of `nodes.Laws`. rules: nodes and weights on [0, 1], and their numbers. nodes:
         displacements, weights times values, and number of nodes so far.
         """
         (table, edges, branch, two_sided), (rule_table, counts), (places, values, used) = laws, rules, nodes
@@ -298,9 +299,9 @@ def summing(density: Callable, totals: bool) -> Any:
     def sum_rows(h, reach, shape, nodes, wanted, out):
         """Fill out[i, row, k] with sum number `row` of parameter set i at the mean separation h[k], if wanted[i, k] is True.
 
-        The rows are listed in `summing`. h and displacements are over sigma. nodes: three arrays, displacements (i, node),
-        integration weight times each quantity (i, row, node), and number of nodes of each parameter set (i). shape: parameters
-        of the height density. reach[k]: displacement beyond which nodes are skipped at h[k].
+        The rows are listed in `summing`. h and displacements are in units of sigma. nodes: three arrays, displacements (i,
+        node), integration weight times each quantity (i, row, node), and number of nodes of each parameter set (i). shape:
+        parameters of the height density. reach[k]: displacement beyond which nodes are skipped at h[k].
         """
         places, values, used = nodes
         last = values.shape[1] - 1

@@ -3,7 +3,8 @@
 For mean separation h (in units of sigma) and heights with density phi, a regime (a smooth part of an asperity's behaviour) adds
     Integral f(u) phi(h + w(u)) w'(u) du        (Greenwood & Williamson 1966, in the regime's own coordinate u)
 for f = 1 (number of asperities), load, area, slip-limited and yield-limited resistance; w is the displacement of the asperity
-over sigma. Every segment between two kinks is smooth and is integrated by a Gauss-Legendre rule. The engine contains no law.
+in units of sigma. Every segment between two kinks is smooth and is integrated by a Gauss-Legendre rule. The engine contains no
+law.
 
 Two functions compute such sums. `scattered` takes one separation for each law (parameter set). `on_grid` takes many separations
 that all laws share: it sums every law at a few separations, with nodes placed once, and extends these sums to all separations
@@ -31,7 +32,7 @@ from stiction.quantities.errors import InputError
 QUANTITIES = ("touching", "load", "area", "slip_limited", "yield_limited")
 _TOTALS = ("load", "area", "resistance")
 
-# Largest separation, over sigma. Larger ones have no physical meaning, and their squares lose all digits to rounding.
+# Largest separation, in units of sigma. Larger ones have no physical meaning, and their squares lose all digits to rounding.
 FARTHEST = 1e6
 # Nodes on a segment that is short or long against sigma. Errors are below 1e-10 over all inputs the package is made for, with
 # and without a film: docs/measure_accuracy.py measures them, docs/explanation/numerics.md shows them.
@@ -92,10 +93,10 @@ def scattered(
 ) -> np.ndarray:
     """Return the sums of every regime at m pairs of a law and a mean separation.
 
-    regimes: smooth parts of an asperity law, each for n laws (parameter sets). h: array (m,) in units of sigma. heights:
-    distribution of the heights. law: array (m,) of indices of laws; by default h[i] belongs to law i, and m = n. Returns an
-    array (regimes, m, 5) of averages over all asperities: number touching, load, area, slip-limited and yield-limited
-    resistance.
+    regimes: smooth parts of an asperity's behaviour, each for n laws (parameter sets). h: array (m,) in units of sigma.
+    heights: distribution of the heights. law: array (m,) of indices of laws; by default h[i] belongs to law i, and m = n.
+    Returns an array (regimes, m, 5) of averages over all asperities: number touching, load, area, slip-limited and
+    yield-limited resistance.
     """
     return Scattered(regimes, heights)(h, np.arange(np.size(h)) if law is None else law, threads)
 
@@ -103,7 +104,7 @@ def scattered(
 class Scattered:
     """Sum regimes over asperity heights, at pairs of a law and a separation.
 
-    regimes: smooth parts of an asperity law, each for n laws (parameter sets). heights: distribution of the heights.
+    regimes: smooth parts of an asperity's behaviour, each for n laws (parameter sets). heights: distribution of the heights.
     Calculations that do not depend on the separations are done once.
     """
 
@@ -113,7 +114,7 @@ class Scattered:
     def __call__(self, h: np.ndarray, law: np.ndarray, threads: int = 1) -> np.ndarray:
         """Return m sums over asperity heights, (regimes, m, 5), each for parameter set law[i] at the separation h[i].
 
-        h: over sigma. The five values are averages over all asperities: number touching, load, area, slip-limited and
+        h: in units of sigma. The five values are averages over all asperities: number touching, load, area, slip-limited and
         yield-limited resistance.
         """
         h, law = np.ascontiguousarray(h, dtype=float), np.ascontiguousarray(law)
@@ -133,8 +134,8 @@ class Scattered:
     def _fill_by_series(self, h: np.ndarray, about: np.ndarray, law: np.ndarray, number: np.ndarray, out: np.ndarray) -> None:
         """Fill out (regimes, m, 5) with sums computed from Taylor series about a few separations.
 
-        h (m,): separations over sigma. about, law (s,): separation, and index of the parameter set, of each series. number
-        (m,): index of the series of each sum.
+        h (m,): separations in units of sigma. about, law (s,): separation, and index of the parameter set, of each series.
+        number (m,): index of the series of each sum.
         """
         for fill, sums in zip(self._expanded, out, strict=True):
             coefficients = np.empty((about.size, TERMS, len(QUANTITIES)))
@@ -217,8 +218,8 @@ _BLOCK = 128  # number of laws in a block, so few that their nodes stay in the p
 def on_grid(regimes: Sequence[Regime], h: np.ndarray, heights: Heights, threads: int = 1) -> np.ndarray:
     """Return the sums of every regime for n laws (parameter sets) at H mean separations that all laws share.
 
-    regimes: smooth parts of an asperity law, each for n laws. h: array (H,) in units of sigma. Returns an array (regimes, n, 5,
-    H) of averages over all asperities: number touching, load, area, slip-limited and yield-limited resistance.
+    regimes: smooth parts of an asperity's behaviour, each for n laws. h: array (H,) in units of sigma. Returns an array
+    (regimes, n, 5, H) of averages over all asperities: number touching, load, area, slip-limited and yield-limited resistance.
     """
     sums = np.empty((len(regimes), len(regimes[0].edges), len(QUANTITIES), np.size(h)))
     for regime, out in zip(regimes, sums, strict=True):
@@ -231,8 +232,8 @@ def totals_on_grid(
 ) -> np.ndarray:
     """Return load, area and resistance (n, 3, H) of n laws, summed over all regimes, at H mean separations that all laws share.
 
-    regimes: smooth parts of an asperity law, each for n laws (parameter sets). h (H,): separations in units of sigma. out:
-    array (n, 3, H) for the result, if given.
+    regimes: smooth parts of an asperity's behaviour, each for n laws (parameter sets). h (H,): separations in units of sigma.
+    out: array (n, 3, H) for the result, if given.
     """
     sums = np.empty((len(regimes[0].edges), len(_TOTALS), np.size(h))) if out is None else out
     _on_grid(regimes, h, heights, sums, threads)
