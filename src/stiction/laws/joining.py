@@ -1,7 +1,7 @@
 """Join an asperity law and a tangential law into regimes.
 
-A regime is one smooth part of an asperity's response to displacement: load, contact area and tangential resistance. The engine
-sums regimes over the heights of the asperities.
+A regime is a segment of an asperity law together with the tangential force on it: a smooth part of the asperity's response to
+displacement. The engine sums regimes over the heights of the asperities.
 """
 
 from collections.abc import Callable, Mapping
@@ -31,9 +31,9 @@ class Weights:
     """Hold the shift and the factors by which `Law.join` turns an asperity's response into a `Regime`.
 
     Each field is a number or an array (n,), one value for each of n contacts. shift: added to the displacement, in units of
-    sigma. unit: factor from the forces of this body to the unit of force of the whole contact. load, area, friction: factors of
-    load, contact area and tangential force, usually 1 (counted) or 0 (left out); `friction` has no effect with a law of the
-    interface.
+    sigma. unit: factor that converts the forces of this body to the unit of force of the contact. load, area, friction:
+    factors of load, contact area and tangential force, usually 1 (included) or 0 (not included); `friction` has no effect
+    with a law of the interface.
     """
 
     shift: np.ndarray | float = 0.0
@@ -45,7 +45,7 @@ class Weights:
 
 @formula
 def none(u, w, load, area):
-    """Return (0, 0), the slip-limited and the yield-limited force of an asperity that does not resist sliding.
+    """Return (0, 0): the slip-limited and the yield-limited force of an asperity without resistance to sliding.
 
     The arguments are not used.
     """
@@ -67,10 +67,10 @@ def _joined(normal: Callable, coordinate: Callable, resistance: Callable, interf
 
     @formula
     def along(u, *row):
-        """Return displacement, its derivative by u, load, contact area, slip-limited and yield-limited force at the coordinate.
+        """Return displacement w, dw/du, load, contact area, slip-limited and yield-limited force at the coordinate u.
 
-        u: coordinate. row: parameters of the asperity law and of the tangential law, then the five numbers of `Weights`. The
-        tangential law receives load and area before they are weighted.
+        row: parameters of the asperity law and of the tangential law, then the five numbers of `Weights`. The tangential
+        law receives load and area before they are weighted.
         """
         w, stretch, load, area = normal(u, *row[:parameters])
         slip_limited, yield_limited = resistance(u, w, load, area, *row[parameters:joined])
@@ -80,10 +80,10 @@ def _joined(normal: Callable, coordinate: Callable, resistance: Callable, interf
 
     @formula
     def along_interface(u, *row):
-        """Return displacement, its derivative by u, load, contact area, slip-limited and yield-limited force at the coordinate.
+        """Return displacement w, dw/du, load, contact area, slip-limited and yield-limited force at the coordinate u.
 
-        u: coordinate. row: parameters of the asperity law and of the tangential law, then the five numbers of `Weights`. The
-        tangential law, a law of the interface, receives load and area after they are weighted.
+        row: parameters of the asperity law and of the tangential law, then the five numbers of `Weights`. The tangential
+        law, a law of the interface, receives load and area after they are weighted.
         """
         w, stretch, load, area = normal(u, *row[:parameters])
         shift, unit, of_load, of_area, _ = row[joined:]
@@ -102,8 +102,8 @@ def _joined(normal: Callable, coordinate: Callable, resistance: Callable, interf
 class Law:
     """Combine an asperity law with a tangential law and with the options chosen for both.
 
-    tangential: with None, only load and contact area are computed. options: option name -> chosen value; each law takes its own
-    options.
+    tangential: tangential law; with None, only load and contact area are computed. options: option name -> chosen value;
+    each law reads only its own options.
     """
 
     asperity: AsperityLaw
@@ -112,7 +112,7 @@ class Law:
 
     @property
     def interfacial(self) -> bool:
-        """Return whether the tangential law describes the interface, not the bodies; False without a tangential law."""
+        """Return whether the tangential law describes the interface rather than the bodies; False without a tangential law."""
         return self.tangential is not None and self.tangential.interfacial
 
     def segments(self, groups: Groups) -> list[NormalSegment]:
@@ -169,8 +169,8 @@ class Law:
 def with_kinks(edges: np.ndarray, kinks: np.ndarray | None) -> np.ndarray:
     """Return the edges of n segments with kinks inserted in ascending order, (n, m + k).
 
-    edges (n, m): coordinates of start, kinks and end of each segment. kinks (n, k): further coordinates, in any order, or None
-    for none. A kink outside the segment is moved to the nearer end, where it bounds a part of zero length.
+    edges (n, m): coordinates of start, kinks and end of each segment. kinks (n, k): coordinates in any order, or None for
+    no kinks. A kink outside the segment is moved to the nearer end, which adds a part of zero length.
     """
     if kinks is None or kinks.shape[1] == 0:
         return edges
@@ -276,7 +276,7 @@ def coordinates_at_area(segment: NormalSegment, area: np.ndarray | float) -> np.
 
 
 def states(regime: Regime, u: np.ndarray) -> np.ndarray:
-    """Return the six values (n, 6) of a regime at the coordinates u (n,), one coordinate for each of n contacts.
+    """Return six values (n, 6) of a regime at the coordinates u (n,), one coordinate for each of n contacts.
 
     Columns: displacement, its derivative with respect to u, load, contact area, slip-limited tangential force, yield-limited
     tangential force.
@@ -285,7 +285,7 @@ def states(regime: Regime, u: np.ndarray) -> np.ndarray:
 
 
 def normal_states(segment: NormalSegment, u: np.ndarray) -> np.ndarray:
-    """Return displacement, its u-derivative, load and contact area (n, 4) of a segment at the coordinates u (n,).
+    """Return displacement w, dw/du, load and contact area (n, 4) of a segment at the coordinates u (n,).
 
     Units: displacement in sigma, load in K R^(1/2) sigma^(3/2) with K = (4/3) E*, area in pi R sigma.
     """
@@ -303,7 +303,7 @@ def _one_each(values: np.ndarray | float, edges: np.ndarray) -> np.ndarray:
 def resistances(
     tangential: TangentialLaw, groups: Groups, load: np.ndarray, area: np.ndarray, state: str = "elastic"
 ) -> np.ndarray:
-    """Return the tangential force (n, m) that a law of the interface gives for whole contacts of known load and contact area.
+    """Return the tangential force (n, m) by a law of the interface for whole contacts of known load and contact area.
 
     groups: dimensionless groups of n contacts. load, area (n, m): m states of each contact. state: "elastic" or "plastic".
     Units: loads and forces in K R^(1/2) sigma^(3/2) with K = (4/3) E*, areas in pi R sigma.

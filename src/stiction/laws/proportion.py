@@ -1,4 +1,4 @@
-"""Warn of inputs that are implausible for a rough surface, whichever laws are used."""
+"""Warn about inputs that are implausible for a rough surface, whichever laws are used."""
 
 from math import inf
 
@@ -15,5 +15,5 @@ OUT_OF_PROPORTION = (
 
 
 def input_warnings(subject: Subject) -> list[str]:
-    """Return one sentence for each input of a contact that is implausible for a rough surface; runs no model."""
+    """Return one sentence for each input of a contact that is implausible for a rough surface, without running a model."""
     return [str(warning) for warning in warnings_about(subject, OUT_OF_PROPORTION, {})]

@@ -1,4 +1,4 @@
-"""Describe a segment (one smooth part of an asperity's response to its load), and the tangential resistance on it."""
+"""Describe a segment, one smooth part of an asperity's normal response, and the tangential resistance on it."""
 
 import math
 from collections.abc import Callable
@@ -38,12 +38,12 @@ class NormalSegment:
 class TangentialResistance:
     """Describe the tangential force at which one asperity slides, along one segment and for n contacts at once.
 
-    resistance(u, displacement, load, area, *parameters) returns the slip-limited and the yield-limited force, in the unit of
-    the load. The smaller force decides, and the other is returned as 0. parameters: arrays (n,). Because the engine sums both
-    numbers over all asperities, they may also be other quantities of an asperity, such as a stiffness.
+    resistance(u, displacement, load, area, *parameters) returns the slip-limited and the yield-limited force, in the unit
+    of the load. Sliding begins at the smaller force, and the other is returned as 0. parameters: arrays (n,). Because the
+    engine sums both numbers over all asperities, they may also be other quantities of an asperity, such as a stiffness.
 
-    kinks: array (n, k) of coordinates at which the force is not smooth, in any order, or None; those outside the segment are
-    ignored. branch: coordinates at which the force starts like a fractional power, as in `Regime`, or None.
+    kinks: array (n, k) of coordinates at which the force is not smooth, in any order, or None; coordinates outside the
+    segment are ignored. branch: coordinates at which the force starts like a fractional power, as in `Regime`, or None.
     """
 
     resistance: Callable
@@ -54,15 +54,15 @@ class TangentialResistance:
 
 @formula
 def displaced(w, *row):
-    """Return w, the coordinate u of segments whose coordinate is the displacement w itself; row is not used."""
+    """Return w, for segments whose coordinate u is the displacement w itself; row is not used."""
     return w
 
 
 @formula
 def root_of(w, *row):
-    """Return sqrt(w), the coordinate u of segments whose coordinate is the square root of the displacement w.
+    """Return sqrt(w), for segments whose coordinate u is the square root of the displacement w.
 
-    It is 0 if w is negative. row is not used.
+    The result is 0 if w is negative. row is not used.
     """
     return math.sqrt(max(w, 0.0))
 
@@ -81,22 +81,24 @@ def from_curve(
     parameters: tuple[np.ndarray, ...] = (),
     state: str = "elastic",
 ) -> NormalSegment:
-    """Return a segment made from two plain functions: load and contact area against displacement.
+    """Return a segment made from two plain functions of displacement, load and contact area.
 
-    It runs slower than a segment with formulas in a suitable coordinate, and sums over it are accurate to 1e-8. Its coordinate
-    is the square root of the displacement beyond `start`, in which curves that begin like a half-integer power are smooth.
+    It is slower than a segment with formulas in a suitable coordinate, and sums of it are accurate to 1e-8. Its coordinate
+    is the square root of the displacement beyond `start`, so that curves that begin like a half-integer power become
+    smooth.
 
     Parameters
     ----------
     load, area : functions of (displacement, *parameters)
         Load in units of K R^(1/2) sigma^(3/2) and contact area in units of pi R sigma, at a displacement in units of sigma.
-        Functions of numbers, smooth between `start` and `end`; they may use `math`, `if`, `min` and `max`.
+        The functions take and return single numbers and must be smooth between `start` and `end`; they may use `math`,
+        `if`, `min` and `max`.
     start : array (n,)
         Displacement at which the segment starts, in units of sigma.
     end : array (n,) or float
-        Displacement at which it ends, in units of sigma; infinite for the last segment.
+        Displacement at which the segment ends, in units of sigma; infinite for the last segment.
     parameters : arrays (n,)
-        Parameters, in the order in which both functions take them.
+        Parameters of both functions, in the order in which they take them.
     state : str
         One of STATES.
 
@@ -112,7 +114,7 @@ def from_curve(
 
 @cache
 def _curve(load: Callable, area: Callable) -> tuple[Callable, Callable]:
-    """Return the formulas `normal` and `coordinate` of a segment whose load and area are given against the displacement w.
+    """Return the formulas `normal` and `coordinate` of a segment whose load and area are functions of the displacement w.
 
     normal(u, start, *parameters) returns w = start + u^2, dw/du, load and area. coordinate(w, start, *parameters) returns
     u = sqrt(w - start). The function is cached, so that the same `load` and `area` give the same formulas and kernels are

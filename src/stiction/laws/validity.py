@@ -1,4 +1,4 @@
-"""Report, as validity warnings, where a result lies outside the range that the authors of its laws state."""
+"""Report validity warnings where a result lies outside the range that the authors of its laws state."""
 
 import json
 from collections.abc import Iterable, Iterator, Mapping
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def warnings_about(subject: Subject, rules: Iterable[Validity], results: Mapping[str, Any]) -> list[ValidityWarning]:
-    """Return one warning for each validity range that an input or a result of a contact lies outside.
+    """Return one warning for each validity range that is violated by an input or a result of a contact.
 
     rules: the validity ranges. results: dimensionless results by name; a result that is None is not checked. A quantity that is
     not in `results` is taken from the contact, `subject`. A warning states the smallest and the largest value outside the
@@ -32,7 +32,7 @@ def warnings_about(subject: Subject, rules: Iterable[Validity], results: Mapping
 def violated_ranges(
     subject: Subject, rules: Iterable[Validity], results: Mapping[str, Any]
 ) -> Iterator[tuple[Validity, np.ndarray, np.ndarray]]:
-    """Yield each validity range that some values lie outside, with all values of its quantity and a mask of the values outside.
+    """Yield each violated validity range, with all values of its quantity and a mask of the values outside the range.
 
     rules: the validity ranges. results: dimensionless results by name; a result that is None is not checked. A quantity that is
     not in `results` is taken from the contact, `subject`. NaN counts as inside.
@@ -48,7 +48,7 @@ def violated_ranges(
 
 
 def with_warnings(data: "xarray.Dataset", more: Iterable[ValidityWarning]) -> "xarray.Dataset":
-    """Return a copy of a result with the validity warnings `more` appended to those that it has.
+    """Return a copy of a result with the validity warnings `more` appended to its own.
 
     Warnings are stored as text in the attribute `outside_validity` and as JSON in the attribute `validity_warnings`.
     """
@@ -66,7 +66,7 @@ def as_attributes(warnings: Iterable[ValidityWarning]) -> dict[str, str]:
 
 
 def warnings_of(data: "xarray.Dataset") -> list[ValidityWarning]:
-    """Return the validity warnings that the attributes of a result store, or an empty list."""
+    """Return the validity warnings stored in the attributes of a result, or an empty list."""
     return read_warnings(data.attrs.get("validity_warnings", "[]"))
 
 

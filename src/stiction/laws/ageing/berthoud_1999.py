@@ -1,12 +1,12 @@
 r"""Growth of static friction with the logarithm of the hold time, by creep: Berthoud et al. 1999, Dieterich 1972.
 
 *Assumes*: the junctions creep under the load. The real contact area, and with it the shear force $\tau_0A$, grows with the
-logarithm of the hold time $t_\mathrm w$, the time at rest under load. The growth is small before the reference time
+logarithm of the hold time $t_\mathrm w$, the time at rest under load. The growth is small until the reference time
 $t_\mathrm c$ and has no upper limit. No shear force acts during the rest. *Source*: [dieterich_1978], abstract, for rocks
 (first [dieterich_1972]); [berthoud_1999] for rough polymers; [baumberger_caroli_2006], abstract: slow growth of the real area
-by creep. The formula is written from memory and derived below. [jagla_2010], abstract, finds it in a model of creep at low
-loads; there the area tends to a limit. In [dillavou_rubinstein_2020], abstract, static friction and area both grow this way,
-and friction grows faster than area if a shear load acts at rest.
+by creep. The formula is written from memory and derived below. [jagla_2010], abstract, finds this formula in a model of creep
+at low loads, but there the area tends to a limit. In [dillavou_rubinstein_2020], abstract, static friction and area both grow
+this way, and friction grows faster than area if a shear load acts at rest.
 
 $$
 \tau_0\,A\;\to\;\tau_0\,A\left[1+m\ln\left(1+\frac{t_\mathrm w}{t_\mathrm c}\right)\right]
@@ -15,7 +15,7 @@ $$
 $\tau_0$ is the shear strength of the interface, $A$ the real contact area and $m$ the ageing rate. The formula follows if the
 creep rate falls exponentially with the gained area, as in a thermally activated flow whose pressure decreases while the area
 grows: $\dot A=(mA_0/t_\mathrm c)\,e^{-(A-A_0)/(mA_0)}$, with the initial area $A_0$. $m$ and $t_\mathrm c$ must be measured:
-$m$ is the slope of the static friction coefficient over $\ln t$, divided by its initial value $\mu_0$; $t_\mathrm c$ is the
+$m$ is the slope of the static friction coefficient against $\ln t$, divided by its initial value $\mu_0$; $t_\mathrm c$ is the
 time at which the straight line begins. A slope $B$ per decade of time corresponds to $m=B/(\mu_0\ln10)$.
 
 Only tangential laws of the interface accept ageing, for the part of their force that is proportional to the area. The part
@@ -23,7 +23,7 @@ that rises with pressure ([`briscoe_tabor_1978`](#briscoe_tabor_1978)) depends o
 `contact_area` is the initial area. Every other tangential law raises an error, because it is unknown how asperities that peel,
 yield or grow under shear gain strength.
 
-Experiments followed the growth over about five decades of time; results at longer hold times give a warning.
+Experiments followed the growth for about five decades of time; results for longer hold times carry a validity warning.
 
 *Limit*: zero hold time, or $m=0$: nothing changes. *Check*: $m=0.02$ and $t_\mathrm c=1$ s:
 

@@ -9,7 +9,7 @@ from stiction.records.registry import OF_AREA, Addition, FilmLaw, RoughSurface, 
 
 @dataclass(frozen=True, kw_only=True)
 class Ageing(Addition):
-    """Describe a law of ageing: the shear strength of the interface grows with the hold time, the contact area does not.
+    """Describe a law of ageing: the shear strength of the interface grows with the hold time, but not the contact area.
 
     aged(groups) returns the dimensionless groups of the contact with the shear strength after the hold time.
     """

@@ -3,8 +3,8 @@ r"""One asperity without adhesion in full stick with its counterface: Brizmer, K
 *Assumes*: an elastic, perfectly plastic sphere on a rigid flat in full stick, without slip anywhere in the contact. The
 formulas are fitted to finite elements. *Source*: [brizmer_kligerman_etsion_2006]; critical values and load are taken from an
 independent code. The displacement $w_c$ and load $P_c$ at first yield in stick equal the values for a frictionless Hertz
-contact (slip) times ratios that depend on Poisson's ratio. In slip $w_s=(\tfrac23C_\nu\eta/k)^2$ with
-$C_\nu=1.234+1.256\nu$, the largest pressure over the yield stress; in stick
+contact (slip), multiplied by ratios that depend on Poisson's ratio. In slip $w_s=(\tfrac23C_\nu\eta/k)^2$ with
+$C_\nu=1.234+1.256\nu$, the largest pressure divided by the yield stress; in stick
 
 $$
 w_c=\left[6.82\nu-7.83\,(\nu^2+0.0586)\right]w_s,\qquad P_c=\left[8.88\nu-10.13\,(\nu^2+0.089)\right]w_s^{3/2}
@@ -28,8 +28,8 @@ laws](#the-elastic-plastic-laws-side-by-side). *Trap*: a public implementation h
 
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ in units of $KR^{1/2}\sigma^{3/2}$ and contact area $A$ in units of
 $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$
-($E^*$ contact modulus); $\eta=\pi H\sqrt{R/\sigma}/K$ hardness group, $H$ hardness; $k=H/Y$ hardness over yield stress; $\nu$
-Poisson's ratio. [All symbols](#1-units).
+($E^*$ contact modulus); $\eta=\pi H\sqrt{R/\sigma}/K$ hardness group, $H$ hardness; $k=H/Y$ hardness divided by yield stress;
+$\nu$ Poisson's ratio. [All symbols](#1-units).
 """
 
 import math
@@ -50,7 +50,7 @@ _SPLITS = (4.0,)
 
 
 def yield_coefficient(nu):
-    """Return C_nu = 1.234 + 1.256 nu, the largest pressure over the yield stress at first yield of a frictionless contact.
+    """Return C_nu = 1.234 + 1.256 nu, the ratio of the largest pressure to the yield stress at first frictionless yield.
 
     nu: Poisson's ratio, a number or an array of any shape.
     """
@@ -80,10 +80,10 @@ def stick_displacement_ratio(nu):
 def critical_values(eta, nu, k):
     """Return displacement and load at first yield in full stick, in units of sigma and of K R^(1/2) sigma^(3/2).
 
-    eta: hardness group pi H sqrt(R/sigma)/K with K = (4/3) E*. nu: Poisson's ratio. k: hardness over yield stress, H/Y. The
-    arguments may be arrays. Both results are the values in frictionless slip, times the ratios for stick. In slip, the
-    displacement is (pi C_nu (1 - nu^2) Y/(2 E))^2 R, from Hertz's largest pressure C_nu Y; with E/(1 - nu^2) = E* and Y = H/k
-    this is ((2/3) C_nu eta/k)^2 in units of sigma.
+    eta: hardness group pi H sqrt(R/sigma)/K with K = (4/3) E*. nu: Poisson's ratio. k: hardness divided by yield stress,
+    H/Y. The arguments may be arrays. Both results are the values in frictionless slip, times the ratios for stick. In slip,
+    the displacement is (pi C_nu (1 - nu^2) Y/(2 E))^2 R, from Hertz's largest pressure C_nu Y; with E/(1 - nu^2) = E* and Y
+    = H/k this is ((2/3) C_nu eta/k)^2 in units of sigma.
     """
     in_slip = (2.0 / 3.0 * yield_coefficient(nu) * eta / k) ** 2
     return stick_displacement_ratio(nu) * in_slip, stick_load_ratio(nu) * in_slip**1.5

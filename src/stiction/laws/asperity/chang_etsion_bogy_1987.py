@@ -30,7 +30,7 @@ from stiction.records.sources import Source
 
 
 def hardness_coefficient(nu):
-    """Return K_H = 0.454 + 0.41 nu, the largest pressure at first yield over the hardness.
+    """Return K_H = 0.454 + 0.41 nu, the largest pressure at first yield divided by the hardness.
 
     nu: Poisson's ratio, a number or an array of any shape. The authors gave this form in 1988; their 1987 paper has the
     constant 0.6.
@@ -41,19 +41,19 @@ def hardness_coefficient(nu):
 def critical_interference(eta, K_H):
     """Return the displacement at first yield in units of sigma, ((2/3) K_H eta)^2.
 
-    It follows from omega_c = (pi K_H H / (2 E*))^2 R, with the hardness group eta = pi H sqrt(R/sigma)/K and K = (4/3) E*. K_H:
-    largest pressure at first yield over the hardness. The arguments may be arrays.
+    It follows from omega_c = (pi K_H H / (2 E*))^2 R, with the hardness group eta = pi H sqrt(R/sigma)/K and K = (4/3) E*.
+    K_H: largest pressure at first yield divided by the hardness. The arguments may be arrays.
     """
     return (2.0 / 3.0 * K_H * eta) ** 2
 
 
 @formula
 def plastic(w, w_c, eta, K_H):
-    """Return displacement w, dw/du = 1, load and contact area of an asperity beyond first yield; the coordinate u is w itself.
+    """Return displacement w, dw/du = 1, load and contact area of an asperity beyond first yield; the coordinate u is w.
 
-    The area is 2 w - w_c. The mean pressure is K_H H, so that the load is eta K_H times the area. w_c: displacement at first
-    yield. eta: hardness group. K_H: largest pressure at first yield over the hardness. Units: w in sigma, load in K R^(1/2)
-    sigma^(3/2), area in pi R sigma.
+    The area is 2 w - w_c. The mean pressure is K_H H, so that the load is eta K_H times the area. w_c: displacement at
+    first yield. eta: hardness group. K_H: largest pressure at first yield divided by the hardness. Units: w in sigma, load
+    in K R^(1/2) sigma^(3/2), area in pi R sigma.
     """
     area = 2.0 * w - w_c
     return w, 1.0, K_H * eta * area, area

@@ -21,7 +21,7 @@ Hertz's (eqs. 1 and 31), $a_p$ and $P_p$ are Jackson and Green's (eqs. 23, 24, 2
 of the sphere itself. With `other_body="alike"` (default) both bodies are equal and $E=2(1-\nu^2)E^*$; with `"rigid"` one body
 is rigid and $E=(1-\nu^2)E^*$. $\Upsilon=0$ for $e=0$. $H_G$ is constant beyond $a=R$.
 
-*Reconstructed*, hence grade C: eq. (26) is taken from these codes, not from print. The codes quote the printed form, which
+*Reconstructed*, hence grade C: eq. (26) is taken from these codes, not from the paper. The codes quote the printed form, which
 has the opposite sign and $\omega$ in place of $\omega-\omega_c$, and call it wrong. Eq. (31) is used without its printed
 factor $\pi$, which Hertz's force does not have.
 
@@ -29,9 +29,9 @@ factor $\pi$, which Hertz's force does not have.
 the limiting pressures differ if $a/R$ is not small. At $e\to1$ the area is Hertz's, and the load is $P_p$ plus 96 % of the
 difference between Hertz's load and $P_p$. *Coordinate* of integration: $u=\sqrt w$.
 
-*Check*: contact radius and force agree with thirteen rows of an independent code's regression file to $10^{-12}$. Four of
-these rows, for two equal spheres ($E=192$ GPa, $\nu=0.3$, $Y=330$ MPa, effective radius 1.4 mm), each flattened against the
-plane between them:
+*Check*: contact radius and force agree with thirteen rows of an independent code's regression file to $10^{-12}$. The table
+shows four of these rows, for two equal spheres ($E=192$ GPa, $\nu=0.3$, $Y=330$ MPa, effective radius 1.4 mm), each flattened
+against the plane between them:
 
 | $E_t$ | interference (m) | contact radius (m) | force (N) |
 |---|---|---|---|
@@ -74,20 +74,20 @@ _STEPS = 64
 def elastic_share(hardening):
     """Return the weight of Hertz's load in the load of a hardening asperity, 1 - exp(-3.3 E_t/E) (eq 30).
 
-    hardening: tangent modulus over Young's modulus, E_t/E, a number or an array.
+    hardening: tangent modulus divided by Young's modulus, E_t/E, a number or an array.
     """
     return -np.expm1(-3.3 * hardening)
 
 
 def stiffening(hardening, modulus_over_yield):
-    """Return the numbers `front` and `rate` in the contact radius of a hardening asperity (eq 26).
+    """Return the numbers `front` and `rate` in the formula for the contact radius of a hardening asperity (eq 26).
 
-    They give the exponent Upsilon = -front exp(rate (omega - omega_c)/R), with the displacement omega and its value omega_c at
-    first yield. hardening: e = E_t/E, tangent modulus over Young's modulus. modulus_over_yield: E/S_y, Young's modulus over
-    yield stress, with s = (E/S_y)^(1/2). Both may be arrays. Upsilon = -2 s e^(1 - (omega - omega_c)/R) / ((4 - 3 exp(-2 s e))
-    (1 - e)), as the authors' code computes it, and 0 for e = 0. The printed equation, which the code calls wrong, has the
-    opposite sign and omega in place of omega - omega_c. With that sign the area would grow without bound for e -> 1 instead of
-    tending to Hertz's.
+    They give the exponent Upsilon = -front exp(rate (omega - omega_c)/R), with the displacement omega and its value omega_c
+    at first yield. hardening: e = E_t/E, tangent modulus divided by Young's modulus. modulus_over_yield: E/S_y, Young's
+    modulus divided by yield stress, with s = (E/S_y)^(1/2). Both may be arrays. Upsilon = -2 s e^(1 - (omega -
+    omega_c)/R) / ((4 - 3 exp(-2 s e)) (1 - e)), as the authors' code computes it, and 0 for e = 0. The printed equation,
+    which the code calls wrong, has the opposite sign and omega in place of omega - omega_c. With that sign the area would
+    grow without bound for e -> 1 instead of tending to Hertz's.
     """
     s = np.sqrt(modulus_over_yield)
     front = 2.0 * s * hardening / ((4.0 - 3.0 * np.exp(-2.0 * s * hardening)) * (1.0 - hardening))
@@ -110,10 +110,10 @@ def radius(w, w_c, B, sharpness, front, rate):
 
 @formula
 def hardness(radius):
-    """Return the limiting pressure over the yield stress, H_G/S_y = 2.84 - 0.92 (1 - cos(pi a/R)) (eq 28).
+    """Return the limiting pressure divided by the yield stress, H_G/S_y = 2.84 - 0.92 (1 - cos(pi a/R)) (eq 28).
 
-    radius: contact radius over sphere radius, a/R. H_G/S_y falls from 2.84 to 1 at a = R and stays 1 beyond, where the formula
-    has no meaning.
+    radius: contact radius divided by sphere radius, a/R. H_G/S_y falls from 2.84 to 1 at a = R and stays 1 for larger
+    radii, where the formula has no meaning.
     """
     return 2.84 - 0.92 * (1.0 - math.cos(math.pi * min(radius, 1.0)))
 
@@ -127,9 +127,9 @@ def yielding(u, *row):
 
     omega_c is the displacement at first yield. The load is F_p + (F_e - F_p) share (eq 30). F_p is Jackson and Green's load
     (eqs 27, 29), F_e is Hertz's (eq 31, without its printed factor pi, which Hertz's force does not have). row: w_c =
-    omega_c/sigma; C, largest pressure over yield stress at w_c; B, exponent of the area; sharpness, sqrt(sigma/R); front and
-    rate, from `stiffening`; share, from `elastic_share`; wide, the displacement beyond which the limiting pressure stays at the
-    yield stress. Units: w in sigma, load in K R^(1/2) sigma^(3/2), area in pi R sigma.
+    omega_c/sigma; C, largest pressure divided by yield stress at w_c; B, exponent of the area; sharpness, sqrt(sigma/R);
+    front and rate, from `stiffening`; share, from `elastic_share`; wide, the displacement beyond which the limiting
+    pressure stays at the yield stress. Units: w in sigma, load in K R^(1/2) sigma^(3/2), area in pi R sigma.
     """
     w_c, C, B, sharpness, front, rate, share, wide = row
     w = u * u
@@ -173,9 +173,9 @@ def _fill_wide(w_c, B, sharpness, front, rate, out):
 def _edges(w_c, sharpness, front, rate, wide):
     """Return the edges (n, m) of the segment beyond 1.9 w_c: its start, the splits for integration, and infinity.
 
-    Edges are displacements in units of sigma. The segment is split where the contact radius reaches R (`wide`), where Upsilon =
-    -1, near which the area may change quickly, and at fixed multiples of w_c. w_c: displacement at first yield. sharpness:
-    sqrt(sigma/R). front, rate: from `stiffening`. All arguments are arrays (n,).
+    Edges are displacements in units of sigma. The segment is split where the contact radius reaches R (`wide`), where
+    Upsilon = -1 (the area may change quickly there), and at fixed multiples of w_c. w_c: displacement at first yield.
+    sharpness: sqrt(sigma/R). front, rate: from `stiffening`. All arguments are arrays (n,).
     """
     start = _elastic_to * w_c
     hardens = (front > 0.0) & (rate > 0.0)

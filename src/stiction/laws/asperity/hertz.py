@@ -63,7 +63,7 @@ def normal(u):
 
 
 def elastic(last: np.ndarray) -> NormalSegment:
-    """Return Hertz's law as a NormalSegment from first touch to the displacements `last` (n,), in units of sigma.
+    """Return Hertz's law as a NormalSegment, from first touch to the displacements `last` (n,) in units of sigma.
 
     Asperity laws with yield use it for their elastic part.
     """
@@ -77,10 +77,10 @@ def segments(groups: Groups) -> list[NormalSegment]:
 def first_yield(nu: float) -> tuple[float, float]:
     """Return p0/Y and z/a at which a frictionless Hertz contact first yields (von Mises).
 
-    p0/Y: largest contact pressure over the yield stress. z/a: depth of first yield below the centre of the contact, over the
-    contact radius. nu: Poisson's ratio, 0 <= nu < 0.5. Source: stresses on the axis as in Johnson, Contact Mechanics (1985),
-    eq. 3.45; with stresses in units of p0 and z in units of a, sigma_r = -(1 + nu)(1 - z arctan(1/z)) + 1/(2 (1 + z^2)),
-    sigma_z = -1/(1 + z^2).
+    p0/Y: largest contact pressure divided by the yield stress. z/a: depth of first yield below the centre of the contact,
+    divided by the contact radius. nu: Poisson's ratio, 0 <= nu < 0.5. Source: stresses on the axis as in Johnson, Contact
+    Mechanics (1985), eq. 3.45; with stresses in units of p0 and z in units of a, sigma_r = -(1 + nu)(1 - z arctan(1/z)) +
+    1/(2 (1 + z^2)), sigma_z = -1/(1 + z^2).
     """
     from scipy.optimize import brentq
 

@@ -39,8 +39,8 @@ The last load agrees to $10^{-11}$ with the limiting pressure of this code, $H_G
 
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ in units of $KR^{1/2}\sigma^{3/2}$ and contact area $A$ in units of
 $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$
-($E^*$ contact modulus); $\eta=\pi H\sqrt{R/\sigma}/K$ hardness group, $H$ hardness; $k=H/Y$ hardness over yield stress; $\nu$
-Poisson's ratio; $\varsigma=\sqrt{\sigma/R}$. Full list: [symbols](#1-units).
+($E^*$ contact modulus); $\eta=\pi H\sqrt{R/\sigma}/K$ hardness group, $H$ hardness; $k=H/Y$ hardness divided by yield stress;
+$\nu$ Poisson's ratio; $\varsigma=\sqrt{\sigma/R}$. Full list: [symbols](#1-units).
 """
 
 import math
@@ -63,7 +63,7 @@ _SPLITS = (1e3, 1e5)
 
 
 def yield_coefficient(nu):
-    """Return C = 1.295 exp(0.736 nu), the largest pressure over the yield stress at first yield.
+    """Return C = 1.295 exp(0.736 nu), the largest pressure divided by the yield stress at first yield.
 
     nu: Poisson's ratio, a number or an array of any shape.
     """
@@ -74,8 +74,8 @@ def critical_interference(eta, C, k):
     """Return the displacement at first yield in units of sigma, ((2/3) C eta/k)^2.
 
     It follows from omega_c = (pi C S_y/(2 E*))^2 R with the yield stress S_y = H/k and the hardness group eta = pi H
-    sqrt(R/sigma)/K, K = (4/3) E*. C: largest pressure over the yield stress, from `yield_coefficient`. k: hardness over yield
-    stress. The arguments may be arrays.
+    sqrt(R/sigma)/K, K = (4/3) E*. C: largest pressure divided by the yield stress, from `yield_coefficient`. k: hardness
+    divided by yield stress. The arguments may be arrays.
     """
     return (2.0 / 3.0 * C * eta / k) ** 2
 
@@ -83,7 +83,7 @@ def critical_interference(eta, C, k):
 def area_power(yield_strain):
     """Return the exponent of the contact area, B = 0.14 exp(23 S_y/E*).
 
-    yield_strain: S_y/E*, yield stress over contact modulus, a number or an array; it is limited to 0.1, because the
+    yield_strain: S_y/E*, yield stress divided by contact modulus, a number or an array; it is limited to 0.1, because the
     exponential is fitted to metals.
     """
     return 0.14 * np.exp(23.0 * np.minimum(yield_strain, _MOST_STRAIN))
@@ -93,16 +93,16 @@ def area_power(yield_strain):
 def area_ratio(ratio, B):
     """Return the ratio of the contact area to Hertz's area pi R omega: (omega/(1.9 omega_c))^B, or 1 below 1.9 omega_c.
 
-    ratio: displacement over displacement at first yield, omega/omega_c. B: exponent, from `area_power`.
+    ratio: displacement divided by displacement at first yield, omega/omega_c. B: exponent, from `area_power`.
     """
     return math.exp(min(B * max(math.log(ratio / ELASTIC_TO), 0.0), 600.0))
 
 
 @formula
 def hardness(radius):
-    """Return the limiting pressure over the yield stress, H_G/S_y = 2.84 (1 - exp(-0.82 (a/R)^(-0.7))).
+    """Return the limiting pressure divided by the yield stress, H_G/S_y = 2.84 (1 - exp(-0.82 (a/R)^(-0.7))).
 
-    radius: contact radius over asperity radius, a/R.
+    radius: contact radius divided by asperity radius, a/R.
     """
     return -2.84 * math.expm1(-0.82 * radius**-0.7)
 
@@ -111,9 +111,9 @@ def hardness(radius):
 def load_ratio(ratio, C, H):
     """Return the ratio of the load to the load at first yield, P/P_c.
 
-    P/P_c = exp(-ratio^(5/12)/4) ratio^(3/2) + (4 H/C) (1 - exp(-ratio^(5/9)/25)) ratio. ratio: displacement over displacement
-    at first yield. C: largest pressure over the yield stress at first yield. H: limiting pressure over the yield stress,
-    H_G/S_y.
+    P/P_c = exp(-ratio^(5/12)/4) ratio^(3/2) + (4 H/C) (1 - exp(-ratio^(5/9)/25)) ratio. ratio: displacement divided by
+    displacement at first yield. C: largest pressure divided by the yield stress at first yield. H: limiting pressure
+    divided by the yield stress, H_G/S_y.
     """
     elastic = math.exp(-0.25 * ratio ** (5.0 / 12.0)) * math.sqrt(ratio)
     return ratio * (elastic - 4.0 * H / C * math.expm1(-(ratio ** (5.0 / 9.0)) / 25.0))
@@ -123,9 +123,10 @@ def load_ratio(ratio, C, H):
 def yielding(u, w_c, C, B, sharpness):
     """Return displacement w, dw/du, load and contact area of an asperity beyond 1.9 w_c, at the coordinate u = sqrt(w).
 
-    w_c: displacement at first yield. C: largest pressure over the yield stress at w_c. B: exponent of the area. sharpness:
-    sqrt(sigma/R); sharpness times sqrt(area) is the contact radius over R. The load at first yield, P_c = (4/3) (R/E*)^2 (C pi
-    S_y/2)^3, is Hertz's load at w_c. Units: w in sigma, load in K R^(1/2) sigma^(3/2), area in pi R sigma.
+    w_c: displacement at first yield. C: largest pressure divided by the yield stress at w_c. B: exponent of the area.
+    sharpness: sqrt(sigma/R); sharpness times sqrt(area) is the contact radius divided by R. The load at first yield, P_c =
+    (4/3) (R/E*)^2 (C pi S_y/2)^3, is Hertz's load at w_c. Units: w in sigma, load in K R^(1/2) sigma^(3/2), area in pi R
+    sigma.
     """
     w = u * u
     ratio = w / w_c

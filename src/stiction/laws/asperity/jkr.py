@@ -12,8 +12,8 @@ $$
 In SI $P=Ka^3/R-\sqrt{6\pi\gamma Ka^3}$, $\omega=a^2/R-\sqrt{8\pi\gamma a/(3K)}$. In loading, contact begins at $w=0$, under
 the tension $\tfrac89P_c$. With `branch="unloading"` it continues below $w=0$ down to the point where $dw/du=0$.
 
-Characteristic states in Maugis's units: load over $\pi\gamma R$, contact radius $a$ over $(\pi\gamma R^2/K)^{1/3}$,
-displacement over $(\pi^2\gamma^2R/K^2)^{1/3}$:
+Characteristic states in Maugis's units: $\pi\gamma R$ for the load, $(\pi\gamma R^2/K)^{1/3}$ for the contact radius $a$,
+$(\pi^2\gamma^2R/K^2)^{1/3}$ for the displacement:
 
 | state | $a$ | displacement | load |
 |---|---|---|---|
@@ -93,8 +93,8 @@ def coordinate(w, S):
     """Return the coordinate u of a JKR contact at the displacement w, on the stable branch, where w grows with u.
 
     u^4 = a^2/(R sigma), with the contact radius a. w: in units of sigma. S: strength of adhesion, from `adhesion`. If w is
-    below the smallest displacement of the branch, the coordinate of that displacement is returned. Newton's method solves w =
-    u^4 - (2/3) S u from above; the polynomial is convex.
+    below the smallest displacement of the branch, the coordinate of that displacement is returned. Newton's method, started
+    above the root of the convex polynomial, solves w = u^4 - (2/3) S u.
     """
     if w == math.inf:
         return math.inf
@@ -129,9 +129,9 @@ def normal_coordinate(w, theta):
 def first_contact(theta: np.ndarray, branch: str) -> np.ndarray:
     """Return the coordinate u (n,) at which a JKR contact begins in loading, or ends in unloading.
 
-    u^4 = a^2/(R sigma), with the contact radius a. theta (n,): elastic adhesion index. branch: "loading" or "unloading". With
-    s = (2/3) sqrt(6 pi/theta): in loading the displacement is zero there (u^3 = s), in unloading its derivative by u is zero
-    (4 u^3 = s).
+    u^4 = a^2/(R sigma), with the contact radius a. theta (n,): elastic adhesion index. branch: "loading" or "unloading".
+    With s = (2/3) sqrt(6 pi/theta), loading begins where the displacement is zero (u^3 = s), and unloading ends where its
+    derivative by u is zero (4 u^3 = s).
     """
     s = 2.0 / 3.0 * np.sqrt(6.0 * math.pi / theta)
     return np.cbrt(s if branch == "loading" else s / 4.0)

@@ -1,8 +1,8 @@
 r"""One elastic-plastic asperity without adhesion, fitted to finite elements: Kogut & Etsion 2002.
 
 *Assumes*: an elastic, perfectly plastic sphere on a rigid flat without friction. Power laws are fitted to finite elements.
-*Source*: [kogut_etsion_2002]; constants are taken from two independent codes. Load and area are given over their values at
-first yield, $P_c=w_c^{3/2}$ and $A_c=w_c$, with the critical interference of
+*Source*: [kogut_etsion_2002]; constants are taken from two independent codes. Load and area are given relative to their values
+at first yield, $P_c=w_c^{3/2}$ and $A_c=w_c$, with the critical interference of
 [`chang_etsion_bogy_1987`](#chang_etsion_bogy_1987),
 
 $$

@@ -2,9 +2,9 @@ r"""One elastic asperity with adhesion of constant stress in a ring around the c
 
 *Assumes*: elastic bodies. In a ring around the contact, from the contact radius $a$ to the outer radius $c$, the surfaces
 attract each other with the constant stress $\sigma_0$, up to a gap $\gamma/\sigma_0$ (a Dugdale zone). As the Tabor parameter
-grows, the law changes from DMT (stiff, small spheres) to JKR (soft, large spheres). *Source*: [maugis_1992]. In Maugis's units
-the contact radius $\mathcal A$ is over $(\pi\gamma R^2/K)^{1/3}$, the displacement $D$ over $(\pi^2\gamma^2R/K^2)^{1/3}$ and
-the load over $\pi\gamma R$. With $m=c/a$ and the parameter $\lambda_M$ of the attraction:
+grows, the law changes from DMT (stiff, small spheres) to JKR (soft, large spheres). *Source*: [maugis_1992]. Maugis's units
+are $(\pi\gamma R^2/K)^{1/3}$ for the contact radius $\mathcal A$, $(\pi^2\gamma^2R/K^2)^{1/3}$ for the displacement $D$ and
+$\pi\gamma R$ for the load. With $m=c/a$ and the parameter $\lambda_M$ of the attraction:
 
 $$
 \tfrac12\lambda_M\mathcal A^2\left[\sqrt{m^2-1}+(m^2-2)\arctan\sqrt{m^2-1}\right]
@@ -39,9 +39,9 @@ Lennard-Jones half-spaces, $16\gamma/(9\sqrt3\,\varepsilon)$.
 | load at first touch over $\pi\gamma R$ | −1.9445 | −1.7494 | −1.5736 | −1.4055 | −1.3455 | −1.3345 | −1.3333 |
 
 The difference from JKR falls as $\mu_T^{-2}$ for large $\mu_T$, the difference from DMT only as $\mu_T^{1/2}$ for small
-$\mu_T$. *Departure*: here, as for JKR and DMT, an asperity attracts only while it touches, in loading from $w=0$ on. In the
-source the ring attracts before contact. In unloading the contact lasts until $dw/ds=0$ or, for small $\lambda_M$, until it has
-shrunk to a point.
+$\mu_T$. *Departure*: here, as for JKR and DMT, an asperity attracts only while it touches, which in loading begins at $w=0$.
+In the source the ring attracts before contact. In unloading the contact lasts until $dw/ds=0$ or, for small $\lambda_M$, until
+it has shrunk to a point.
 
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ in units of $KR^{1/2}\sigma^{3/2}$ and contact area $A$ in units of
 $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$
@@ -146,8 +146,8 @@ def coordinate(w, g, lam):
     """Return the coordinate s of Maugis's contact at the displacement w in units of sigma, on the stable branch.
 
     s = a/sqrt(c^2 - a^2), with contact radius a and outer radius c of the attracting ring. g: (pi/theta)^(1/3), with the
-    elastic adhesion index theta. lam: Maugis's parameter lambda_M of the attraction. Newton's method from above solves the
-    equation to machine precision; the function is convex.
+    elastic adhesion index theta. lam: Maugis's parameter lambda_M of the attraction. Newton's method, started above the
+    root of the convex function, solves the equation to machine precision.
     """
     if w == math.inf:
         return math.inf
@@ -194,9 +194,9 @@ def _fill_displacement(s, g, lam, out):
 def segments(groups: Groups, branch: str) -> list[NormalSegment]:
     """Return a list with the one segment of Maugis's contact, in loading (from w = 0) or in unloading.
 
-    In unloading it starts where dw/ds = 0 or, if the contact stays stable, at s = 0, a contact that has shrunk to a point. w:
-    displacement. s: coordinate. groups: dimensionless groups of n contacts. branch: "loading" or "unloading". An edge is placed
-    at s = 4, because the functions of the attracting ring vary on another scale beyond it.
+    In unloading it starts where dw/ds = 0 or, if the contact stays stable, at s = 0, a contact that has shrunk to a point.
+    w: displacement. s: coordinate. groups: dimensionless groups of n contacts. branch: "loading" or "unloading". An edge is
+    placed at s = 4, beyond which the functions of the attracting ring vary on another scale.
     """
     lam = np.minimum(LAMBDA_OVER_TABOR * groups.tabor_parameter, _SOFTEST)
     g = np.cbrt(math.pi / groups.theta)

@@ -2,7 +2,7 @@ r"""One adhesive asperity, elastic (JKR) until its mean pressure reaches the har
 
 *Assumes*: the contact follows [`jkr`](#jkr) until its mean pressure reaches the hardness. Then it is fully plastic: the area
 is $2\pi R\omega$, twice the area of a Hertz contact at this displacement, and the load is the hardness times this area minus
-the adhesion $2\pi\gamma R$. It is the asperity of the 2015 paper, its eqs. (1) to (4): [theory, section
+the adhesion $2\pi\gamma R$. It is the asperity law of the 2015 paper, eqs. (1) to (4): [theory, section
 2](theory.md#2-one-asperity-under-normal-load). *Source*: [roy_chowdhury_ghosh_1994], as [soft_coating_2015] states it. With
 $S=\sqrt{6\pi/\theta}$ and the coordinate $u$ of JKR's contact, the plastic segment is
 
@@ -39,8 +39,8 @@ _STEPS = 7  # Newton steps that are sufficient from a start at most 50 % above t
 def unit_root(a):
     """Return the largest real root v of v^3 + a v - 1 = 0, by Newton's method from above.
 
-    The number of steps is fixed, because the compiler vectorises only loops in which every element takes the same steps. It is
-    sufficient for every a.
+    The number of steps is fixed, because the compiler vectorises only loops in which every element takes the same number of
+    steps. It is sufficient for every a.
     """
     # For s^2 = -a > 0 the root is s + d with 2 s^2 d + 3 s d^2 + d^3 = 1. Both starts are upper bounds of it, and close.
     s = math.sqrt(max(-a, 0.0))
@@ -84,7 +84,7 @@ def onset(groups: Groups) -> tuple[np.ndarray, np.ndarray]:
 
 @formula
 def plastic(w, theta, eta):
-    """Return displacement w, dw/du = 1, load and contact area of a fully plastic adhesive asperity; u is w itself.
+    """Return displacement w, dw/du = 1, load and contact area of a fully plastic adhesive asperity; the coordinate u is w.
 
     The area is 2 w. The load is 2 eta w - 2 pi/theta: the hardness times the area, minus the adhesive force 2 pi gamma R
     (second integrand of eq 1 of soft_coating_2015). theta: elastic adhesion index. eta: hardness group. Units: w in sigma, load

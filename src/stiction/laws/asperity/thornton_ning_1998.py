@@ -2,7 +2,7 @@ r"""One adhesive asperity, elastic (JKR) until its central pressure reaches a li
 
 *Assumes*: the contact follows [`jkr`](#jkr) until the pressure in its centre reaches the limiting pressure $p_y$. The area
 under this pressure then spreads from the centre. Contact radius and displacement stay related as in JKR. *Source*:
-[thornton_ning_1998]: the stiffness after yield, and the unloading; both were taken from implementations of the law. The load is
+[thornton_ning_1998]: the stiffness after yield and the unloading law, both taken from published implementations. The load is
 the integral of the stiffness. With $\eta_y=\eta\,p_y/H$, $S=\sqrt{6\pi/\theta}$, the coordinate $u$ of JKR's contact and its
 value $u_y$ at yield,
 
@@ -16,12 +16,12 @@ p_y=\frac{2E^*a_y}{\pi R}-\sqrt{\frac{2\gamma E^*}{\pi a_y}},\qquad
 $$
 
 The second line is in SI, with the contact radius $a$ and its value $a_y$ at yield. The load is the sum of the yielded centre
-and the elastic ring around it. JKR's pressure at the radius $r$ is $p_0q-p_1/q$ with $q=\sqrt{1-r^2/a^2}$,
-$p_0=2E^*a/(\pi R)$ and $p_1=\sqrt{2\gamma E^*/(\pi a)}$; it is largest in the centre. After yield the pressure is $p_y$ for
-$r^2<a^2-a_y^2$ and JKR's pressure outside. This is not the same as JKR's pressure limited to $p_y$, which falls below $p_y$
-closer to the centre and gives a slightly smaller $P$; without adhesion both agree. Load and stiffness are continuous at $u_y$.
-If $p_y$ is below JKR's central pressure at zero displacement, $(2E^{*2}\gamma/(\pi^2R))^{1/3}$, the asperity yields at first
-touch, and the same formulas hold from there on.
+and the elastic ring around it. JKR's pressure at the radius $r$ is $p_0q-p_1/q$ with $q=\sqrt{1-r^2/a^2}$, $p_0=2E^*a/(\pi R)$
+and $p_1=\sqrt{2\gamma E^*/(\pi a)}$; it is largest in the centre. After yield the pressure is $p_y$ for $r^2<a^2-a_y^2$ and
+JKR's pressure outside. This is not the same as JKR's pressure limited to $p_y$, which falls below $p_y$ closer to the centre
+and gives a slightly smaller $P$; without adhesion both agree. Load and stiffness are continuous at $u_y$. If $p_y$ is below
+JKR's central pressure at zero displacement, $(2E^{*2}\gamma/(\pi^2R))^{1/3}$, the asperity yields at first touch, and the same
+formulas hold from then on.
 
 The source does not say how to choose $p_y$. With `limiting_pressure="first_yield"`, the default, it is $H/k$ times the exact
 $p_0/Y$ of the table under [`hertz`](#hertz); with `"hardness"` it is $H$. *Check*: at $\theta=40$, $\lambda=10$, $\nu=0.3$,
@@ -44,7 +44,7 @@ it does not grow by plastic flow.
 $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$
 ($E^*$ contact modulus); $\theta=K\sigma^{3/2}/(\gamma R^{1/2})$ elastic adhesion index, $\gamma$ work of adhesion;
 $\eta=\pi H\sqrt{R/\sigma}/K$ hardness group, $H$ hardness; $\lambda$ plastic adhesion index; $\nu$ Poisson's ratio; $k=H/Y$
-hardness over yield stress; $P_c=\tfrac32\pi\gamma R$ pull-off force. Full list: [symbols](#1-units).
+hardness divided by yield stress; $P_c=\tfrac32\pi\gamma R$ pull-off force. Full list: [symbols](#1-units).
 """
 
 import math
@@ -175,8 +175,8 @@ def pull_off(u_max, P_max, S):
 def lost_displacement(u_max, P_max, S):
     """Return the displacement at which a yielded asperity loses contact in unloading, in units of sigma.
 
-    There the derivative of the displacement by the coordinate u is 0, which gives u^3 = (S/6) R_p/R. u_max, P_max: coordinate
-    and load at the turning point, where loading ended. S: as in `yielded_load`.
+    It is the displacement at which its derivative by the coordinate u is 0: u^3 = (S/6) R_p/R. u_max, P_max: coordinate and
+    load at the turning point, where loading ended. S: as in `yielded_load`.
     """
     radius = unloading_radius(u_max, P_max, S)
     u = (S * radius / 6.0) ** (1.0 / 3.0)
@@ -287,9 +287,9 @@ def segments(groups: Groups, limiting_pressure: str) -> list[NormalSegment]:
 def released(groups: Groups, distance: np.ndarray, limiting_pressure: str) -> list[NormalSegment]:
     """Return the segments of an asperity after loading and an increase of the separation by `distance`.
 
-    distance (n,): in units of sigma. The first segment has the asperities that did not yield; they follow JKR's unloading
-    branch if they touched before the increase. The second has the yielded asperities. limiting_pressure: "first_yield" or
-    "hardness", the pressure at yield.
+    distance (n,): in units of sigma. The first segment describes the asperities that did not yield; they follow JKR's
+    unloading branch if they touched before the increase. The second describes the yielded asperities. limiting_pressure:
+    "first_yield" or "hardness", the pressure at yield.
     """
     elastic, yielded = segments(groups, limiting_pressure)
     first, last = elastic.edges.T

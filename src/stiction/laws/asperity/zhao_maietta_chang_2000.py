@@ -1,7 +1,7 @@
 r"""One asperity without adhesion with a smooth transition from Hertz to full plasticity: Zhao, Maietta & Chang 2000.
 
-*Assumes*: the contact is elastic (Hertz) up to first yield, at the displacement $\omega_1$ and a mean pressure of $0.4H$. It is
-fully plastic (area $2\pi R\omega$, mean pressure $H$) from $\omega_2=54\,\omega_1$ on. In between the area follows a cubic
+*Assumes*: the contact is elastic (Hertz) up to first yield, at the displacement $\omega_1$ and a mean pressure of $0.4H$. It
+is fully plastic (area $2\pi R\omega$, mean pressure $H$) above $\omega_2=54\,\omega_1$. In between the area follows a cubic
 step and the mean pressure a logarithm. *Source*: [zhao_maietta_chang_2000], from an independent code; 0.4 is the commonly
 quoted value.
 

@@ -18,10 +18,10 @@ from stiction.records.sources import Source
 
 @formula
 def value(film_over_substrate, thickness_over_radius, nu_film, nu_substrate):
-    """Return E'/E'_s, the reduced modulus of film and substrate together over the substrate's, with E' = E/(1 - nu^2).
+    """Return E'/E'_s, the reduced modulus of film and substrate together divided by the substrate's, with E' = E/(1 - nu^2).
 
     It follows from E'_s/E' = f E'_s/E'_f + 1 - f with f = 2 t/(pi a + 2 t). film_over_substrate: E'_f/E'_s.
-    thickness_over_radius: film thickness over contact radius, t/a. Poisson's ratios have no effect.
+    thickness_over_radius: film thickness divided by contact radius, t/a. nu_film and nu_substrate are not used.
     """
     substrate = 1.0 / (1.0 + thickness_over_radius / (0.5 * math.pi))
     return 1.0 / ((1.0 - substrate) / film_over_substrate + substrate)

@@ -1,9 +1,9 @@
-r"""Hardness of a film on a substrate against depth, fitted to finite elements (a cone): Bhattacharya & Nix 1988.
+r"""Hardness of a film on a substrate as a function of depth, fitted to finite elements (a cone): Bhattacharya & Nix 1988.
 
 *Assumes*: a fit to finite elements of conical indentation. *Source*: [bhattacharya_nix_1988], as restated in later works. $H$
-is the hardness of film and substrate together at the depth $\omega$, $H_s$ of the substrate. $n_H$, $n_E$ and $n_Y$ are
-hardness, modulus and yield stress of the film over the substrate's; $n_Y=n_H$ is assumed here. With the film thickness $t$ and
-$v=\omega/t$,
+is the hardness of film and substrate together at the depth $\omega$, $H_s$ that of the substrate. $n_H$, $n_E$ and $n_Y$ are
+hardness, modulus and yield stress of the film, each divided by the substrate's; $n_Y=n_H$ is assumed here. With the film
+thickness $t$ and $v=\omega/t$,
 
 $$
 \frac H{H_s}=1+(n_H-1)\,e^{-c\,v^m},\qquad c=\frac{n_Y}{n_E}\ (n_H<1),\quad c=\frac{n_H}{n_Y\sqrt{n_E}}\ (n_H>1)
@@ -34,10 +34,10 @@ from stiction.records.sources import Source
 
 @formula
 def value(hardness_ratio, depth_over_thickness, constant, exponent):
-    """Return the hardness of film and substrate together over the substrate's: 1 + (H_f/H_s - 1) exp(-c (omega/t)^m).
+    """Return the hardness of film and substrate together divided by the substrate's: 1 + (H_f/H_s - 1) exp(-c (omega/t)^m).
 
-    hardness_ratio: H_f/H_s, film over substrate. depth_over_thickness: omega/t, with the depth omega and the film thickness t.
-    constant: c. exponent: m, 1 or 2.
+    hardness_ratio: H_f/H_s, film to substrate. depth_over_thickness: omega/t, with the depth omega and the film thickness
+    t. constant: c. exponent: m, 1 or 2.
     """
     power = depth_over_thickness if exponent == 1.0 else depth_over_thickness * depth_over_thickness
     return 1.0 + (hardness_ratio - 1.0) * exponential(-constant * power)
@@ -47,13 +47,13 @@ def constants(n_E: np.ndarray, n_H: np.ndarray, n_Y: np.ndarray) -> np.ndarray:
     """Return the constant c (n,) in the exponent by which the film's effect on the hardness decays with depth.
 
     c is n_Y/n_E for a soft film (n_H < 1), n_H/(n_Y sqrt(n_E)) for a hard one. n_E, n_H, n_Y: modulus, hardness and yield
-    stress of the film over the substrate's.
+    stress of the film divided by the substrate's.
     """
     return np.where(n_H < 1.0, n_Y / n_E, n_H / (n_Y * np.sqrt(n_E)))
 
 
 def landmarks(constant: np.ndarray, exponent: np.ndarray) -> np.ndarray:
-    """Return depths over film thickness (n, 7) at which an integral over depth is split.
+    """Return depths (n, 7), divided by the film thickness, at which an integral over depth is split.
 
     Between two neighbouring depths the decay changes by at most 0.5. constant, exponent: c and m (n,) of the decay exp(-c
     (depth/thickness)^m).

@@ -14,9 +14,9 @@ $$
 1-\nu=\frac{(1-\nu_s)(1-\nu_f)}{1-(1-I_1)\nu_f-I_1\nu_s},\qquad I_1=\frac2\pi\arctan\xi+\frac\xi\pi\ln\frac{1+\xi^2}{\xi^2}
 $$
 
-*Trap*: the restatement misprints $\nu=1+[\ldots]$ for $1-[\ldots]$, and $a/t$ for $\xi$. The film law [`graded`](#graded) uses
-the mean of both Poisson's ratios instead. If the moduli differ by more than a factor of two, the formula deviates from
-numerical solutions.
+*Trap*: the restatement has two misprints, $\nu=1+[\ldots]$ for $1-[\ldots]$ and $a/t$ for $\xi$. The film law
+[`graded`](#graded) uses the mean of both Poisson's ratios instead. If the moduli differ by more than a factor of two, the
+formula deviates from numerical solutions.
 """
 
 import math
@@ -33,8 +33,8 @@ _LEAST, _MOST = 1e-100, 1e100  # bounds of t/a, whose squares neither vanish nor
 def modulus_share(v, nu):
     """Return the film's weight I0 in the modulus, between 0 and 1, and its derivative by ln v.
 
-    v: contact radius over film thickness, a/t >= 0. nu: Poisson's ratio of film and substrate together. Source: Gao, Chiu &
-    Lee 1992 (S5.12).
+    v: contact radius divided by film thickness, a/t >= 0. nu: Poisson's ratio of film and substrate together. Source: Gao,
+    Chiu & Lee 1992 (S5.12).
     """
     r = 1.0 / (1.0 + v * v)
     quotient = log_quotient(v * v)
@@ -48,7 +48,8 @@ def modulus_share(v, nu):
 def ratio_share(thickness_over_radius):
     """Return the film's weight I1 in Poisson's ratio of film and substrate together.
 
-    I1 = (2/pi) arctan(t/a) + (t/a)/pi ln(1 + (a/t)^2). thickness_over_radius: film thickness over contact radius, t/a.
+    I1 = (2/pi) arctan(t/a) + (t/a)/pi ln(1 + (a/t)^2). thickness_over_radius: film thickness divided by contact radius,
+    t/a.
     """
     xi = min(max(thickness_over_radius, _LEAST), _MOST)
     return 2.0 / math.pi * arctan(xi) + log_quotient(1.0 / xi / xi) / (math.pi * xi)
@@ -59,7 +60,7 @@ def poissons_ratio(thickness_over_radius, nu_film, nu_substrate):
     """Return Poisson's ratio nu of film and substrate together.
 
     1 - nu = (1 - nu_s)(1 - nu_f) / (1 - (1 - I1) nu_f - I1 nu_s), with the film's weight I1 from `ratio_share`.
-    thickness_over_radius: film thickness over contact radius.
+    thickness_over_radius: film thickness divided by contact radius.
     """
     share = ratio_share(thickness_over_radius)
     mixed = 1.0 - (1.0 - share) * nu_film - share * nu_substrate
@@ -68,10 +69,10 @@ def poissons_ratio(thickness_over_radius, nu_film, nu_substrate):
 
 @formula
 def value(film_over_substrate, thickness_over_radius, nu_film, nu_substrate):
-    """Return E'/E'_s, the reduced modulus of film and substrate together over the substrate's, 1 + (E'_f/E'_s - 1) I0.
+    """Return E'/E'_s, the reduced modulus of film and substrate together divided by the substrate's, 1 + (E'_f/E'_s - 1) I0.
 
     E' = E/(1 - nu^2). I0 is the film's weight, from `modulus_share`. film_over_substrate: E'_f/E'_s. thickness_over_radius:
-    film thickness over contact radius.
+    film thickness divided by contact radius.
     """
     nu = poissons_ratio(thickness_over_radius, nu_film, nu_substrate)
     share, _ = modulus_share(1.0 / min(max(thickness_over_radius, _LEAST), _MOST), nu)

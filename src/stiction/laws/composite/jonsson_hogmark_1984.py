@@ -2,14 +2,15 @@ r"""Hardness of a film on a substrate, weighted by their areas under the indente
 
 *Assumes*: the hardnesses of film and substrate are weighted by their areas under a Vickers pyramid whose impression has the
 diagonal $d$. *Source*: [jonsson_hogmark_1984], as restated by the documentation of the NIMS toolbox. $H$ is the hardness of
-film and substrate together, $H_s$ of the substrate, $n_H$ of the film over the substrate's, $t$ the film thickness:
+film and substrate together, $H_s$ that of the substrate, $n_H$ the film's hardness divided by the substrate's, $t$ the film
+thickness:
 
 $$
 \frac H{H_s}=1+(n_H-1)\left[\frac{2Ct}d-\left(\frac{Ct}d\right)^2\right],\qquad C=1,\ \text{or}\ \tfrac12\ \text{for}\ n_H>6.3
 $$
 
-with $Ct/d$ at most 1. *Reconstructed*: $d$ is taken as seven times the displacement of an asperity, as for the depth of a
-Vickers impression; this is the project's choice.
+with $Ct/d$ at most 1. *Reconstructed*: $d$ is taken as seven times the displacement of an asperity, like the ratio of diagonal
+to depth of a Vickers impression; this is the project's choice.
 """
 
 import numpy as np
@@ -23,11 +24,11 @@ _DIAGONAL = 7.0  # of a Vickers pyramid, over the depth of its impression
 
 @formula
 def value(hardness_ratio, depth_over_thickness, constant, exponent):
-    """Return the hardness of film and substrate together over the substrate's, 1 + (H_f/H_s - 1) A_f/A.
+    """Return the hardness of film and substrate together divided by the substrate's, 1 + (H_f/H_s - 1) A_f/A.
 
     A_f/A, the fraction of the area that the film covers, is 2 C t/d - C^2 (t/d)^2 while C t/d < 1, else 1. hardness_ratio:
-    H_f/H_s. depth_over_thickness: displacement omega over film thickness t; the diagonal d is 7 omega. constant: C. `exponent`
-    is not used.
+    H_f/H_s. depth_over_thickness: displacement omega divided by film thickness t; the diagonal d is 7 omega. constant: C.
+    `exponent` is not used.
     """
     rim = constant / max(_DIAGONAL * depth_over_thickness, constant)
     return 1.0 + (hardness_ratio - 1.0) * rim * (2.0 - rim)
@@ -36,8 +37,9 @@ def value(hardness_ratio, depth_over_thickness, constant, exponent):
 def constants(n_E: np.ndarray, n_H: np.ndarray, n_Y: np.ndarray) -> np.ndarray:
     """Return the constant C (n,): 1/2 for n_H > 6.3, else 1.
 
-    n_H: hardness of the film over the substrate's. n_E and n_Y (modulus, yield stress) are not used. C = 1/2 describes a hard
-    film that cracks over a very soft substrate. The experiments cover n_H from 1.8 to 2.3 and from 6.3 to 12.9.
+    n_H: hardness of the film divided by the substrate's. n_E and n_Y (modulus, yield stress) are not used. C = 1/2
+    describes a hard film that cracks over a very soft substrate. The experiments cover n_H from 1.8 to 2.3 and from 6.3 to
+    12.9.
     """
     return np.where(n_H > 6.3, 0.5, 1.0)
 
@@ -45,8 +47,8 @@ def constants(n_E: np.ndarray, n_H: np.ndarray, n_Y: np.ndarray) -> np.ndarray:
 def landmarks(constant: np.ndarray, exponent: np.ndarray) -> np.ndarray:
     """Return nine values of omega/t (n, 9) at which the integral over asperity heights is split.
 
-    The substrate contributes beyond the first; the others only shorten the intervals. constant: C (n,) from `constants`.
-    `exponent` is not used.
+    The substrate contributes only beyond the first value; the others only shorten the intervals. constant: C (n,) from
+    `constants`. `exponent` is not used.
     """
     return constant[:, None] / _DIAGONAL * np.array([1.0, 2.0, 6.0, 24.0, 100.0, 500.0, 3e3, 2e4, 2e5])
 

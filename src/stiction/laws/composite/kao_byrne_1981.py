@@ -2,13 +2,13 @@ r"""Hardness of a film on a substrate from deep impressions: Kao & Byrne 1981.
 
 *Assumes*: impressions are deeper than about a fifth of the film thickness $t$. *Source*: [kao_byrne_1981], as restated by the
 documentation of the NIMS toolbox. $H$ is the hardness of film and substrate together at the depth $\omega$, $H_s$ the hardness
-of the substrate, $n_H$ the hardness of the film over $H_s$. With $v=\omega/t$,
+of the substrate, $n_H$ the hardness of the film divided by $H_s$. With $v=\omega/t$,
 
 $$
 \frac H{H_s}=1+(n_H-1)\min\left(\frac{0.18}v,\,1\right)
 $$
 
-*Reconstructed*: near the surface $H$ is limited to the film's hardness, which is this project's choice.
+*Reconstructed*: near the surface $H$ is limited to the film's hardness; this is the project's own choice.
 """
 
 import numpy as np
@@ -22,7 +22,7 @@ WEIGHT = 0.09  # k1
 
 @formula
 def value(hardness_ratio, depth_over_thickness, constant, exponent):
-    """Return the hardness of film and substrate together over the substrate's, 1 + (H_f/H_s - 1) (2 k1) t/omega.
+    """Return the hardness of film and substrate together divided by the substrate's, 1 + (H_f/H_s - 1) (2 k1) t/omega.
 
     At small depths it is limited to the film's hardness. hardness_ratio: H_f/H_s. depth_over_thickness: omega/t, with the depth
     omega and the film thickness t. constant: the number 2 k1. `exponent` is not used.
@@ -36,9 +36,9 @@ def constants(n_E: np.ndarray, n_H: np.ndarray, n_Y: np.ndarray) -> np.ndarray:
 
 
 def landmarks(constant: np.ndarray, exponent: np.ndarray) -> np.ndarray:
-    """Return depths over film thickness (n, 9) at which an integral over depth is split.
+    """Return depths (n, 9), divided by the film thickness, at which an integral over depth is split.
 
-    At the first depth the substrate begins to contribute. constant: 2 k1 (n,). `exponent` is not used.
+    The substrate contributes only beyond the first depth. constant: 2 k1 (n,). `exponent` is not used.
     """
     return constant[:, None] * np.array([1.0, 2.0, 6.0, 24.0, 100.0, 500.0, 3e3, 2e4, 2e5])
 

@@ -24,11 +24,11 @@ EXPONENT = 1.27
 
 @formula
 def value(film_over_substrate, thickness_over_radius, nu_film, nu_substrate):
-    """Return E'/E'_s, the reduced modulus of film and substrate together over the substrate's, with E' = E/(1 - nu^2).
+    """Return E'/E'_s, the reduced modulus of film and substrate together divided by the substrate's, with E' = E/(1 - nu^2).
 
-    E' = E'_f + (E'_s - E'_f)/(1 + (k0 t/a)^n) with log k0 = -0.093 + 0.792 log(E'_s/E'_f) + 0.05 (log(E'_s/E'_f))^2 (base 10)
-    and n = 1.27. film_over_substrate: E'_f/E'_s. thickness_over_radius: film thickness over contact radius, t/a. Poisson's
-    ratios have no effect.
+    E' = E'_f + (E'_s - E'_f)/(1 + (k0 t/a)^n) with log k0 = -0.093 + 0.792 log(E'_s/E'_f) + 0.05 (log(E'_s/E'_f))^2 (base
+    10) and n = 1.27. film_over_substrate: E'_f/E'_s. thickness_over_radius: film thickness divided by contact radius, t/a.
+    nu_film and nu_substrate are not used.
     """
     mismatch = -math.log10(film_over_substrate)
     k0 = 10.0 ** (-0.093 + mismatch * (0.792 + 0.05 * mismatch))

@@ -1,4 +1,4 @@
-r"""Scatter of friction by junctions of different, independent strength, as on contaminated surfaces.
+r"""Scatter of friction due to junctions of different, independent strength, as on contaminated surfaces.
 
 *Assumes*: the interface strength differs from junction to junction. It is a random number with the mean $\tau_0$ and the
 standard deviation $c_\tau\tau_0$, independent of other junctions and of the junction's size and load. All junctions slide at
@@ -10,11 +10,11 @@ s_\mu=\frac{c_\tau\tau_0}P\sqrt{\sum_iA_i^2},\qquad
 \frac{s_\mu}\mu=c_\tau\sqrt{\frac{\langle A^2\rangle}{n\langle A\rangle^2}}
 $$
 
-$s_\mu$ is the standard deviation of the friction coefficient $\mu$ between contacts under the same load $P$, as far as it
-follows from the strength. $A_i$ are the areas of the $n$ junctions in contact, and angle brackets denote their mean. The
-second formula holds if the force is $\tau_0A$ alone. Different contacts also touch at different asperities; this scatter is not
-included, and a validity warning states it. The mean of $\mu$ does not change. Theories without single junctions do not support
-this law, nor do films, whose junctions belong to two bodies.
+$s_\mu$ is the standard deviation of the friction coefficient $\mu$ between contacts under the same load $P$, due to the
+scatter of strength alone. $A_i$ are the areas of the $n$ junctions in contact, and angle brackets denote their mean. The
+second formula holds if the force is $\tau_0A$ alone. Different contacts also touch at different asperities. This scatter is
+not included, and a validity warning says so. The mean of $\mu$ does not change. Theories without single junctions do not
+support this law, nor do films, whose junctions belong to two bodies.
 
 *Limit*: many junctions, or $c_\tau=0$: no scatter. *Check*: Hertz's asperities with exponential heights, for which $\langle
 A^2\rangle=2\langle A\rangle^2$: $s_\mu/\mu=c_\tau\sqrt{2/n}$ at every load.
@@ -36,10 +36,10 @@ _LARGEST = 1e150
 def resistance(u, w, load, area, eta, shear_strength, strength_variation):
     """Return (variance of the friction force of one asperity, 0); the engine sums both numbers over all asperities.
 
-    The variance is the square of strength_variation times interface strength times contact area. u, w, load: not used. area:
-    contact area in units of pi R sigma. eta: hardness group; eta times the area is the load at which the mean pressure is the
-    hardness. shear_strength: interface strength over the hardness. strength_variation: standard deviation of the strength over
-    its mean.
+    The variance is the square of strength_variation times interface strength times contact area. u, w, load: not used.
+    area: contact area in units of pi R sigma. eta: hardness group; eta times the area is the load at which the mean
+    pressure is the hardness. shear_strength: interface strength divided by the hardness. strength_variation: coefficient of
+    variation of the interface strength.
     """
     deviation = min(strength_variation * shear_strength * eta * area, _LARGEST)
     return deviation * deviation, 0.0

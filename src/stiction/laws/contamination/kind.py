@@ -12,7 +12,7 @@ from stiction.records.registry import OF_AREA, Addition, FilmLaw, RoughSurface, 
 
 @dataclass(frozen=True, kw_only=True)
 class Contamination(Addition, TangentialLaw):
-    """Describe a law of the scatter of friction that follows from the scatter of junction strength.
+    """Describe a law for the scatter of friction caused by the scatter of junction strength.
 
     It is stored as a tangential law whose `resistance` is the variance of the friction force of one asperity, in the squared
     unit of the load.
@@ -39,9 +39,9 @@ class Contamination(Addition, TangentialLaw):
     ) -> dict[str, np.ndarray]:
         """Return {"friction_coefficient_scatter": standard deviation (n, m) of the friction coefficient between contacts}.
 
-        It follows from the scatter of junction strength: the variances of the friction forces of all asperities add up.
-        results: results of the sum per asperity, with the key "load". summed(law): sum of the resistance of `law` over all
-        heights, per asperity. asperities: number of asperities.
+        The variances of the friction forces of all asperities add up. results: results of the sum per asperity, with the
+        key "load". summed(law): sum of the resistance of `law` over all heights, per asperity. asperities: number of
+        asperities.
         """
         assert asperities is not None  # because the law needs the groups that determine it
         return {"friction_coefficient_scatter": quotient(np.sqrt(summed(self) / asperities), results["load"])}

@@ -1,9 +1,10 @@
-r"""Criterion for a rough surface to stick without a load, a single ratio: Pastewka & Robbins 2014.
+r"""Criterion for a rough surface to stick without a load, as a single ratio: Pastewka & Robbins 2014.
 
 *Assumes*: attraction acts on a rim around each contact spot, where the gap is below the range $\varrho$ of the attraction. A
 surface sticks if the attraction on the rims is larger than the repulsion in the spots. *Source*: [pastewka_robbins_2014], eq.
-(10), as restated by the authors' group with contact spots $4h'/h''$ wide and area over load $A/A_n=\kappa\,p/(E^*h')$,
-$\kappa=2$ ($A/A_n$: contact area over nominal area, $p$: nominal pressure). `stiction compare` prints the ratio.
+(10), as restated by the authors' group with contact spots $4h'/h''$ wide and the relation of area and load
+$A/A_n=\kappa\,p/(E^*h')$, $\kappa=2$ ($A/A_n$: contact area divided by nominal area, $p$: nominal pressure). `stiction
+compare` prints the ratio.
 
 $$
 \frac{h'E^*\varrho}{2\gamma}\left(\frac{h'^2}{h''\varrho}\right)^{2/3}<1
@@ -36,7 +37,7 @@ def stickiness_ratio(rms_slope, rms_curvature, interaction_range, adhesion_lengt
 
     Source: Pastewka & Robbins 2014, eq. (10). rms_slope: root mean square gradient h' [1]. rms_curvature: h'', root mean
     square of half the Laplacian of the heights [1/m]. interaction_range: range rho of the attraction [m]. adhesion_length:
-    work of adhesion over the contact modulus E* [m].
+    work of adhesion divided by the contact modulus E* [m].
     """
     spot = rms_slope * rms_slope / (rms_curvature * interaction_range)
     return rms_slope * interaction_range / (KAPPA * adhesion_length) * spot ** (2.0 / 3.0)
@@ -45,7 +46,7 @@ def stickiness_ratio(rms_slope, rms_curvature, interaction_range, adhesion_lengt
 def interaction_range(groups: Groups) -> np.ndarray:
     """Return the range of the attraction in units of sigma (n,), taken as the equilibrium distance of the surfaces.
 
-    It is (16/9)^(1/3) theta^(-2/3) / mu_T, by the definitions of the elastic adhesion index theta and the Tabor parameter mu_T.
+    It equals (16/9)^(1/3) theta^(-2/3) / mu_T, with the elastic adhesion index theta and the Tabor parameter mu_T.
     """
     return np.cbrt(16.0 / 9.0) * groups.theta ** (-2.0 / 3.0) / groups.tabor_parameter
 

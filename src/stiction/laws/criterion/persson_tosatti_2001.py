@@ -11,10 +11,10 @@ $$
 $$
 
 with the power spectrum $C(q)$, the rms height $h_\mathrm{rms}$, the root mean square gradient $h'$ and the contact modulus
-$E^*$. `stiction compare` prints $r$. Full contact lasts without load if $r<1$. For a surface given by $\sigma$, $R$ and $N$,
-$U$ is an upper bound, and $\gamma_\mathrm{eff}$ a lower bound; for scans, $U$ is the sum
-over the waves of their map, with a window unless the map is periodic. A rough ball in full contact sticks like a smooth one
-with the work of adhesion $\gamma_\mathrm{eff}$.
+$E^*$. `stiction compare` prints $r$. Full contact persists without load if $r<1$. For a surface given by $\sigma$, $R$ and
+$N$, $U$ is an upper bound, and $\gamma_\mathrm{eff}$ a lower bound; for scans, $U$ is the sum over the waves of their map,
+with a window unless the map is periodic. A rough ball in full contact sticks like a smooth one with the work of adhesion
+$\gamma_\mathrm{eff}$.
 
 *Check*: $E^*=2$ MPa, $\gamma=50$ mJ/m^2, waves of one wavelength with $h_\mathrm{rms}=0.1$ um, $h'=0.1$: $U/\gamma=0.1$,
 $r=0.1/1.005=0.0995$, $\gamma_\mathrm{eff}=50\cdot1.005\cdot0.9005=45.25$ mJ/m^2. *Limit*: $r\to0$ for soft or smooth bodies.
@@ -36,10 +36,10 @@ if TYPE_CHECKING:
 def wavevector_sum(surface: "HeightMap") -> float:
     """Return the integral of q C(q) d^2q of a map [m], with the wavenumber q and the power spectrum C.
 
-    It is the sum, over all waves of the map, of q times the mean square height of the wave. A map that is not periodic needs a
-    window, which weights the middle of the map more. The sum is then multiplied by rms height times rms gradient of the map,
-    and divided by the same product of the windowed map; both gradients are differences of neighbouring points. On generated
-    surfaces the mean error is then below 5 %, and the scatter 2 to 8 % instead of 9 to 26 %.
+    It is the sum, over all waves of the map, of q times the mean square height of the wave. A map that is not periodic is
+    multiplied by a window that fades at the edges. To correct for this, the sum is multiplied by rms height times rms
+    gradient of the map and divided by the same product for the windowed map; gradients are differences of neighbouring
+    points. On generated surfaces the mean error is then below 5 %, and the scatter is 2 to 8 % instead of 9 to 26 %.
     """
     from stiction.surfaces.spectrum import power_spectrum  # slow to import, because it loads scipy.signal
 
@@ -76,8 +76,8 @@ def elastic_over_adhesion(groups: Groups, surface: "HeightMap | None" = None) ->
 def energy_ratio(groups: Groups, surface: "HeightMap | None" = None) -> np.ndarray:
     """Return the ratio (n,) of the elastic energy of full contact to the energy that adhesion gains on the rough area.
 
-    Full contact lasts without load if the ratio is below 1. surface: map that represents the roughness of both faces, or None,
-    which gives an upper bound from sigma, R and N of the groups.
+    Full contact persists without load if the ratio is below 1. surface: map that represents the roughness of both faces, or
+    None, which gives an upper bound from sigma, R and N of the groups.
     """
     slope = groups.sharpness * slope_over_sharpness(groups.roughness_parameter)
     return elastic_over_adhesion(groups, surface) / (1.0 + 0.5 * slope * slope)

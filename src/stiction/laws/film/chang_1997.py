@@ -17,7 +17,7 @@ thickness a rim of film around elastic contacts carries load.
 
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ in units of $KR^{1/2}\sigma^{3/2}$ and contact area $A$ in units of
 $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$
-($E^*$ contact modulus); $\eta=\pi H\sqrt{R/\sigma}/K$ hardness group, $H$ hardness; $n_H$ hardness of the film over the
+($E^*$ contact modulus); $\eta=\pi H\sqrt{R/\sigma}/K$ hardness group, $H$ hardness; $n_H$ hardness of the film divided by the
 substrate's; $\tau=t/\sigma$ film thickness. Full list: [symbols](#1-units).
 """
 
@@ -41,10 +41,11 @@ from stiction.records.sources import Source
 
 @formula
 def film_alone(w, hardness, pull):
-    """Return displacement w, dw/du = 1, load and contact area of an asperity that touches only the plastic film; u is w itself.
+    """Return w, dw/du = 1, load and contact area of an asperity that touches only the plastic film; the coordinate u is w.
 
-    The area is 2 w. The load is hardness times the area, minus `pull`. hardness: film hardness over the substrate's, times the
-    hardness group eta. pull: adhesive force. Units: w in sigma, load and pull in K R^(1/2) sigma^(3/2), area in pi R sigma.
+    The area is 2 w. The load is hardness times the area, minus `pull`. w: displacement. hardness: film hardness divided by
+    the substrate's, times the hardness group eta. pull: adhesive force. Units: w in sigma, load and pull in K R^(1/2)
+    sigma^(3/2), area in pi R sigma.
     """
     return w, 1.0, 2.0 * hardness * w - pull, 2.0 * w
 
@@ -53,11 +54,11 @@ def film_alone(w, hardness, pull):
 def _rim(normal: Callable, coordinate: Callable, parameters: int) -> tuple[Any, Any]:
     @formula
     def rim(u, *row):
-        """Return displacement, its derivative by u, load and area of the ring of film around the contact with the substrate.
+        """Return w, dw/du, load and area of the ring of film around the contact with the substrate.
 
-        The area of the ring is 2 pi R omega, with the displacement omega, minus the contact area of the substrate. u:
-        coordinate of the substrate's segment. row: parameters of this segment; film thickness in units of sigma; film hardness,
-        in the unit of load over area; adhesive force, in the unit of load.
+        The area of the ring is 2 pi R omega, with the displacement omega, minus the contact area of the substrate. w:
+        displacement. u: coordinate of the substrate's segment. row: parameters of this segment; film thickness in units of
+        sigma; film hardness, in the unit of load divided by area; adhesive force, in the unit of load.
         """
         w, stretch, _, inner = normal(u, *row[:parameters])
         tau, hardness, pull = row[parameters:]
@@ -98,9 +99,9 @@ def plastic_film(groups: Groups, law, pull: np.ndarray) -> list[Regime]:
 def regimes(groups: Groups, law) -> list[Regime]:
     """Return the regimes of a surface with a plastic film without adhesion.
 
-    A regime is one smooth part of an asperity's behaviour. Forces are in units of K R^(1/2) sigma^(3/2), with K = (4/3) E* of
-    the substrate. groups: dimensionless groups of n coated contacts. law: asperity law and tangential law of the substrate (a
-    joining.Law).
+    A regime is a segment of an asperity law together with the tangential force on it. Forces are in units of K R^(1/2)
+    sigma^(3/2), with K = (4/3) E* of the substrate. groups: dimensionless groups of n coated contacts. law: asperity law
+    and tangential law of the substrate (a joining.Law).
     """
     return plastic_film(groups, law, np.zeros(len(groups)))
 

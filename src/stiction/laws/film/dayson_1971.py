@@ -1,11 +1,11 @@
 r"""A plastic film that roughness penetrates, with two shear strengths: after Dayson 1971.
 
-*Assumes* (abstract of [dayson_1971]): friction rises as a very thin solid film gets thinner, because asperities penetrate
-more of it; this is stronger on rougher surfaces. According to the 2015 paper, [soft_coating_2015], the contact is plastic.
+*Assumes* (abstract of [dayson_1971]): friction rises as a very thin solid film gets thinner, because asperities penetrate more
+of it; the effect is stronger on rougher surfaces. According to the 2015 paper, [soft_coating_2015], the contact is plastic.
 *Source*: [dayson_1971], its abstract. *Reconstruction*: the geometry of [`chang_1997`](#chang_1997) with film and substrate
 both plastic. An asperity at the displacement $\omega$ touches on the area $2\pi R\omega$. Where it is deeper than the film
-thickness $t$, it touches the substrate on the area $A_s$ at the substrate's hardness $H$; the other part of the area, $A_f$, is
-film,
+thickness $t$, it touches the substrate on the area $A_s$ at the substrate's hardness $H$; the other part of the area, $A_f$,
+is film,
 
 $$
 A_f=2\min(w,\tau),\qquad A_s=2\max(w-\tau,0),\qquad P=\eta\,(pA_f+A_s),\qquad
@@ -34,7 +34,8 @@ $$
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ and tangential force $T$ in units of $KR^{1/2}\sigma^{3/2}$ and contact
 area $A$ in units of $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and
 $K=\tfrac43E^*$ ($E^*$ contact modulus); $\eta=\pi H\sqrt{R/\sigma}/K$ hardness group, $H$ hardness; $n_H$ hardness of the film
-over the substrate's; $\tau=t/\sigma$ film thickness; $k=H/Y$ hardness over yield stress. Full list: [symbols](#1-units).
+divided by the substrate's; $\tau=t/\sigma$ film thickness; $k=H/Y$ hardness divided by yield stress. Full list:
+[symbols](#1-units).
 """
 
 import numpy as np
@@ -55,10 +56,11 @@ RIM_PRESSURE = ("film_hardness", "substrate_hardness")
 
 @formula
 def rim(w, pressure, tau):
-    """Return displacement w, dw/du = 1, load and area of the ring of film around the contact with the substrate; u is w itself.
+    """Return w, dw/du = 1, load and area of the ring of film around the contact with the substrate; the coordinate u is w.
 
-    The film is penetrated from w = tau on, and load and area of the ring are then constant. tau: film thickness in units of
-    sigma. pressure: pressure on the film over the substrate's hardness, times the hardness group eta.
+    For w > tau the film is penetrated, and load and area of the ring are constant. w: displacement, tau: film thickness,
+    both in units of sigma. pressure: pressure on the film divided by the substrate's hardness, times the hardness group
+    eta.
     """
     return w, 1.0, 2.0 * pressure * tau, 2.0 * tau
 
@@ -66,10 +68,10 @@ def rim(w, pressure, tau):
 def regimes(groups: Groups, law: Law, rim_pressure: str) -> list[Regime]:
     """Return the regimes of a surface with a plastic film that asperities penetrate.
 
-    A regime is one smooth part of an asperity's behaviour. Forces are in units of K R^(1/2) sigma^(3/2), with K = (4/3) E* of
-    the substrate. groups: dimensionless groups of n coated contacts. law: only its tangential law is used, which must describe
-    the interface; it gives the shear of the film. rim_pressure: "film_hardness" or "substrate_hardness", the pressure on the
-    film.
+    A regime is a segment of an asperity law together with the tangential force on it. Forces are in units of K R^(1/2)
+    sigma^(3/2), with K = (4/3) E* of the substrate. groups: dimensionless groups of n coated contacts. law: only its
+    tangential law is used, which must describe the interface; it gives the shear strength of the film. rim_pressure:
+    "film_hardness" or "substrate_hardness", the pressure on the film.
     """
     laws = len(groups)
     tau, none = np.broadcast_to(groups.tau, laws), np.zeros(laws)

@@ -31,7 +31,8 @@ smaller than the film thickness; the law is not valid for them.
 
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ in units of $KR^{1/2}\sigma^{3/2}$ and contact area $A$ in units of
 $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$
-($E^*$ contact modulus); $n_E$ modulus of the film over the substrate's; $\nu$ Poisson's ratio. Full list: [symbols](#1-units).
+($E^*$ contact modulus); $n_E$ modulus of the film divided by the substrate's; $\nu$ Poisson's ratio. Full list:
+[symbols](#1-units).
 """
 
 import math
@@ -57,7 +58,7 @@ BOUNDS = {
 
 @formula
 def normal(w, stiffness, power, widening):
-    """Return displacement w, dw/du = 1, load and contact area of an asperity on a thin layer; the coordinate u is w itself.
+    """Return displacement w, dw/du = 1, load and contact area of an asperity on a thin layer; the coordinate u is w.
 
     The load is stiffness times w^power, the area widening times w. power: 2 or 3. Units: w in sigma, load in K R^(1/2)
     sigma^(3/2), area in pi R sigma.
@@ -66,7 +67,7 @@ def normal(w, stiffness, power, widening):
 
 
 def stiffness(groups: Groups, bound: str) -> np.ndarray:
-    """Return the load of one asperity divided by w^power (n,), with the displacement w and the power 2 or 3 of this bound.
+    """Return the ratio (n,) of an asperity's load to w^power, with the displacement w and the power 2 or 3 of this bound.
 
     bound: key of BOUNDS. Units: w in sigma, load in K R^(1/2) sigma^(3/2). The load uses the film's modulus M = E'_f (1 -
     nu)^2/(1 - 2 nu) if the bound is "compressible", else G = E'_f (1 - nu)/2, with E'_f = E_f/(1 - nu^2).
@@ -82,9 +83,9 @@ def stiffness(groups: Groups, bound: str) -> np.ndarray:
 def regimes(groups: Groups, law, bound: str) -> list[Regime]:
     """Return the regimes of a surface with a thin elastic layer on a rigid substrate.
 
-    A regime is one smooth part of an asperity's behaviour. groups: dimensionless groups of n coated contacts. law: only its
-    tangential law is used, which must describe the interface. bound: key of BOUNDS. There are two regimes: contact radii below
-    the film thickness, and wider ones (in_half_space=False).
+    A regime is a segment of an asperity law together with the tangential force on it. groups: dimensionless groups of n
+    coated contacts. law: only its tangential law is used, which must describe the interface. bound: key of BOUNDS. There
+    are two regimes: contact radii below the film thickness, and wider ones (in_half_space=False).
     """
     laws = len(groups)
     _, power, widening = BOUNDS[bound]

@@ -16,8 +16,8 @@ substrate for $\tau\to0$, and the film for $\tau\to\infty$.
 
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ in units of $KR^{1/2}\sigma^{3/2}$ and contact area $A$ in units of
 $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$
-($E^*$ contact modulus); $\tau=t/\sigma$ film thickness; $n_E$ modulus of the film over the substrate's; $n_H$ hardness of the
-film over the substrate's. Full list: [symbols](#1-units).
+($E^*$ contact modulus); $\tau=t/\sigma$ film thickness; $n_E$ modulus of the film divided by the substrate's; $n_H$ hardness
+of the film divided by the substrate's. Full list: [symbols](#1-units).
 """
 
 import math
@@ -41,10 +41,10 @@ def fading_rates(
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return the two rates (n,) at which the influence of the film on the hardness fades with depth (S5.13, S5.14).
 
-    They are the factors of w and of w^2 in the exponent, with the displacement w in units of sigma: (c/tau, 0) for the exponent
-    m = 1, (0, c/tau^2) for m = 2. n_E, n_H, n_Y: modulus, hardness and yield stress of the film over the substrate's. tau: film
-    thickness in units of sigma. m_soft, m_hard: m for n_H < 1 and for n_H > 1, 1 or 2 (sources disagree). Raises InputError for
-    another m.
+    They are the factors of w and w^2 in the exponent, with the displacement w in units of sigma: (c/tau, 0) for the
+    exponent m = 1, (0, c/tau^2) for m = 2. n_E, n_H, n_Y: modulus, hardness and yield stress of the film divided by the
+    substrate's. tau: film thickness in units of sigma. m_soft, m_hard: m for n_H < 1 and for n_H > 1, 1 or 2 (sources
+    disagree). Raises InputError for another m.
     """
     for name, exponent in (("m_soft", m_soft), ("m_hard", m_hard)):
         if exponent not in (1, 2):
@@ -75,10 +75,10 @@ def graded_regimes(
     in which the asperity is elastic or plastic and counts as film or as substrate (PARTS). An asperity counts as film while its
     displacement is below the film thickness, and as plastic if its elastic mean pressure exceeds the hardness at its depth.
 
-    substrate, film: groups with the Poisson's ratio, K beta and hardness over yield stress of substrate and film; the adhesion
-    indices of `substrate` are used, scaled by n_E, n_H and n_g. n_E, n_H, n_g (n,): modulus, hardness and work of adhesion of
-    the film over the substrate's. tau, film_aspect (n,): film thickness in units of sigma and of sqrt(R sigma), 0 to infinity.
-    exponents: m of (S5.13), 1 or 2, for a film that is softer and for one that is harder than the substrate.
+    substrate, film: groups with the Poisson's ratio, K beta and hardness divided by yield stress of substrate and film; the
+    adhesion indices of `substrate` are used, scaled by n_E, n_H and n_g. n_E, n_H, n_g (n,): modulus, hardness and work of
+    adhesion of the film divided by the substrate's. tau, film_aspect (n,): film thickness in units of sigma and of sqrt(R
+    sigma), 0 to infinity. exponents: m of (S5.13), 1 or 2, for a film softer than the substrate and for a harder one.
     """
     laws = len(substrate.theta)
     n_E, n_H, tau, film_aspect, n_g = (
@@ -101,7 +101,7 @@ def _film_regimes(
     """Return the regimes of a graded film on one or on both bodies.
 
     Forces are in units of K R^(1/2) sigma^(3/2), with K = (4/3) E* of the substrate. bodies: elastic constants of film and
-    bodies. The other arguments are those of `graded_regimes`.
+    bodies. The other arguments are as in `graded_regimes`.
     """
     bodies = bodies.without_film(film_aspect > 0.0)  # a film of zero thickness does not count
     n_E = bodies.film_over_bodies
@@ -127,9 +127,9 @@ def bare_regimes_with_transition(asperity: Groups) -> list[Regime]:
 def _parameters(substrate, film, film_k, bodies, n_H, film_aspect, n_g, rates) -> np.ndarray:
     """Return the parameters (n, PARAMETERS) of asperities on graded films, in the order in which `graded_law.along` takes them.
 
-    substrate, film: groups of substrate and film. film_k: hardness over yield stress of the film. bodies: elastic constants.
-    n_H, n_g: hardness and work of adhesion of the film over the substrate's. film_aspect: film thickness in units of sqrt(R
-    sigma); if both bodies are coated, each has half of it. rates: from `fading_rates`.
+    substrate, film: groups of substrate and film. film_k: hardness divided by yield stress of the film. bodies: elastic
+    constants. n_H, n_g: hardness and work of adhesion of the film divided by the substrate's. film_aspect: film thickness
+    in units of sqrt(R sigma); if both bodies are coated, each has half of it. rates: from `fading_rates`.
     """
     first, second, share, films, nu, nu_first, nu_second = bodies.columns()
     columns = (
@@ -181,9 +181,9 @@ def _regimes(parameters, tau, parts) -> list[Regime]:
 def regimes(groups: Groups, law: Law) -> list[Regime]:
     """Return the regimes of a surface with a graded film.
 
-    A regime is one smooth part of an asperity's behaviour. Forces are in units of K R^(1/2) sigma^(3/2), with K = (4/3) E* of
-    the substrate. groups: dimensionless groups of n coated contacts. `law` is not used, because this film law has its own
-    asperity law.
+    A regime is a segment of an asperity law together with the tangential force on it. Forces are in units of K R^(1/2)
+    sigma^(3/2), with K = (4/3) E* of the substrate. groups: dimensionless groups of n coated contacts. `law` is not used,
+    because this film law has its own asperity law.
     """
     bodies = TwoBodies.of(groups)
     return _film_regimes(

@@ -1,33 +1,34 @@
 r"""Film and substrate as one half-space whose modulus and hardness depend on depth: after Halling 1979.
 
 *Assumes*: Halling and co-workers treated film and substrate as one half-space with an equivalent modulus and an effective
-hardness. Friction is the film's shear strength over this hardness. *Source*: [el_sherbiney_halling_1976] for the modulus,
-[halling_1979] for the hardness. *Unknown*: their expressions. *Reconstruction*: the equivalent modulus, $\kappa$ times the
-substrate's, and the effective hardness, $\chi$ times the substrate's, are chosen among the six laws of [film and substrate as
-one body](#5-film-and-substrate-as-one-body). A plastic asperity is a truncated sphere of constant volume; it becomes plastic
-at the displacement $w_c$, where its mean pressure reaches the effective hardness:
+hardness. Friction is the film's shear strength divided by this hardness. *Source*: [el_sherbiney_halling_1976] for the
+modulus, [halling_1979] for the hardness. *Unknown*: their expressions. *Reconstruction*: the equivalent modulus, $\kappa$
+times the substrate's, and the effective hardness, $\chi$ times the substrate's, are chosen among the six laws of [film and
+substrate as one body](#5-film-and-substrate-as-one-body). A plastic asperity is a truncated sphere of constant volume; it
+becomes plastic at the displacement $w_c$, where its mean pressure reaches the effective hardness:
 
 $$
 P=\kappa\,w^{3/2},\ A=w\quad\text{while}\quad\kappa\sqrt w<\eta\,\chi;\qquad
 P=\eta\,\chi(w/\tau)\,A,\ A=2w-w_c\quad\text{beyond}
 $$
 
-The chosen law gives $\kappa_1$ and $\kappa_2$ of each half-space with its film, as a function of film thickness over contact
-radius, $t/a$. The compliances of the two bodies add in Hertz's contact. $s$ is the fraction of the bare compliance due to the
-first body. The first formula is for a film on the first body only, the second for films of thickness $t/2$ on both:
+The chosen law gives $\kappa_1$ and $\kappa_2$ of the two half-spaces with their films as functions of film thickness divided
+by contact radius, $t/a$. The compliances of the two bodies add in Hertz's contact. $s$ is the fraction of the bare compliance
+due to the first body. The first formula is for a film on the first body only, the second for films of thickness $t/2$ on both:
 
 $$
 \frac1\kappa=\frac s{\kappa_1(t/a)}+1-s,\qquad\frac1\kappa=\frac s{\kappa_1(t/2a)}+\frac{1-s}{\kappa_2(t/2a)}
 $$
 
 Load and area are continuous at $w_c$. With a soft film on a hard substrate, friction rises with the film thickness. It falls
-with load towards the shear strength of the interface over the substrate's hardness. It has no minimum as a function of
+with load towards the ratio of the interface's shear strength to the substrate's hardness. It has no minimum as a function of
 thickness.
 
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ in units of $KR^{1/2}\sigma^{3/2}$ and contact area $A$ in units of
 $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$
 ($E^*$ contact modulus); $\eta=\pi H\sqrt{R/\sigma}/K$ hardness group, $H$ hardness; $\tau=t/\sigma$ film thickness; $n_E$
-modulus of the film over the substrate's; $n_H$ hardness of the film over the substrate's. Full list: [symbols](#1-units).
+modulus of the film divided by the substrate's; $n_H$ hardness of the film divided by the substrate's. Full list:
+[symbols](#1-units).
 """
 
 from functools import cache
@@ -62,7 +63,7 @@ def _formulas(modulus_key: str, hardness_key: str) -> tuple[Any, Any, Any]:
 
     @formula
     def stiffened(u, row):
-        """Return the ratio of the load to Hertz's load: modulus of film and bodies together over the bare bodies' modulus.
+        """Return the ratio of the load to Hertz's load, which is the modulus with film divided by the modulus without film.
 
         u: contact radius in units of sqrt(R sigma). row: the parameters of `_formulas`.
         """
@@ -74,7 +75,7 @@ def _formulas(modulus_key: str, hardness_key: str) -> tuple[Any, Any, Any]:
 
     @formula
     def hardened(w, row):
-        """Return the hardness of film and substrate together at the displacement w, in the unit of load over area.
+        """Return the hardness of film and substrate together at the displacement w, in units of load divided by area.
 
         w: in units of sigma. row: the parameters of `_formulas`.
         """
@@ -122,9 +123,9 @@ def _onset(flows: Any) -> Any:
         """Fill `out` (n,) with the smallest u = sqrt(w) at which the mean pressure reaches the hardness.
 
         w: displacement in units of sigma. table (n, p): parameters of each contact. At this u, kappa u = eta chi, with the
-        equivalent modulus kappa and the effective hardness chi over those of the substrate, and the hardness group eta. The
-        root lies between the values of eta chi/kappa for the largest modulus with the smallest hardness and for the reverse.
-        This bracket is scanned in steps, then bisected.
+        equivalent modulus kappa and the effective hardness chi, both divided by the substrate's, and the hardness group
+        eta. The root lies between eta chi/kappa for the largest modulus with the smallest hardness, and eta chi/kappa for
+        the smallest modulus with the largest hardness. This bracket is scanned in steps, then bisected.
         """
         for i in range(out.size):
             row = unpack(table[i], ELASTIC)
@@ -143,9 +144,9 @@ def _onset(flows: Any) -> Any:
 
 
 def _between(low: np.ndarray, high: np.ndarray, inside: np.ndarray) -> np.ndarray:
-    """Return the sorted edges (n, m + 2) of a range: its ends low and high (n,), and the inner points (n, m) clipped to it.
+    """Return the sorted edges (n, m + 2) of a range: its ends low and high (n,), and the points `inside` (n, m) clipped to it.
 
-    inside: the inner points. If high < low, all edges are low and the segments between them are empty.
+    If high < low, all edges equal low and the segments between them are empty.
     """
     high = np.maximum(low, high)
     inside = np.minimum(np.maximum(inside, low[:, None]), high[:, None])
@@ -153,7 +154,7 @@ def _between(low: np.ndarray, high: np.ndarray, inside: np.ndarray) -> np.ndarra
 
 
 def segments(groups: Groups, modulus: str, hardness: str, soft_film_exponent: str) -> list[tuple[NormalSegment, str]]:
-    """Return four pairs (segment, body): asperities that are elastic or plastic and count as "film" or as "substrate".
+    """Return four pairs (segment, body) for elastic or plastic asperities that count as "film" or as "substrate".
 
     An asperity counts as film up to a displacement equal to the film thickness, and as substrate beyond it. groups:
     dimensionless groups of n coated contacts. modulus, hardness: keys of the composite laws. soft_film_exponent: exponent m for
@@ -196,10 +197,10 @@ def segments(groups: Groups, modulus: str, hardness: str, soft_film_exponent: st
 def regimes(groups: Groups, law, modulus: str, hardness: str, soft_film_exponent: str) -> list[Regime]:
     """Return the regimes of a coated surface with an effective modulus and hardness.
 
-    A regime is one smooth part of an asperity's behaviour. Forces are in units of K R^(1/2) sigma^(3/2), with K = (4/3) E* of
-    the substrate. groups: dimensionless groups of n coated contacts. law: only its tangential law is used, which must describe
-    the interface. modulus, hardness: keys of the composite laws. soft_film_exponent: exponent m for a soft film, "1" or "2"; a
-    hard film has 3 - m.
+    A regime is a segment of an asperity law together with the tangential force on it. Forces are in units of K R^(1/2)
+    sigma^(3/2), with K = (4/3) E* of the substrate. groups: dimensionless groups of n coated contacts. law: only its
+    tangential law is used, which must describe the interface. modulus, hardness: keys of the composite laws.
+    soft_film_exponent: exponent m for a soft film, "1" or "2"; a hard film has 3 - m.
     """
     return [law.join(segment, groups, body=body) for segment, body in segments(groups, modulus, hardness, soft_film_exponent)]
 

@@ -38,9 +38,10 @@ ploughs, which a later paper of the group states (J. Tribology 109 (1987) 545; n
 
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ in units of $KR^{1/2}\sigma^{3/2}$ and contact area $A$ in units of
 $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$
-($E^*$ contact modulus); $\tau=t/\sigma$ film thickness; $n_H$ hardness of the film over the substrate's; $k=H/Y$ hardness over
-yield stress; $\tau_0$ shear strength of the interface. Full list: [symbols](#1-units). Lengths along the surface are over
-$\sqrt{R\sigma}$, so that $a^2=2w$ and $b^2=2(\tau-w)$, and $\sqrt{R/\sigma}$ is $\tau$ over `film_aspect`.
+($E^*$ contact modulus); $\tau=t/\sigma$ film thickness; $n_H$ hardness of the film divided by the substrate's; $k=H/Y$
+hardness divided by yield stress; $\tau_0$ shear strength of the interface. Full list: [symbols](#1-units). Lengths along the
+surface are in units of $\sqrt{R\sigma}$, so that $a^2=2w$ and $b^2=2(\tau-w)$, and $\sqrt{R/\sigma}$ is $\tau$ divided by
+`film_aspect`.
 """
 
 import math
@@ -85,10 +86,10 @@ def tan_excess(x):
 def squeezed(u, *row):
     """Return displacement w, dw/du, load and contact area while only the film flows, at the coordinate u: w = tau sin(u)^2.
 
-    With lengths in units of sqrt(R sigma), the contact radius a is sqrt(2 tau) sin(u), and b = sqrt(2 tau) cos(u). row: tau,
-    film thickness in units of sigma; hill = 4 k_f sqrt(R/sigma), with the shear stress k_f on the film; bound = m = more/hill;
-    edge = H_f, the film's hardness; more = H - H_f, the substrate's hardness minus the film's. Stresses are in the unit of load
-    over area.
+    With lengths in units of sqrt(R sigma), the contact radius a is sqrt(2 tau) sin(u), and b = sqrt(2 tau) cos(u). row:
+    tau, film thickness in units of sigma; hill = 4 k_f sqrt(R/sigma), with the shear stress k_f on the film; bound = m =
+    more/hill; edge = H_f, the film's hardness; more = H - H_f, the substrate's hardness minus the film's. Stresses are in
+    the unit of load divided by area.
     """
     tau, hill, _, edge, _ = row
     sine = math.sin(u)
@@ -159,7 +160,7 @@ def parameters(groups: Groups) -> tuple[np.ndarray, ...]:
 
 
 def onset(tau: np.ndarray, bound: np.ndarray) -> np.ndarray:
-    """Return the coordinate u (n,), an angle, from which on the substrate limits the pressure: u = bound sqrt(2 tau) cos u.
+    """Return the coordinate u (n,), an angle, above which the substrate limits the pressure: u = bound sqrt(2 tau) cos u.
 
     tau: film thickness in units of sigma. bound: parameter m of the formulas. Newton's method starts above the root, where the
     function is convex, so that no step passes it.
@@ -172,10 +173,10 @@ def onset(tau: np.ndarray, bound: np.ndarray) -> np.ndarray:
 
 
 def segments(groups: Groups) -> list[tuple[NormalSegment, str]]:
-    """Return three pairs (segment, body) of an asperity on a squeezed film; the body is the one that limits the pressure.
+    """Return three pairs (segment, body) of an asperity on a squeezed film, where `body` limits the pressure.
 
-    With growing displacement the film is squeezed ("film"), then the substrate limits the pressure in the centre ("substrate"),
-    then the film is pressed through ("substrate"). groups: dimensionless groups of n coated contacts.
+    As the displacement grows, the film is squeezed ("film"), then the substrate limits the pressure in the centre
+    ("substrate"), and finally the film is pressed through ("substrate"). groups: dimensionless groups of n coated contacts.
     """
     row = parameters(groups)
     tau, _, bound, _, _ = row
@@ -194,9 +195,10 @@ def segments(groups: Groups) -> list[tuple[NormalSegment, str]]:
 def regimes(groups: Groups, law: Law) -> list[Regime]:
     """Return the regimes of a surface whose plastic film is squeezed out of the contacts.
 
-    A regime is one smooth part of an asperity's behaviour. Forces are in units of K R^(1/2) sigma^(3/2), with K = (4/3) E* of
-    the substrate. groups: dimensionless groups of n coated contacts. law: its tangential law is used and must be a law of the
-    interface; its asperity law is not used. Regimes of contacts wider than the film thickness have in_half_space=False.
+    A regime is a segment of an asperity law together with the tangential force on it. Forces are in units of K R^(1/2)
+    sigma^(3/2), with K = (4/3) E* of the substrate. groups: dimensionless groups of n coated contacts. law: its tangential
+    law is used and must be a law of the interface; its asperity law is not used. Regimes of contacts wider than the film
+    thickness have in_half_space=False.
     """
     tau = parameters(groups)[0]
     as_wide = 0.5 * groups.film_aspect**2  # a = t

@@ -2,10 +2,10 @@ r"""A sphere on a bonded film: exact elastic solution, adhesion by an energy bal
 
 *Assumes*: the film is bonded to its body, the sphere is smooth, $a\ll R$, and there is no friction during loading. *Source*:
 [perriot_barthel_2004] for the elastic solution, an integral equation that is derived and solved anew in `solvers/layered`;
-[johnson_kendall_roberts_1971] for the energy of an adhesive edge, extended to layered bodies as in [barthel_perriot_2007].
-The contact radius is $a=\sqrt{xR\sigma}$, the film thickness $t$. Four functions of $a/t$ and of the elastic constants of film
-and bodies describe the contact, all over the value of the bodies without film: $E_P$ for the load, $D$ for the displacement,
-$E_S$ for the stiffness and $B$ for its derivative by $a$. Index $H$ denotes the contact without adhesion,
+[johnson_kendall_roberts_1971] for the energy of an adhesive edge, extended to layered bodies as in [barthel_perriot_2007]. The
+contact radius is $a=\sqrt{xR\sigma}$, the film thickness $t$. Four functions of $a/t$ and of the elastic constants of film and
+bodies describe the contact, each divided by its value for the bodies without film: $E_P$ for the load, $D$ for the
+displacement, $E_S$ for the stiffness and $B$ for its derivative by $a$. Index $H$ denotes the contact without adhesion,
 
 $$
 \begin{aligned}
@@ -20,15 +20,15 @@ $k_n=2aE_S$ and $k_n'=dk_n/da=2B$ ($E_S$ and $B$ in Pa).
 
 *Bodies*: both bodies carry the same pressure, so that their compliances add. This is exact for a film on one body against any
 other body, and for films with half of the thickness on each of two bodies, equal or not. With `Indices`, the film is on one
-body against a rigid body, unless `films` and the groups after it state otherwise.
+body and the other body is rigid, unless `films` and the groups after it say otherwise.
 
 *Yield*: the asperity yields where its mean pressure reaches the value at which the chosen asperity law yields on a half-space
-of modulus $E_P$ and hardness $\chi H$. $\chi$ is the hardness of film and substrate together over the substrate's, from
+of modulus $E_P$ and hardness $\chi H$. $\chi$ is the hardness of film and substrate together divided by the substrate's, from
 [`bhattacharya_nix_1988`](#bhattacharya_nix_1988) or another chosen law. Beyond, the plastic segments of the asperity law
 follow, with the modulus and Poisson's ratio at yield, shifted to displacement, load and area of the layered contact. Their
 load, without the adhesion, is proportional to the hardness at their depth. *Reconstructed*: this continuation. It equals the
-asperity law for thin and for thick films, and if film and body are equal. With a hard film on a soft substrate the load may
-fall with depth.
+asperity law for thin and for thick films, and if film and body are equal. With a hard film on a soft substrate, the load may
+fall as the depth increases.
 
 *Limit*: the asperity law on the substrate (with the film's work of adhesion) for $t\to0$ or for equal materials, and on the
 film for $t\to\infty$. The only jumps are those of the asperity law. *Check*: $E_P=0.1219$, $D=0.693$, $E_S=0.2135$ for a rigid
@@ -37,7 +37,7 @@ sphere, $\nu=0.3$, $E_f/E_s=0.1$ (Young's modulus of film over substrate) and $a
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ in units of $KR^{1/2}\sigma^{3/2}$ and contact area $A$ in units of
 $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$
 ($E^*$ contact modulus); $\theta=K\sigma^{3/2}/(\gamma R^{1/2})$ elastic adhesion index, $\gamma$ work of adhesion; $n_g$ work
-of adhesion of the film over the substrate's; $\nu$ Poisson's ratio. Full list: [symbols](#1-units).
+of adhesion of the film divided by the substrate's; $\nu$ Poisson's ratio. Full list: [symbols](#1-units).
 """
 
 from functools import cache
@@ -108,9 +108,10 @@ def elastic(groups: Groups, law: Law) -> NormalSegment:
 def regimes(groups: Groups, law: Law, hardness: str, soft_film_exponent: str) -> list[Regime]:
     """Return the regimes of a surface with a bonded film; all load counts as the film's.
 
-    A regime is one smooth part of an asperity's behaviour. Forces are in units of K R^(1/2) sigma^(3/2), with K = (4/3) E* of
-    the substrate. groups: dimensionless groups of n coated contacts. law: asperity law and tangential law. hardness: key of the
-    composite law for the hardness. soft_film_exponent: exponent of that law for a soft film, "1" or "2".
+    A regime is a segment of an asperity law together with the tangential force on it. Forces are in units of K R^(1/2)
+    sigma^(3/2), with K = (4/3) E* of the substrate. groups: dimensionless groups of n coated contacts. law: asperity law
+    and tangential law. hardness: key of the composite law for the hardness. soft_film_exponent: exponent of that law for a
+    soft film, "1" or "2".
     """
     resolved = groups.resolved()
     record: Any = composites_of("hardness")[hardness]

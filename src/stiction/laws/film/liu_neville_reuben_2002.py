@@ -10,14 +10,14 @@ P=P_\text{Chang}-\frac{2\pi n_g}\theta
 $$
 
 (in SI the force is $2\pi R\gamma_f$). *Check* of the abstract's statements: with a shear strength of the interface, friction
-rises with film thickness at plasticity indices above 0.5; at 0.25 and light load it rises as a very thin film gets thinner.
-With `chang_etsion_bogy_1988`, where only the substrate resists, only the second trend appears. *Unknown*: all equations of the
-source. *Limit*: `chang_1997` without adhesion.
+rises with film thickness at plasticity indices above 0.5; at a plasticity index of 0.25 and light load it rises as a very thin
+film gets thinner. With `chang_etsion_bogy_1988`, where only the substrate resists, only the second trend appears. *Unknown*:
+all equations of the source. *Limit*: `chang_1997` without adhesion.
 
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ in units of $KR^{1/2}\sigma^{3/2}$ and contact area $A$ in units of
 $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$
 ($E^*$ contact modulus); $\theta=K\sigma^{3/2}/(\gamma R^{1/2})$ elastic adhesion index, $\gamma$ work of adhesion; $n_g$ work
-of adhesion of the film over the substrate's. Full list: [symbols](#1-units).
+of adhesion of the film divided by the substrate's. Full list: [symbols](#1-units).
 """
 
 import math
@@ -33,9 +33,9 @@ from stiction.records.sources import Source
 def regimes(groups: Groups, law) -> list[Regime]:
     """Return the regimes of a surface with a plastic film and DMT adhesion.
 
-    A regime is one smooth part of an asperity's behaviour. Forces are in units of K R^(1/2) sigma^(3/2), with K = (4/3) E* of
-    the substrate. groups: dimensionless groups of n coated contacts. law: asperity law and tangential law of the substrate (a
-    joining.Law).
+    A regime is a segment of an asperity law together with the tangential force on it. Forces are in units of K R^(1/2)
+    sigma^(3/2), with K = (4/3) E* of the substrate. groups: dimensionless groups of n coated contacts. law: asperity law
+    and tangential law of the substrate (a joining.Law).
     """
     return plastic_film(groups, law, 2.0 * math.pi * groups.n_g / groups.theta)
 

@@ -28,9 +28,9 @@ from stiction.records.sources import Source
 def regimes(groups: Groups, law) -> list[Regime]:
     """Return the regimes of the bare substrate, because this film changes only the shear strength.
 
-    A regime is one smooth part of an asperity's behaviour. law: asperity law of the substrate, and a tangential law of the
-    interface, which uses the shear strength of the film. groups: dimensionless groups of n coated contacts; modulus, hardness
-    and thickness of the film are not used.
+    A regime is a segment of an asperity law together with the tangential force on it. law: asperity law of the substrate,
+    and a tangential law of the interface, which uses the shear strength of the film. groups: dimensionless groups of n
+    coated contacts; modulus, hardness and thickness of the film are not used.
     """
     return law.regimes(groups, body="substrate")
 

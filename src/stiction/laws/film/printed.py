@@ -2,7 +2,7 @@ r"""The equations of the 2015 paper exactly as printed, bare and with the soft f
 
 *Assumes*: the printed equations. This film law belongs to the published variant of the model and serves to reproduce the
 paper. *Source*: [soft_coating_2015], eqs. (1) to (15); [theory, section 5](theory.md#5-coated-surface). The corrected variant
-departs from the print in twelve points, [D1 to D12](theory-limits.md#8-departures-from-the-print); here the print is kept as
+departs from the print in twelve points, [D1 to D12](theory-limits.md#8-departures-from-the-print); here the print is kept, as
 follows. Without a film, the sum over heights $z=h+x$ uses the apparent displacement $x$ in place of the displacement $w$ (D2);
 with the mean separation $h$, the height density $\varphi$ and $S=\sqrt{6\pi/\theta}$,
 
@@ -97,10 +97,10 @@ def _film_weights(segment: NormalSegment) -> tuple[Weights, Weights]:
 def regimes(groups: Groups, law: Law) -> list[Regime]:
     """Return the regimes of a coated surface by the equations of soft_coating_2015 as printed.
 
-    A regime is one smooth part of an asperity's behaviour. groups: dimensionless groups of n coated contacts. `law` is not
-    used, because the printed equations contain their own laws. An integral whose lower limit exceeds the upper one is empty
-    (D9). In the film only asperities with a displacement below the film thickness resist shear (D10). The contact area, which
-    the paper does not define, is the film's.
+    A regime is a segment of an asperity law together with the tangential force on it. groups: dimensionless groups of n
+    coated contacts. `law` is not used, because the printed equations contain their own laws. An integral whose lower limit
+    exceeds the upper one is empty (D9). In the film only asperities with a displacement below the film thickness resist
+    shear (D10). The contact area, which the paper does not define, is the film's.
     """
     tau = groups.tau
     film_part = film_regimes(LAW, groups, tau, _film_weights)

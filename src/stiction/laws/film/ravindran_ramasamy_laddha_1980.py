@@ -1,7 +1,7 @@
-r"""A soft metal film whose friction is the cube root of thickness over load: after Ravindran, Ramasamy & Laddha 1980.
+r"""A soft metal film whose friction varies as the cube root of thickness/load: after Ravindran, Ramasamy & Laddha 1980.
 
 *Assumes* (abstract of [ravindran_ramasamy_laddha_1980]): in spherical contact, the friction coefficient of a thin soft metal
-film is proportional to the cube root of thickness over load where Amontons's law fails. It fails because the substrate
+film is proportional to the cube root of thickness divided by load where Amontons's law fails. It fails because the substrate
 deforms plastically. *Source*: [ravindran_ramasamy_laddha_1980], its abstract, which calls the relation empirical. For one
 asperity with the load $W$ in N and the film thickness $t$ in m
 
@@ -9,12 +9,12 @@ $$
 \mu=c\left(\frac tW\right)^{1/3}=\left(\frac{Ct}W\right)^{1/3},\qquad C=c^3\ \text{in N/m}
 $$
 
-*Reconstruction*: friction is the film's shear strength over the mean pressure, $\mu=\tau_0/p$. The cube root then requires a
-pressure proportional to $W^{1/3}$, which on the area $2\pi R\omega$ of a plastic contact is $p\propto\sqrt{\omega/t}$. The
-pressure lies between the film's hardness $H_f$, where the film carries the load, and the substrate's hardness $H$, where the
-substrate carries it ([bowden_tabor_1943]). At both limits Amontons's law holds, in agreement with the abstract. Friction is
-higher where the film carries the load, as in the abstract of [rabinowicz_1967]. With $p$ over $H$ times $\eta$ in the units
-here,
+*Reconstruction*: friction is the film's shear strength divided by the mean pressure, $\mu=\tau_0/p$. The cube root then
+requires a pressure proportional to $W^{1/3}$, which on the area $2\pi R\omega$ of a plastic contact is
+$p\propto\sqrt{\omega/t}$. The pressure lies between the film's hardness $H_f$, where the film carries the load, and the
+substrate's hardness $H$, where the substrate carries it ([bowden_tabor_1943]). At both limits Amontons's law holds, in
+agreement with the abstract. Friction is higher where the film carries the load, as in the abstract of [rabinowicz_1967]. With
+$p$ divided by $H$ and multiplied by $\eta$ in the units here,
 
 $$
 A=2w,\qquad P=pA,\qquad p=\eta\,\min\left[1,\ n_H\max\left(1,\ q\sqrt{w/\tau}\right)\right]
@@ -37,7 +37,7 @@ this project's own: at a given load, $\mu$ of a rough surface is an average over
 
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ in units of $KR^{1/2}\sigma^{3/2}$ and contact area $A$ in units of
 $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$
-($E^*$ contact modulus); $\eta=\pi H\sqrt{R/\sigma}/K$ hardness group, $H$ hardness; $n_H$ hardness of the film over the
+($E^*$ contact modulus); $\eta=\pi H\sqrt{R/\sigma}/K$ hardness group, $H$ hardness; $n_H$ hardness of the film divided by the
 substrate's; $\tau=t/\sigma$ film thickness. Full list: [symbols](#1-units).
 """
 
@@ -60,7 +60,8 @@ _THINNEST = 1e-200  # replaces a film thickness of 0, over sigma
 def shared(u, stiffness):
     """Return displacement w, dw/du, load and contact area while film and substrate share the load, at u = sqrt(w).
 
-    The mean pressure is (stiffness/2) u, in the unit of load over area; the area is 2 w. Units: w in sigma, area in pi R sigma.
+    The mean pressure is (stiffness/2) u, in the unit of load divided by area; the area is 2 w. Units: w in sigma, area in
+    pi R sigma.
     """
     w = u * u
     return w, 2.0 * u, stiffness * w * u, 2.0 * w
@@ -69,9 +70,9 @@ def shared(u, stiffness):
 def rise(groups: Groups) -> np.ndarray:
     """Return the factor q (n,) in the mean pressure q n_H sqrt(w/tau) eta while film and substrate carry the load together.
 
-    The pressure is in the unit of load over area. w, tau: displacement and film thickness in units of sigma. n_H: hardness of
-    the film over the hardness H of the substrate. eta: hardness group. With the film's shear strength tau_0, q follows from the
-    friction constant C: C over K sqrt(R sigma) is 2 eta (tau_0/H)^3/(q n_H)^2. Without C, q is 1.
+    The pressure is in the unit of load divided by area. w, tau: displacement and film thickness in units of sigma. n_H:
+    hardness of the film over the hardness H of the substrate. eta: hardness group. With the film's shear strength tau_0, q
+    follows from the friction constant C: C/(K sqrt(R sigma)) = 2 eta (tau_0/H)^3/(q n_H)^2. Without C, q is 1.
     """
     constant = groups.film_friction_constant
     if constant is None:
@@ -82,9 +83,9 @@ def rise(groups: Groups) -> np.ndarray:
 def regimes(groups: Groups, law: Law) -> list[Regime]:
     """Return the regimes of a surface with a soft metal film.
 
-    A regime is one smooth part of an asperity's behaviour. Forces are in units of K R^(1/2) sigma^(3/2), with K = (4/3) E* of
-    the substrate. groups: dimensionless groups of n coated contacts. law: only its tangential law is used, which must describe
-    the interface.
+    A regime is a segment of an asperity law together with the tangential force on it. Forces are in units of K R^(1/2)
+    sigma^(3/2), with K = (4/3) E* of the substrate. groups: dimensionless groups of n coated contacts. law: only its
+    tangential law is used, which must describe the interface.
     """
     laws = len(groups)
     n_H, q = np.broadcast_to(np.minimum(groups.n_H, 1.0), laws), rise(groups)

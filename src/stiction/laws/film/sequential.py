@@ -24,8 +24,8 @@ which is not in the paper. *Reconstructed*: the departures named above; [`printe
 
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ and tangential force $T$ in units of $KR^{1/2}\sigma^{3/2}$ and contact
 area $A$ in units of $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and
-$K=\tfrac43E^*$ ($E^*$ contact modulus); $n_E$ modulus of the film over the substrate's; $\tau=t/\sigma$ film thickness. [All
-symbols](#1-units).
+$K=\tfrac43E^*$ ($E^*$ contact modulus); $n_E$ modulus of the film divided by the substrate's; $\tau=t/\sigma$ film thickness.
+[All symbols](#1-units).
 """
 
 import numpy as np
@@ -44,9 +44,10 @@ from stiction.records.sources import Source
 
 @formula
 def at_rest(w, load, slip_limited, yield_limited):
-    """Return displacement w, dw/du = 1, load, 0 and both resistances of a film that no longer deforms; u is w itself.
+    """Return w, dw/du = 1, load, 0 and both resistances of a film that no longer deforms; the coordinate u is w.
 
-    The 0 is the contact area, which other regimes count. load, slip_limited, yield_limited: the constant load and resistances.
+    The contact area is 0 here, because other regimes count it. load, slip_limited, yield_limited: the constant load and
+    resistances.
     """
     return w, 1.0, load, 0.0, slip_limited, yield_limited
 
@@ -54,12 +55,12 @@ def at_rest(w, load, slip_limited, yield_limited):
 def regimes(groups: Groups, law: Law, film_shear: str) -> list[Regime]:
     """Return the regimes of a surface with a film that deforms alone up to its thickness.
 
-    A regime is one smooth part of an asperity's behaviour. Forces are in units of K R^(1/2) sigma^(3/2), with K = (4/3) E* of
-    the substrate. groups: dimensionless groups of n coated contacts. law: asperity law and tangential law of film and
-    substrate. The area is the film's at the full displacement, because the outer contact is always on the film. A tangential
-    law of the interface uses this area and the whole load. Beyond the film thickness, any other tangential law gives the film's
-    resistance at a displacement equal to the thickness plus the substrate's (film_shear "added"), or the smaller of the film's
-    and the substrate's ("in_series").
+    A regime is a segment of an asperity law together with the tangential force on it. Forces are in units of K R^(1/2)
+    sigma^(3/2), with K = (4/3) E* of the substrate. groups: dimensionless groups of n coated contacts. law: asperity law
+    and tangential law of film and substrate. The area is the film's at the full displacement, because the outer contact is
+    always on the film. A tangential law of the interface uses this area and the whole load. Beyond the film thickness, any
+    other tangential law gives the film's resistance at a displacement equal to the thickness plus the substrate's
+    (film_shear "added"), or the smaller of the film's and the substrate's ("in_series").
     """
     tau, n_E = groups.tau, groups.n_E
     before, after = Weights(unit=n_E), Weights(unit=n_E, load=0.0, friction=0.0)
@@ -78,8 +79,8 @@ def regimes(groups: Groups, law: Law, film_shear: str) -> list[Regime]:
 def _values_at_thickness(law: Law, groups: Groups) -> np.ndarray:
     """Return load, slip-limited and yield-limited resistance (3, n) of the film at a displacement equal to its thickness.
 
-    The film keeps these values at larger displacements. With a tangential law of the interface, the resistance proportional to
-    the area is left out; it follows from the area elsewhere.
+    The film keeps these values at larger displacements. With a tangential law of the interface, the part of the resistance
+    that is proportional to the area is not included, because it is computed from the area elsewhere.
     """
     film, weights = groups.film(), Weights(unit=groups.n_E, area=0.0 if law.interfacial else 1.0)
     at_thickness = np.zeros((3, len(groups)))

@@ -27,17 +27,17 @@ displacement $w$ of the asperity; negative $w$ is a gap. $P$ is added to the loa
 
 An asperity that does not touch is bridged by liquid and attracted if its gap is below $2rc$. The force of all menisci is at
 most Laplace's pressure on the area where the solids do not touch, $\gamma_\mathrm L(A_n-A)/r$. The meniscus has no contact
-area and no resistance to sliding. It presses the solids together, and the tangential law uses the load that they carry. A work
-of adhesion of the contact applies to the solids inside the liquid. With a film, the liquid is on the film.
+area and no resistance to sliding. It presses the solids together, and the tangential law uses the load that they carry. The
+work of adhesion of the contact, if any, is that of the solids inside the liquid. With a film, the liquid is on the film.
 
 *Limit*: as the humidity tends to zero, $w_\mathrm m\to0$, but touching asperities still have the full force, because the force
-in contact does not depend on $r$. If $r$ is only a few molecules, there is no such meniscus. Results warn below the radii at
-which Kelvin's equation was confirmed: 4 nm, or 9 nm for water, which is 94 % relative humidity.
+in contact does not depend on $r$. If $r$ is only a few molecules, there is no such meniscus. Results carry a validity warning
+below the radii at which Kelvin's equation was confirmed: 4 nm, or 9 nm for water, which corresponds to 94 % relative humidity.
 
 *Trap*: for elastic asperities at displacements far above $2rc$ the force falls to half of this value, see
 [`hertzian_meniscus`](#hertzian_meniscus). The missing force increases their contact area, so that friction by a law of the
 interface is closer to the present law. *Measured*: fourteen Gaussian maps of silicon ($\sigma$ 1 to 50 nm, longest wavelength
-a half to a sixteenth of the side, nominal pressure over $E^*h'$ 0.002 to 0.05 with the root mean square gradient $h'$, 30 to
+a half to a sixteenth of the side, nominal pressure 0.002 to 0.05 times $E^*h'$ with the root mean square gradient $h'$, 30 to
 97 % humidity) were solved with Laplace's pressure on every bridged point ([`boundary_elements`](#boundary_elements)). If the
 menisci pull with more than a tenth of the load, this law gives 0.40 to 0.91 of their force (mean 0.58), and 1.00 to 1.03 of it
 on flooded maps. If they pull less, it gives 0.24 to 1.08. *Unknown*: menisci of constant volume, which do not dry up while
@@ -110,7 +110,7 @@ def along(w, pull, height):
 def pull(groups: Groups) -> list[Regime]:
     """Return a list with one regime, the menisci that bridge gaps up to w_m or surround contacts.
 
-    Its coordinate is the displacement w in units of sigma, from -w_m on; w_m is the largest bridged gap in units of sigma.
+    Its coordinate is the displacement w >= -w_m. w and the largest bridged gap w_m are in units of sigma.
     """
     height = groups.meniscus_height
     edges = edges_at(-height, 0.0, np.inf)

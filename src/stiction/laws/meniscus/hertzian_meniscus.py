@@ -1,4 +1,4 @@
-r"""Menisci around elastic asperities, whose force falls with displacement: Maugis's ring on Hertz's shape.
+r"""Menisci around elastic asperities, with a force that falls with displacement: Maugis's ring on Hertz's shape.
 
 *Assumes*: as [`equilibrium_meniscus`](#equilibrium_meniscus), but the gap around the contact is Hertz's. The ring of liquid
 then acts like the attracting ring of [`maugis_1992`](#maugis_1992), with the stress $\gamma_\mathrm L/r$ and the range $2rc$.
@@ -13,7 +13,7 @@ P=-\frac{2\pi}{\theta_\mathrm m}\left(\frac{2\arctan(1/s)}F-1\right)\quad(w\ge0)
 $$
 
 The other symbols, such as the meniscus height $w_\mathrm m=2rc/\sigma$, are those of `equilibrium_meniscus`. If the asperity
-does not touch, the straight line of `equilibrium_meniscus` applies, which joins continuously.
+does not touch, the linear force of `equilibrium_meniscus` applies; the force is continuous at first touch.
 
 *Limit*: the force of `equilibrium_meniscus` for $w\ll w_\mathrm m$, and half of it for $w\gg w_\mathrm m$, which is DMT's
 force as the derivative of an energy, $-2\gamma_\mathrm Lc\,\mathrm d(\pi a^2)/\mathrm d\omega$. *Check*:
@@ -22,8 +22,9 @@ force as the derivative of an energy, $-2\gamma_\mathrm Lc\,\mathrm d(\pi a^2)/\
 |---|---|---|---|---|---|
 | force over $4\pi R\gamma_\mathrm Lc$ | 1 | 0.7958 | 0.6295 | 0.5355 | 0.5081 |
 
-*Trap*: this is the force at a given displacement. The missing part of the force has widened the contact, but the area here is
-still Hertz's area at this displacement. At a given contact area the force grows instead: to first order in $\lambda_M$ it is
+*Trap*: this is the force at a given displacement. The missing part of the force acts to widen the contact, but the area here
+is still Hertz's area at this displacement. At a given contact area the force grows instead: to first order in $\lambda_M$ it
+is
 
 $$
 \frac{s+(1+s^2)\arctan\frac1s}F=\ 1.086,\ 1.643,\ 4.659\quad\text{times}\ 4\pi R\gamma_\mathrm Lc\ \text{for}\
@@ -31,7 +32,7 @@ w/w_\mathrm m=0.1,\ 1,\ 10
 $$
 
 Friction by a law of the interface is therefore too low here, more so than with `equilibrium_meniscus`. Use this law for loads
-and pull-off forces. Results warn from $w=0.1\,w_\mathrm m$ on.
+and pull-off forces. Results carry a validity warning above $w=0.1\,w_\mathrm m$.
 
 *Measured*, on the same maps as `equilibrium_meniscus`: this law gives 0.27 to 0.79 of the meniscus force (mean 0.48), and 1.00
 to 1.03 of it on flooded maps.
@@ -77,8 +78,8 @@ def along(s, pull, height):
 def coordinate(w, pull, height):
     """Return the coordinate s of a ring of liquid at the displacement w in units of sigma.
 
-    height: largest bridged gap w_m in units of sigma. Newton's method solves w = pi w_m s^2/F(s). It starts at an upper bound
-    of s, because F is at most pi/2 and at most 4/(3 s). `pull` is not used.
+    height: largest bridged gap w_m in units of sigma. Newton's method solves w = pi w_m s^2/F(s). It starts at an upper
+    bound of s, which follows from F <= pi/2 and F <= 4/(3 s). `pull` is not used.
     """
     if w == math.inf:
         return math.inf
@@ -94,7 +95,7 @@ def coordinate(w, pull, height):
 
 
 def pull(groups: Groups) -> list[Regime]:
-    """Return two regimes: menisci that bridge a gap, from w = -w_m to 0, and rings of liquid around contacts, from w = 0 on.
+    """Return two regimes: menisci that bridge a gap, for -w_m <= w <= 0, and rings of liquid around contacts, for w >= 0.
 
     w is the displacement of the asperity and w_m the largest bridged gap, both in units of sigma.
     """

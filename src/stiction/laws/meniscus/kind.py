@@ -12,9 +12,9 @@ from stiction.records.registry import Addition, FilmLaw, RoughSurface, Tangentia
 class Meniscus(Addition):
     """Describe a law of the capillary force of a liquid around an asperity.
 
-    pull(groups) returns a list of `Regime` with negative loads and without contact area or tangential resistance. It does not
-    depend on the asperity law, but `wants` may exclude asperity laws. A negative displacement is a gap that the meniscus
-    bridges.
+    pull(groups) returns a list of `Regime` objects with negative loads, without contact area or tangential resistance. It
+    does not depend on the asperity law, but `wants` may exclude asperity laws. A negative displacement is a gap that the
+    meniscus bridges.
     """
 
     kind = keyword = "meniscus"

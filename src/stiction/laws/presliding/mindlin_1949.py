@@ -29,12 +29,12 @@ F=\int T_m\left[1-(1-s)^{3/2}\right]\varphi(h+w)\,dw,\qquad s=\frac\delta{\delta
 \qquad r\,T_m\text{ where }s\ge1
 $$
 
-An asperity slides from $s=1$ on and then retains the fraction $r$ of its strength. *Sources*: [bjorklund_1997] for the sum
-(the text was not available) and [eriten_2011]. This project's own are the residual strength $r$, with $r=1$ for Coulomb's law,
-and $T_m$ in place of $fP$ for strengths that are not proportional to the load. With $r=1$, $F$ tends from below to the static
-friction force, where all asperities have their full strength at once. With $r<1$ the asperities do not reach their peaks
-together, and the largest force is lower. In a cycle between $\pm\delta$ unloading follows the same curve at twice the scale
-([masing_1926]). The energy loss of a cycle is
+An asperity slides once $s$ reaches 1 and then retains the fraction $r$ of its strength. *Sources*: [bjorklund_1997] for the
+sum (the text was not available) and [eriten_2011]. The residual strength $r$ ($r=1$ for Coulomb's law), and $T_m$ in place of
+$fP$ for strengths that are not proportional to the load, are this project's own. With $r=1$, $F$ tends from below to the
+static friction force, where all asperities have their full strength at once. With $r<1$ the asperities do not reach their
+peaks together, and the largest force is lower. In a cycle between $\pm\delta$, unloading follows the same curve at twice the
+scale ([masing_1926]). The energy loss of a cycle is
 
 $$
 \Delta W=8\int_0^\delta F\,d\delta'-4\,\delta F,\qquad
@@ -80,9 +80,9 @@ from stiction.records.sources import Source
 def stiffness(area, K_beta):
     """Return the tangential stiffness of a contact at zero tangential force, 8 sqrt(area)/(K beta), as a dimensionless number.
 
-    area: contact area in units of pi R sigma. K_beta: K = (4/3) E* times the tangential compliance beta of the pair, with
-    1/beta = G*. In SI the stiffness is k_t = 8 a/beta with the contact radius a; the result is k_t sigma/(K R^(1/2)
-    sigma^(3/2)).
+    area: contact area in units of pi R sigma. K_beta: K beta, with K = (4/3) E* and the tangential compliance beta of the
+    pair of bodies, with 1/beta = G*. In SI the stiffness is k_t = 8 a/beta with the contact radius a; the result is k_t
+    sigma/(K R^(1/2) sigma^(3/2)).
     """
     return 8.0 * math.sqrt(area) / K_beta
 
@@ -91,9 +91,9 @@ def stiffness(area, K_beta):
 def sliding_displacement(load, area, friction, K_beta):
     """Return the tangential displacement at which a Hertz contact slips as a whole, 3 mu P beta/(16 a), in units of sigma.
 
-    It is 3/2 times the friction force mu P over the initial stiffness. load: P in units of K R^(1/2) sigma^(3/2). area: contact
-    area pi a^2 in units of pi R sigma. friction: friction coefficient mu. K_beta: K = (4/3) E* times the tangential compliance
-    beta of the pair.
+    It is 3/2 times the friction force mu P divided by the initial stiffness. load: P in units of K R^(1/2) sigma^(3/2).
+    area: contact area pi a^2 in units of pi R sigma. friction: friction coefficient mu. K_beta: K beta, with K = (4/3) E*
+    and the tangential compliance beta of the pair of bodies.
     """
     return 1.5 * friction * load / stiffness(area, K_beta)
 
@@ -102,9 +102,10 @@ def sliding_displacement(load, area, friction, K_beta):
 def force(displacement, load, area, friction, K_beta):
     """Return the tangential force T = mu P (1 - (1 - s)^(3/2)) of a Hertz contact at a tangential displacement.
 
-    s: displacement over the displacement at which the whole contact slips, at most 1. By Coulomb's law at each point, slip
-    spreads inwards from the rim. load: P. friction: friction coefficient mu. K_beta: K = (4/3) E* times the tangential
-    compliance beta of the pair. Units: displacement in sigma, P and T in K R^(1/2) sigma^(3/2), area in pi R sigma.
+    s: displacement divided by the displacement at which the whole contact slips, at most 1. By Coulomb's law at each point,
+    slip spreads inwards from the rim. load: P. friction: friction coefficient mu. K_beta: K beta, with K = (4/3) E* and the
+    tangential compliance beta of the pair of bodies. Units: displacement in sigma, P and T in K R^(1/2) sigma^(3/2), area
+    in pi R sigma.
     """
     left = max(1.0 - displacement / sliding_displacement(load, area, friction, K_beta), 0.0)
     return friction * load * (1.0 - left * math.sqrt(left))
@@ -115,8 +116,8 @@ def displacement(force, load, area, friction, K_beta):
     """Return the tangential displacement of a Hertz contact under a tangential force T, 0 <= T <= mu P.
 
     It is the displacement at which the whole contact slips, times 1 - (1 - T/(mu P))^(2/3). force, load: T and P. friction:
-    friction coefficient mu. K_beta: K = (4/3) E* times the tangential compliance beta of the pair. Units: displacement in
-    sigma, T and P in K R^(1/2) sigma^(3/2), area in pi R sigma.
+    friction coefficient mu. K_beta: K beta, with K = (4/3) E* and the tangential compliance beta of the pair of bodies.
+    Units: displacement in sigma, T and P in K R^(1/2) sigma^(3/2), area in pi R sigma.
     """
     left = max(1.0 - force / (friction * load), 0.0)
     return sliding_displacement(load, area, friction, K_beta) * (1.0 - left ** (2.0 / 3.0))
@@ -126,19 +127,19 @@ def displacement(force, load, area, friction, K_beta):
 def slip_share(s):
     """Return the tangential force of a partly slipping contact as a fraction of its strength, 1 - (1 - s)^(3/2).
 
-    s: tangential displacement over the displacement at which the whole contact slides, below 1. The result is accurate for
-    small s.
+    s: tangential displacement divided by the displacement at which the whole contact slides, below 1. The result is
+    accurate for small s.
     """
     return -math.expm1(1.5 * math.log1p(-s))
 
 
 @formula
 def loss_share(s):
-    """Return the energy that a contact loses in a cycle of tangential displacement, as a dimensionless number.
+    """Return the energy that a contact loses per cycle, divided by its strength times its sliding displacement.
 
-    It is divided by strength times sliding displacement. s: amplitude of the cycle over the sliding displacement, at which the
-    whole contact slides. The loss is 8 times the integral of the force from 0 to s, minus 4 s times the force at s. For small s
-    these terms cancel, and the Taylor series s^3/2 + s^4/8 + 9 s^5/160 + ... is used.
+    s: amplitude of the cycle divided by the sliding displacement, at which the whole contact slides. The loss is 8 times
+    the integral of the force from 0 to s, minus 4 s times the force at s. For small s these terms cancel, and the Taylor
+    series s^3/2 + s^4/8 + 9 s^5/160 + ... is used.
     """
     if s < 0.1:
         tail = 0.006982421875 + s * (0.0053558349609375 + s * (0.004215240478515625 + s * 0.0033884048461914062))
@@ -154,8 +155,9 @@ def loss_share(s):
 def resistance(u, w, load, area, K_beta):
     """Return (stiffness, 0), with the tangential stiffness of one asperity at zero tangential force, as in `stiffness`.
 
-    The engine always sums two numbers, see `TangentialResistance`; the second is not needed here. u, w, load: not used. area:
-    contact area in units of pi R sigma. K_beta: K = (4/3) E* times the tangential compliance beta of the pair.
+    The second number is 0 because the engine always sums two (see `TangentialResistance`). u, w, load: not used. area:
+    contact area in units of pi R sigma. K_beta: K beta, with K = (4/3) E* and the tangential compliance beta of the pair of
+    bodies.
     """
     return stiffness(area, K_beta), 0.0
 

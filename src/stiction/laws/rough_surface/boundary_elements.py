@@ -14,9 +14,9 @@ $$
 
 Angle brackets denote the mean over the points, $P/A_n$ the nominal pressure, $H$ the hardness, $E^*$ the contact modulus and
 $\hat C(k)$ the compliance for a wave of the wavenumber $k$. The map carries the nominal pressure; its area, stiffness and
-friction are multiplied by the nominal area over the area of the map. The hardness is the softer body's; with a film it is the
-smaller of the hardnesses of film and other body. If both bodies are coated, each has half of the thickness. The substrate does
-not yield.
+friction are multiplied by the ratio of the nominal area to the area of the map. The hardness is the softer body's. If one body
+is coated, it is the smaller of the hardnesses of the film and the other body. If both bodies are coated, each has half of the
+thickness. The substrate does not yield.
 
 *Adhesion* (optional) of elastic bodies on a periodic map: at the gap $g$ the energy per area is $-\gamma\,e^{-g/\varrho}$ with
 the work of adhesion $\gamma$ (method of [pastewka_robbins_2014]). The range $\varrho$ is 0.3 nm, or the shortest range that the
@@ -29,7 +29,7 @@ liquid is left out.
 
 *Friction*: a law of the interface is applied to the pressure of every point. For the shear strength $\tau=\tau_0+\alpha p$ the
 sum is exact, $T=\tau_0A+\alpha P$ with the contact area $A$. With `shear="lesser"` the strength of a point is the smaller of
-$\alpha p$ and $\tau_0$ ([orowan_1943]). With `shear="junction_growth"` points that flow under pressure and shear grow until
+$\alpha p$ and $\tau_0$ ([orowan_1943]). With `shear="junction_growth"`, points that flow under pressure and shear grow until
 $p^2+9\tau_0^2=H^2$ ([tabor_1959]): $T=\tau_0\sum\max(A,\,P/\sqrt{H^2-9\tau_0^2})$ over the points. *Area*: the points in
 contact overestimate the area; $A=A_\text{px}-c\,S\,\Delta x$, where $A_\text{px}$ is their area, $\Delta x$ the point spacing
 and $S$ the length of the edges between points in contact and others. The form follows [yastrebov_2017]; the coefficient was
@@ -63,7 +63,7 @@ if TYPE_CHECKING:
 
 
 def bodies_of(contact: Contact) -> Bodies:
-    """Return elastic compliances and hardness of the bodies of a contact, for the solver of boundary elements.
+    """Return elastic compliances and hardness of the bodies of a contact, for the boundary-element solver.
 
     Every input of the contact must be a single number, not an array.
     """
@@ -80,7 +80,7 @@ def bodies_of(contact: Contact) -> Bodies:
 
 
 def shear_compliance_of(contact: Contact) -> ShearCompliance:
-    """Return the elastic compliance of the two bodies of a contact under shear, for the solver of boundary elements.
+    """Return the elastic compliance of the two bodies of a contact under shear, for the boundary-element solver.
 
     Every input of the contact must be a single number, not an array. The order of the bodies of the contact does not matter:
     the solver moves the body whose face is displaced more along x by a pressure.
@@ -90,7 +90,7 @@ def shear_compliance_of(contact: Contact) -> ShearCompliance:
 
 
 def _displaced_by_pressure(body: Film | HalfSpace) -> tuple[float, float]:
-    """Return (1 - 2 nu)/G [1/Pa] of the surface material of a body and of its substrate, which are equal without a film.
+    """Return (1 - 2 nu)/G [1/Pa] of a body's surface material and of its substrate; both are equal without a film.
 
     A pressure displaces the face of a body tangentially in proportion to this value. nu: Poisson's ratio. G: shear modulus.
     """
@@ -103,7 +103,7 @@ def _displaced_by_pressure(body: Film | HalfSpace) -> tuple[float, float]:
 
 
 def _elastic_bodies(contact: Contact) -> tuple[Film | HalfSpace, Film | HalfSpace]:
-    """Return the elastic constants of the first and the second body of a contact: a Film if it is coated, else a HalfSpace."""
+    """Return the elastic constants of both bodies of a contact, as a Film for a coated body and a HalfSpace for a bare one."""
     coating = contact.coating
     bare = {
         name: HalfSpace(float(body.youngs_modulus), float(body.poissons_ratio))
@@ -127,11 +127,11 @@ def of_map(
     surface: "HeightMap", contact: Contact, pressures: Sequence[float], *, points: str, yielding: str, shear: str,
     adhesion: str, mode_mixity: str,
 ) -> "MapCurve":  # fmt: skip
-    """Return the solved contact of a map at nominal pressures [Pa], as a MapCurve.
+    """Solve the contact of a map at nominal pressures [Pa] and return the result as a MapCurve.
 
-    surface: map that represents the roughness of both faces. points, yielding, adhesion: options of the model. shear: not used,
-    because this option is applied later. mode_mixity: must be "none". Raises InputError if the map or a pressure cannot be
-    solved.
+    surface: map that represents the roughness of both faces. points, yielding, adhesion: options of the model. shear: not
+    used here, because the option is applied later. mode_mixity: must be "none". Raises InputError if the map or a pressure
+    cannot be solved.
     """
     from stiction.solvers.boundary_elements.curve import curve_of_map  # slow to import, so only if a map is solved
 
@@ -152,7 +152,7 @@ def of_map(
 def _sticking(
     surface: "HeightMap", contact: Contact, bodies: Bodies, pressures: Sequence[float], adhesion: str
 ) -> "MapCurve":  # fmt: skip
-    """Return the solved contact of a map with adhesion at nominal pressures [Pa], as a MapCurve.
+    """Solve the contact of a map with adhesion at nominal pressures [Pa] and return the result as a MapCurve.
 
     The attraction decays with the gap over a finite range. bodies: elastic bodies of the contact, for the solver. adhesion:
     option "atomic_range" or "shortest_range", which sets the range.

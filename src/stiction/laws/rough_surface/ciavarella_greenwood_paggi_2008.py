@@ -1,7 +1,7 @@
 r"""Asperities that interact, all lowered by the same displacement: Ciavarella, Greenwood & Paggi 2008.
 
 *Assumes*: the loads on Greenwood and Williamson's asperities lower all other asperities. To first order all are lowered by the
-same displacement, by which the mean pressure $p$ displaces the nominal area. *Source*: [ciavarella_greenwood_paggi_2008];
+same displacement: that of the nominal area under the mean pressure $p$. *Source*: [ciavarella_greenwood_paggi_2008];
 *unknown*: its text. *Reconstruction*: the nominal area is a square of side $L$ on a half-space and is displaced by its mean
 displacement under uniform pressure (Love's solution, [johnson_1985]), $0.9464\,pL/E^*$:
 
@@ -39,9 +39,9 @@ def shifted_separation(h: np.ndarray, compliance: np.ndarray) -> np.ndarray:
     """Return the separation x at which independent asperities carry the load that interacting asperities carry at h.
 
     It solves x = h + compliance F_3/2(x), with the mean load F_3/2 of independent asperities. h, x: in units of sigma.
-    compliance: displacement of the nominal area, in units of sigma, per unit of load. h and compliance are arrays of the same
-    shape. x - compliance F_3/2(x) grows with x and its slope decreases. Newton's method from h therefore rises to the root
-    without passing it.
+    compliance: displacement of the nominal area, in units of sigma, per unit of load. h and compliance are arrays of the
+    same shape. Newton's method starts at h and rises to the root without passing it, because the slope of x - compliance
+    F_3/2(x) is positive and decreases with x.
     """
     x = h.astype(float)
     for _ in range(_MOST_STEPS):

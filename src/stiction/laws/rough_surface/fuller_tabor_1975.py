@@ -7,10 +7,10 @@ $$
 \bar P(h)=\int P_\text{JKR}(w)\,\varphi(h+w)\,dw
 $$
 
-*Check*: the pull-off force on the unloading branch over $NA_nP_c$, the pull-off force of all $NA_n$ asperities if each had its
-own maximum $P_c=\tfrac32\pi\gamma R$ at once, and the separation $h$ at this force. Both depend on
-$1/\Delta_c=\theta^{2/3}/1.94889$, where $\theta$ is the adhesion index and $\Delta_c$ the stretch over $\sigma$ at which one
-asperity loses contact:
+*Check*: the pull-off force on the unloading branch, divided by the force $NA_nP_c$ of all $NA_n$ asperities if each had its
+maximum $P_c=\tfrac32\pi\gamma R$ at the same time, and the separation $h$ at this force. Both depend on
+$1/\Delta_c=\theta^{2/3}/1.94889$, where $\theta$ is the adhesion index and $\Delta_c$ the stretch, in units of $\sigma$, at
+which an asperity loses contact:
 
 | $1/\Delta_c$ | 0.1 | 0.2 | 0.3 | 0.5 | 0.75 | 1 | 1.5 | 2 | 2.5 | 3 | 4 |
 |---|---|---|---|---|---|---|---|---|---|---|---|

@@ -1,4 +1,4 @@
-r"""Elastic asperities of one radius, heights distributed, no adhesion: Greenwood & Williamson 1966.
+r"""Elastic asperities of one radius with distributed heights, without adhesion: Greenwood & Williamson 1966.
 
 *Assumes*: asperities of one radius are independent, each with a [Hertz](#hertz) contact. *Source*:
 [greenwood_williamson_1966], load, area and number of contacts. Load $\bar P$ and area $\bar A$ per asperity at the mean
@@ -9,7 +9,7 @@ $$
 $$
 
 The fraction $F_0$ of the asperities touches. In SI the nominal pressure is $p=\tfrac43NE^*R^{1/2}\sigma^{3/2}F_{3/2}$ and the
-contact area over the nominal area $A/A_n=\pi NR\sigma F_1$, with $N$ asperities per area of the tip radius $R$ and height
+ratio of contact area to nominal area $A/A_n=\pi NR\sigma F_1$, with $N$ asperities per area of the tip radius $R$ and height
 deviation $\sigma$, and the contact modulus $E^*$. *Check*, Gaussian heights:
 
 | $h$ | $F_0$ | $F_{1/2}$ | $F_1$ | $F_{3/2}$ | $F_2$ | $F_{5/2}$ |

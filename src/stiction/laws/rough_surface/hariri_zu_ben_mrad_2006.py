@@ -1,4 +1,4 @@
-r"""Asperities of n neighbouring sampled points, n growing as the surfaces come closer: Hariri, Zu & Ben Mrad 2006.
+r"""Asperities of n neighbouring sampled points, where n grows as the surfaces approach: Hariri, Zu & Ben Mrad 2006.
 
 *Assumes* (abstract of [hariri_zu_ben_mrad_2006]): an asperity consists of $n$ neighbouring sampled points of a profile, with
 its $n-2$ middle points above a level. Larger $n$ appear as the separation falls. The example has exponential autocorrelation.
@@ -14,7 +14,7 @@ $$
 A line meets an asperity of width $L$ if it passes within $L/2$ of its centre. The number of asperities per area is therefore
 their number per length divided by $L$. (If it were the square of the number per length, the area at a large separation would
 be proportional to the square of the fraction of points above $d$.) The sum over all $n$, for a Gaussian profile whose
-neighbouring points have the correlation $r$, gives the contact area over the nominal area and the nominal pressure $p$:
+neighbouring points have the correlation $r$, gives the ratio of contact area to nominal area, and the nominal pressure $p$:
 
 $$
 \frac A{A_n}=\frac\pi8\left[Q(D)+\nu_r\right],\qquad\frac p{E^*}=\frac{\sqrt2}3\,\frac{\nu_r\,\bar t}\ell,\qquad
@@ -36,10 +36,10 @@ over the profile's standard deviation, from simulated profiles of $2\cdot10^7$ p
 | 0.95 | 0.0305, 1.087 | 0.0504, 0.656 | 0.0306, 0.451 | 0.0068, 0.337 |
 
 The load has a maximum at a level about half a standard deviation below the mean plane, because rows of points merge; the model
-ends there. At the same load it has more area than any other elastic model here. $\kappa$ in $A/A_n=\kappa\,p/(E^*h')$, with
-the root mean square gradient $h'$, is 4.3, 5.6 and 7.2 at the separations $h$ = 0, 1 and 2 for $\rho=0.0405$, and 3.7, 4.1 and
-4.8 for $\rho=0.06$; simulated profiles give the same. It is unknown whether this comes from the paper or from the
-reconstruction.
+ends there. At the same load it predicts a larger area than any other elastic model here. $\kappa$ in
+$A/A_n=\kappa\,p/(E^*h')$, with the root mean square gradient $h'$, is 4.3, 5.6 and 7.2 at the separations $h$ = 0, 1 and 2 for
+$\rho=0.0405$, and 3.7, 4.1 and 4.8 for $\rho=0.06$; simulated profiles give the same. It is unknown whether this comes from
+the paper or from the reconstruction.
 """
 
 import math
@@ -101,8 +101,8 @@ def _sums(h: np.ndarray, density: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 def separation_near(load: np.ndarray, groups: Groups) -> np.ndarray:
     """Return approximate separations (n, H), in units of sigma, at the loads (n, H), as starting values of a search.
 
-    load: per asperity, in units of K R^(1/2) sigma^(3/2). The load of this model has a maximum; the separations are larger than
-    the separation at the maximum, so that the load rises on approach.
+    load: per asperity, in units of K R^(1/2) sigma^(3/2). The load of this model has a maximum. All returned separations
+    are larger than the separation at this maximum.
     """
     return _near()(load, np.log(groups.roughness_parameter))
 

@@ -1,4 +1,4 @@
-r"""Greenwood & Williamson's asperities with the radius, number and height deviation of a surface's summits: McCool 1986.
+r"""Greenwood & Williamson's asperities with the radius, density and height deviation of a surface's summits: McCool 1986.
 
 *Assumes*: Greenwood and Williamson's sum. Density $N$, radius $R$ and height deviation $\sigma$ of the asperities follow from
 the spectral moments $m_0,m_2,m_4$ of a profile of an isotropic Gaussian surface: variance of height, slope and curvature.
@@ -16,9 +16,9 @@ $\varsigma\,(\sqrt3/(64\rho))^{1/2}$. *Traps*: $m_2$ and $m_4$ belong to a profi
 is $2m_2$; the mean curvature of summits does not depend on $m_2$; separations from the mean plane and from the mean summit
 height differ by $1/(\sqrt{48}\pi\rho)$ in units of $\sigma$.
 
-At light load, theories are compared by $\kappa$ in $A/A_n=\kappa\,p/(E^*h')$, with the contact area over the nominal area
-$A/A_n$, the nominal pressure $p$ and the contact modulus $E^*$. *Check*: here $\kappa$ depends on the separation $h$ (over
-$\sigma$):
+At light load, theories are compared by $\kappa$ in $A/A_n=\kappa\,p/(E^*h')$, with the ratio $A/A_n$ of contact area to
+nominal area, the nominal pressure $p$ and the contact modulus $E^*$. *Check*: here $\kappa$ depends on the separation $h$
+(over $\sigma$):
 
 | $\alpha$ | $h=1$ | 2 | 3 | 4 |
 |---|---|---|---|---|

@@ -11,10 +11,10 @@ p=\left(1-\frac1Q\right)\frac{E^*h'}{\kappa}\frac A{A_n},\qquad
 Q=\frac{h'E^*\varrho}{2\gamma}\left(\frac{h'^2}{h''\varrho}\right)^{2/3},\qquad\kappa=2
 $$
 
-$p$ is the nominal pressure, $A/A_n$ contact area over nominal area, $E^*$ the contact modulus, $h'$ the root mean square
-gradient, $h''$ the root mean square of half the Laplacian of the heights, $\gamma$ the work of adhesion and $\varrho$ the range
-of the attraction. *Limit*: $A/A_n=2p/(E^*h')$ without attraction. *Check*: $A/A_n=0.021463$ at $p/(E^*h')=0.01$ and
-$Q=14.666$. *Unknown*: the area law in the authors' form, and whether the threshold is $Q=1$, as restated, or
+$p$ is the nominal pressure, $A/A_n$ contact area divided by nominal area, $E^*$ the contact modulus, $h'$ the root mean square
+gradient, $h''$ the root mean square of half the Laplacian of the heights, $\gamma$ the work of adhesion and $\varrho$ the
+range of the attraction. *Limit*: $A/A_n=2p/(E^*h')$ without attraction. *Check*: $A/A_n=0.021463$ at $p/(E^*h')=0.01$ and
+$Q=14.666$. *Unknown*: the authors' form of the area law, and whether the threshold is $Q=1$, as restated, or
 $Q=\pi(3/16)^{2/3}=1.03$.
 
 A surface that sticks ($Q\le1$) is in contact without a load; the model then raises an error. The area is proportional to the

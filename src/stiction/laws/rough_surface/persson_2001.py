@@ -1,9 +1,10 @@
 r"""Elastic contact by diffusion of the pressure distribution towards finer roughness: Persson 2001.
 
 *Assumes*: there are no asperities. As finer roughness is included, the distribution of the contact pressure broadens by
-diffusion. Contact is lost where the pressure reaches zero. *Source*: [persson_2001]. The variable that takes the place of time
+diffusion. Contact is lost where the pressure reaches zero. *Source*: [persson_2001]. The variable that plays the role of time
 in the diffusion is $G=(E^*h')^2/8$ for the whole surface, with the contact modulus $E^*$ and the root mean square gradient
-$h'$. Contact area over nominal area at the nominal pressure $p$, and $\kappa$ in $A/A_n=\kappa\,p/(E^*h')$ at light load, are
+$h'$. The ratio of contact area to nominal area at the nominal pressure $p$, and $\kappa$ in $A/A_n=\kappa\,p/(E^*h')$ at light
+load, are
 
 $$
 \frac A{A_n}=\operatorname{erf}\frac p{2\sqrt G}=\operatorname{erf}\left(\sqrt2\,\frac p{E^*h'}\right),\qquad
@@ -33,7 +34,7 @@ from stiction.records.sources import Source
 
 
 def area_share(pressure: np.ndarray) -> np.ndarray:
-    """Return the contact area over the nominal area at the reduced pressures p / (E* h') >= 0.
+    """Return the ratio of contact area to nominal area at the reduced pressures p / (E* h') >= 0.
 
     pressure: array of any shape; p: nominal pressure, E*: contact modulus, h': root mean square gradient. Source: Persson
     2001.

@@ -4,15 +4,15 @@ r"""Elastic-plastic contact by diffusion of the pressure distribution, with pres
 stays in contact. The hardness is the same at all scales. *Source*: [persson_2001_elastoplastic]; solved again here. The
 probability density $P$ of the pressure $p$ obeys $\partial P/\partial G=\partial^2P/\partial p^2$. It starts as a delta
 function at the nominal pressure $p_0$ and is 0 at $p=0$ and at $p=H$. The solution as a series of sines of $n\pi p/H$ gives
-the elastic and the plastic contact area over the nominal area,
+the elastic and the plastic contact area, divided by the nominal area,
 
 $$
 \frac{A_\text{el}}{A_n}=\sum_{n\ \text{odd}}\frac4{n\pi}\sin\frac{n\pi p_0}H\,e^{-n^2\pi^2G/H^2},\qquad
 \frac{A_\text{pl}}{A_n}=\frac{p_0}H+\sum_n(-1)^n\frac2{n\pi}\sin\frac{n\pi p_0}H\,e^{-n^2\pi^2G/H^2}
 $$
 
-with $G=(E^*h')^2/8$, the contact modulus $E^*$ and the root mean square gradient $h'$. The second follows from the flux out at
-$H$. Both areas together carry the load, $\int pP\,dp+HA_\text{pl}/A_n=p_0$. *Check* ($A_\text{el}/A_n$ and
+with $G=(E^*h')^2/8$, the contact modulus $E^*$ and the root mean square gradient $h'$. The second follows from the probability
+flux out at $H$. Both areas together carry the load, $\int pP\,dp+HA_\text{pl}/A_n=p_0$. *Check* ($A_\text{el}/A_n$ and
 $A_\text{pl}/A_n$):
 
 | $H/(E^*h')$ | $p_0/H$ | elastic | plastic |
@@ -41,11 +41,11 @@ _APART, _TERMS = 13.0, 27
 
 
 def area_shares(share: np.ndarray, hardness: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the elastic and the plastic contact area, each over the nominal area.
+    """Return the elastic and the plastic contact area, each divided by the nominal area.
 
-    share: nominal pressure over hardness, p0/H, an array; from 1 on the whole contact is plastic. hardness: H / (E* h'), same
-    shape, with the contact modulus E* and the root mean square gradient h'. Source: Persson 2001 (Phys. Rev. Lett.); the sums
-    are in the docstring of this module.
+    share: nominal pressure divided by hardness, p0/H, an array; if it is 1 or more, the whole contact is plastic. hardness:
+    H / (E* h'), same shape, with the contact modulus E* and the root mean square gradient h'. Source: Persson 2001 (Phys.
+    Rev. Lett.); the sums are in the docstring of this module.
     """
     p, root_G = np.clip(share, 0.0, 1.0), 1.0 / (math.sqrt(8.0) * hardness)  # both over H
     plastic = erfc((1.0 - p) / (2.0 * root_G))

@@ -40,8 +40,8 @@ def area_at_load(load: np.ndarray, groups: Groups, surface: "HeightMap | None" =
     """Return the nominal area per asperity (n, H), in units of pi R sigma, in full contact, and NaN for all other contacts.
 
     load (n, H): only its shape is used. surface: map that represents the roughness of both faces, from whose spectrum the
-    elastic energy of full contact is computed; None takes an upper bound from sigma, R and N. Raises InputError if no contact
-    is in full contact.
+    elastic energy of full contact is computed; with None, an upper bound is computed from sigma, R and N. Raises InputError
+    if no contact is in full contact.
     """
     ratio = elastic_over_adhesion(groups, surface)
     if not (ratio < 1.0).any():

@@ -1,4 +1,4 @@
-r"""Persson's contact area, increased by a fit to solved maps; for scans, the solution of their own contact.
+r"""Persson's contact area, increased by a fit to solved maps; for scans, the contact itself is solved.
 
 *Assumes*: half-spaces without adhesion and friction, with one hardness at all scales. *Source*: this project's own, a fit to
 maps of rough surfaces whose contact was solved point by point ([the set](truth.md)); [persson_2001] for the form, [nayak_1971]
@@ -12,10 +12,10 @@ c=.617-.041\ln\alpha
 $$
 
 and with the hardness $H$ the area is $A=\left[A_\text{el}^{3.5}+(pA_n/H)^{3.5}\right]^{1/3.5}$ (here $p$ in Pa). This formula
-is used if the surface is given by $\sigma$, $R$ and $N$. Most of its error comes from properties that these do not describe:
-skewness, wear, a lay, and the scatter of a small map. If the contact names scans, the contact of their map is solved at every
-pressure, elastic or up to the hardness. The solution uses the fewest points that are sufficient (four per shortest wavelength,
-eight across a lay, 3000 in contact). A map with too many points uses one of the formulas of
+is used if the surface is given by $\sigma$, $R$ and $N$. Most of its error comes from properties that these numbers do not
+describe: skewness, wear, a lay, and the scatter of a small map. If the contact names scans, the contact of their map is solved
+at every pressure, elastic or up to the hardness. The solution uses the fewest points that are sufficient (four per shortest
+wavelength, eight across a lay, 3000 in contact). A map with too many points uses one of the formulas of
 `solvers/boundary_elements/area_estimates.py`. The result `area_by` names the method.
 
 *Check*: at light load $A/A_n=\kappa\,p/(E^*h')$ with $\kappa\to(1+c)\sqrt{8/\pi}$; $c=0$ gives
@@ -75,7 +75,7 @@ def area_on_map(load: np.ndarray, groups: Groups, surface: "HeightMap") -> np.nd
 
 
 def way(surface: "HeightMap | None") -> str:
-    """Return how the contact area is computed, as a key of WAYS.
+    """Return the key in WAYS of the method that computes the contact area.
 
     surface: map that represents the roughness of both faces, or None for a surface given by its moments.
     """

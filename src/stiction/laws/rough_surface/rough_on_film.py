@@ -15,9 +15,9 @@ $$
 
 solved for $A_\mathrm{el}$. $E_P(a/t)$ is the exact effective modulus of the film on its body for a sphere with the contact
 radius $a$, as in [`layered`](#layered); $t$ is the film thickness. Waves of the wavenumber $k$ in the power spectrum $S$ are
-assumed to touch the film with spots of the radius $a(k)$, fitted to solved maps; $E_f/E_s$ is the modulus of the film over the
-body's. Weighting the film's compliance at the wavelength itself is not sufficient, because pressures vary over shorter lengths
-than heights. With the film's hardness $H_f$, or the pressure that the body below can carry if this is less,
+assumed to touch the film with spots of the radius $a(k)$, fitted to solved maps; $E_f/E_s$ is the modulus of the film divided
+by the body's. Weighting the film's compliance at the wavelength itself is not sufficient, because pressures vary over shorter
+lengths than heights. With the film's hardness $H_f$, or the pressure that the body below can carry if this is less,
 
 $$
 \left(\frac A{A_n}\right)^{3.5}=\left(\frac{A_\mathrm{el}}{A_n}\right)^{3.5}+\left(\frac p{H_f}\right)^{3.5},\qquad A\le A_n
@@ -76,10 +76,10 @@ STIFF = 5.0  # film modulus over the bodies' from which on this law is inaccurat
 
 
 class Waves(NamedTuple):
-    """Hold a spectrum: the wavenumbers of its waves, and the fraction of the mean square gradient that each wave has.
+    """Hold a spectrum: the wavenumber of each wave and its fraction of the mean square gradient.
 
-    wavevector: wavenumbers, (n, m) for n surfaces, or (m,), in the inverse unit of the film thickness. share: the fractions,
-    same shape; their sum over the waves is 1.
+    wavevector: wavenumbers, (n, m) for n surfaces, or (m,), in the inverse unit of the film thickness. share: fraction of
+    the mean square gradient in each wave, same shape; the fractions of a surface add up to 1.
     """
 
     wavevector: np.ndarray
@@ -104,7 +104,7 @@ def waves_of_moments(density: np.ndarray) -> Waves:
 
 @cache
 def _log_bandwidths() -> np.ndarray:
-    """Return ln alpha for the ratios of largest to smallest wavenumber in _RATIOS, with Nayak's bandwidth parameter alpha."""
+    """Return the logarithm of Nayak's bandwidth parameter for each ratio of largest to smallest wavenumber in _RATIOS."""
     log = np.log(_RATIOS)
 
     def moment(order: float) -> np.ndarray:
@@ -118,16 +118,16 @@ def _log_bandwidths() -> np.ndarray:
 
 
 def thickness_over_wave(groups: Groups) -> np.ndarray:
-    """Return the thickness of one film over the shortest wavelength of the surface, for n coated contacts (n,)."""
+    """Return the ratio (n,) of the thickness of one film to the shortest wavelength of the surface."""
     shortest = waves_of_moments(groups.roughness_parameter).wavevector[:, -1]
     return groups.film_aspect / groups.films * shortest / (2.0 * math.pi)
 
 
 def sphere_modulus(curve: np.ndarray, n_E: np.ndarray, a_over_t: np.ndarray) -> np.ndarray:
-    """Return the effective modulus E_P for a sphere on a film (n, ...), as a ratio to the modulus of the bodies without film.
+    """Return the effective modulus E_P (n, ...) for a sphere on a film, divided by the modulus of the bodies without film.
 
-    curve: coefficients (n, TERMS) of the curve of E_P. n_E (n,): film modulus over the modulus of the bodies without film.
-    a_over_t (n, ...): contact radius over film thickness.
+    curve: coefficients (n, TERMS) of the curve of E_P. n_E (n,): film modulus divided by the modulus of the bodies without
+    film. a_over_t (n, ...): contact radius divided by film thickness.
     """
     more = a_over_t.ndim - 1
     z = 1.0 - 2.0 / (np.sqrt(a_over_t) + 1.0)
@@ -141,11 +141,12 @@ def sphere_modulus(curve: np.ndarray, n_E: np.ndarray, a_over_t: np.ndarray) -> 
 def area_of_waves(
     pressure: np.ndarray, bare: Callable[[np.ndarray], np.ndarray], waves: Waves, thickness: np.ndarray, groups: Groups
 ) -> np.ndarray:
-    """Return the elastic contact area over the nominal area (n, H) of a rough surface on a film, at H pressures of n contacts.
+    """Return the ratio (n, H) of elastic contact area to nominal area for a rough surface on a film, at H pressures.
 
-    pressure (n, H): nominal pressure over E* h', >= 0, with the contact modulus E* of the bodies without film and the root
-    mean square gradient h'. bare: function that returns the area without film at this pressure. waves: spectrum of the
-    surface. thickness (n,): of one film, in the unit of the waves. groups: dimensionless groups with all defaults filled in.
+    pressure (n, H): nominal pressure divided by E* h', >= 0, with the contact modulus E* of the bodies without film and the
+    root mean square gradient h'. bare: function that returns the area without film at this pressure. waves: spectrum of the
+    surface. thickness (n,): thickness of one film, in the unit of the waves. groups: dimensionless groups with all defaults
+    filled in.
     """
     curve, n_E = coefficients(groups)[:, 0], np.broadcast_to(groups.n_E, len(pressure))
     k = np.broadcast_to(waves.wavevector, (len(pressure), np.shape(waves.wavevector)[-1]))[:, None, :]
@@ -210,9 +211,10 @@ def _area(load: np.ndarray, groups: Groups) -> np.ndarray:
 
 
 def elastic_share(pressure: np.ndarray, groups: Groups) -> np.ndarray:
-    """Return the contact area over the nominal area (n, H) of elastic contacts on a film, at H pressures of n contacts.
+    """Return the ratio (n, H) of contact area to nominal area for elastic contacts on a film, at H pressures of n contacts.
 
-    pressure (n, H): nominal pressure over E* h', >= 0; E*: contact modulus without film, h': root mean square gradient.
+    pressure (n, H): nominal pressure divided by E* h', >= 0; E*: contact modulus without film, h': root mean square
+    gradient.
     """
     from stiction.surfaces.theory.widened_area import of_moments  # slow to import
 
@@ -222,11 +224,11 @@ def elastic_share(pressure: np.ndarray, groups: Groups) -> np.ndarray:
 
 
 def _flowing(elastic: np.ndarray, pressure: np.ndarray, groups: Groups) -> np.ndarray:
-    """Return the contact area over the nominal area (n, H) after plastic flow has limited the contact pressure.
+    """Return the ratio (n, H) of contact area to nominal area after plastic flow has limited the contact pressure.
 
-    elastic (n, H): the area without this limit. pressure (n, H): nominal pressure over E* h'. The limit is the film hardness,
-    or the pressure that the body below carries through the film if that pressure is lower. It depends on the mean size of a
-    contact spot, which follows from the number of asperities that touch at this area.
+    elastic (n, H): the same ratio without this limit. pressure (n, H): nominal pressure divided by E* h'. The limit is the
+    film hardness, or the pressure that the body below carries through the film if that pressure is lower. It depends on the
+    mean size of a contact spot, which is computed from the number of asperities in contact.
     """
     from stiction.surfaces.theory.widened_area import with_hardness  # slow to import
 
@@ -244,7 +246,7 @@ def _flowing(elastic: np.ndarray, pressure: np.ndarray, groups: Groups) -> np.nd
 
 
 def _thickness(groups: Groups) -> np.ndarray:
-    """Return the thickness of one film in units of sqrt(R sigma) (n,); it is half of the whole if both bodies are coated."""
+    """Return the thickness of one film in units of sqrt(R sigma) (n,), half of the total if both bodies are coated."""
     return np.broadcast_to(groups.film_aspect / groups.films, len(groups))
 
 
@@ -264,7 +266,7 @@ def area_on_map(load: np.ndarray, groups: Groups, surface: "HeightMap") -> np.nd
 
 
 def waves_of_map(surface: "HeightMap", groups: Groups) -> Waves:
-    """Return the spectrum of a map for one contact; wavenumbers have the unit 1/sqrt(R sigma), from the moments of the map."""
+    """Return the spectrum of a map for one contact, with wavenumbers in units of 1/sqrt(R sigma) of the map."""
     from stiction.surfaces.spectrum import power_spectrum, radial_average  # slow to import
 
     spectrum = radial_average(power_spectrum(surface, "none" if surface.periodic else "hann"))
@@ -280,7 +282,7 @@ def _unit(surface: "HeightMap", groups: Groups) -> float:
 
 
 def compliance_of(groups: Groups, surface: "HeightMap") -> "Compliance":
-    """Return the compliance of film and bodies of one contact, for the solver of boundary elements.
+    """Return the compliance of film and bodies of one contact, for the boundary-element solver.
 
     It is scaled so that the contact modulus of both bodies without film is 1. Lengths are in m, from the moments of the map
     `surface`.
@@ -301,11 +303,12 @@ def compliance_of(groups: Groups, surface: "HeightMap") -> "Compliance":
 
 
 def _elastic_on_map(pressure: np.ndarray, groups: Groups, surface: "HeightMap", slope: float) -> np.ndarray:
-    """Return the elastic contact area over the nominal area (H,) of one coated contact with a map.
+    """Return the ratio (H,) of elastic contact area to nominal area for one coated contact with a map.
 
-    pressure (H,): nominal pressure over E* h'. slope: root mean square gradient h'. The contact is solved with its film at a
-    few loads. Their ratio to the area law is interpolated over the logarithm of the pressure and applied at all loads. If too
-    few points touch at a load, the ratio at the lightest pressure 10^(k/4) with enough points is used.
+    pressure (H,): nominal pressure divided by E* h'. slope: root mean square gradient h'. The contact is solved with its
+    film at a few loads. The ratio of each solved area to the area law is interpolated in the logarithm of the pressure and
+    applied at all loads. If too few points touch at a load, the ratio at the lightest pressure 10^(k/4) with enough points
+    is used.
     """
     from scipy.interpolate import PchipInterpolator
 
@@ -334,10 +337,11 @@ def _elastic_on_map(pressure: np.ndarray, groups: Groups, surface: "HeightMap", 
 
 
 def _bare_curve(surface: "HeightMap", pressure: np.ndarray, slope: float, n_E: float) -> Callable[[np.ndarray], np.ndarray]:
-    """Return a function that gives the contact area of a map without film, over its nominal area, at a pressure over E* h'.
+    """Return a function that gives the ratio of contact area to nominal area for a map without film.
 
-    It interpolates a formula from the slopes of the map, over all pressures that films with the modulus ratio n_E may need.
-    pressure: pressures with the film, over E* h'. slope: root mean square gradient h'.
+    Its argument is the nominal pressure divided by E* h'. It interpolates a formula based on the slopes of the map, for all
+    pressures that films with the modulus ratio n_E may need. pressure: pressures with the film, divided by E* h'. slope:
+    root mean square gradient h'.
     """
     from scipy.interpolate import PchipInterpolator
 
@@ -359,7 +363,7 @@ def _bare_curve(surface: "HeightMap", pressure: np.ndarray, slope: float, n_E: f
 
 
 def _single(value: np.ndarray) -> float:
-    """Return a dimensionless group of one contact, an array with one element, as a float."""
+    """Return a dimensionless group of a single contact, given as an array of one element, as a float."""
     return float(np.ravel(value)[0])
 
 

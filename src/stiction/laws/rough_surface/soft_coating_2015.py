@@ -29,9 +29,9 @@ from stiction.records.sources import Source
 def regimes(groups: Groups, law: Law, film: FilmLaw | None, variant: str, transition: str) -> list[Regime]:
     """Return the regimes of a bare or coated surface by the model of 2015 (docs/explanation/theory.md, sections 2 to 6).
 
-    A regime is one smooth part of an asperity's behaviour. groups: dimensionless groups of n contacts. law: asperity law,
-    tangential law and options. film: film law, or None. variant: "corrected" or "published". transition: "jump" or "gradual"
-    onset of plastic contact. Raises InputError for options that exclude each other.
+    A regime is a segment of an asperity law together with the tangential force on it. groups: dimensionless groups of n
+    contacts. law: asperity law, tangential law and options. film: film law, or None. variant: "corrected" or "published".
+    transition: "jump" or "gradual" onset of plastic contact. Raises InputError for options that exclude each other.
     """
     printed, gradual = variant == "published", transition == "gradual"
     if law.options.get("branch") == "unloading" and (printed or gradual or groups.has_film):
@@ -58,9 +58,10 @@ def regimes(groups: Groups, law: Law, film: FilmLaw | None, variant: str, transi
 
 
 def _adhesion_without_plasticity(theta: float, eta: float) -> dict[str, float]:
-    """Return the indices {"theta": theta, "lam": lambda} that belong to the adhesion index theta and the hardness group eta.
+    """Return the adhesion indices {"theta": theta, "lam": lambda} for a given theta and hardness group eta.
 
-    lambda = eta^4 theta^2 / (18 pi^2) is the plastic adhesion index; a large eta means that nothing yields.
+    theta is the elastic adhesion index and lambda = eta^4 theta^2 / (18 pi^2) the plastic one. If eta is large, nothing
+    yields.
     """
     return {"theta": theta, "lam": eta**4 * theta**2 / (18.0 * np.pi**2)}
 

@@ -1,6 +1,6 @@
 r"""Persson's diffusion with a rate fitted to elastic solutions up to full contact: Wang & Müser 2017.
 
-*Assumes*: as [`yang_persson_2008`](#yang_persson_2008), with another factor for the growth of the variance $V$ of the
+*Assumes*: as [`yang_persson_2008`](#yang_persson_2008), with a different factor for the growth of the variance $V$ of the
 pressure. *Source*: [wang_muser_2017], as the program published with [xu_zhu_xiao_zhou_2024] restates it (the text was not
 available). With the variance $V_c$ in full contact, the nominal pressure $p$, the contact modulus $E^*$ and the root mean
 square gradient $h'$:
@@ -33,7 +33,8 @@ from stiction.records.sources import Source
 def rate(share: np.ndarray) -> np.ndarray:
     """Return dV/dV_c, the growth of the pressure variance V with finer roughness relative to its growth in full contact (V_c).
 
-    share: contact area over nominal area, an array of any shape. Source: Wang & Müser 2017, as restated by Xu et al. 2024.
+    share: ratio of contact area to nominal area, an array of any shape. Source: Wang & Müser 2017, as restated by Xu et al.
+    2024.
     """
     squared = share**2
     return (5.0 - 2.0 * squared + 6.0 * squared**2) / 9.0

@@ -37,7 +37,7 @@ _STEPS = 12
 
 
 def area_share(pressure: np.ndarray) -> np.ndarray:
-    """Return the contact area over the nominal area at the reduced pressures p / (E* h') >= 0.
+    """Return the ratio of contact area to nominal area at the reduced pressures p / (E* h') >= 0.
 
     pressure: array of any shape; p: nominal pressure, E*: contact modulus, h': root mean square gradient. With q = p / sqrt(2
     V) and the variance V of the pressure, the area is erf(q), where q^2 [gamma + (1 - gamma) erf(q)] = 2 p^2 and p is in units

@@ -38,7 +38,8 @@ GAMMA = 0.45
 def rate(share: np.ndarray) -> np.ndarray:
     """Return dV/dV_c, the growth of the pressure variance V with finer roughness relative to its growth in full contact (V_c).
 
-    share: contact area over nominal area, an array of any shape. Source: Yang & Persson 2008, as restated by Xu et al. 2024.
+    share: ratio of contact area to nominal area, an array of any shape. Source: Yang & Persson 2008, as restated by Xu et
+    al. 2024.
     """
     return GAMMA + (1.0 - GAMMA) * share**2
 

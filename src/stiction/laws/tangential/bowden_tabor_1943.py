@@ -27,8 +27,8 @@ from stiction.records.sources import Source
 def shear_force(area, eta, shear_strength):
     """Return the tangential force T = tau_0 A of a contact, in units of K R^(1/2) sigma^(3/2).
 
-    area: contact area A in units of pi R sigma. eta: hardness group; eta times the area is the load at which the mean pressure
-    is the hardness H. shear_strength: strength of the interface over the hardness, tau_0/H.
+    area: contact area A in units of pi R sigma. eta: hardness group; eta times the area is the load at which the mean
+    pressure is the hardness H. shear_strength: strength of the interface divided by the hardness, tau_0/H.
     """
     return shear_strength * eta * area
 

@@ -7,9 +7,8 @@ $$
 T=\frac{\tau_0}H\,\eta\,A+\alpha\max(P,0)
 $$
 
-Tension does not lower the strength, which is this project's choice. For heavy loads the friction coefficient tends to $\alpha$
-plus $\tau_0$ over the mean pressure.
-*Limit*: `bowden_tabor_1943` for $\alpha=0$.
+Tension does not lower the strength; this is the project's own choice. For heavy loads the friction coefficient tends to
+$\alpha$ plus the ratio of $\tau_0$ to the mean pressure. *Limit*: `bowden_tabor_1943` for $\alpha=0$.
 
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ and tangential force $T$ in units of $KR^{1/2}\sigma^{3/2}$ and contact
 area $A$ in units of $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and
@@ -30,14 +29,14 @@ from stiction.records.sources import Source
 def resistance(u, w, load, area, eta, shear_strength, pressure_coefficient):
     """Return the slip-limited and the yield-limited force of one asperity, (tau_0 A + alpha max(P, 0), 0).
 
-    load, area: P and A. eta: hardness group. shear_strength: tau_0/H, strength of the interface over the hardness.
+    load, area: P and A. eta: hardness group. shear_strength: tau_0/H, strength of the interface divided by the hardness.
     pressure_coefficient: alpha. u, w: not used. Units: load and forces in K R^(1/2) sigma^(3/2), area in pi R sigma.
     """
     return shear_force(area, eta, shear_strength) + pressure_coefficient * max(load, 0.0), 0.0
 
 
 def tangential_resistance(segment: NormalSegment, groups: Groups) -> TangentialResistance:
-    """Return the tangential resistance on a segment, with a kink at zero load, below which pressure adds no strength.
+    """Return the tangential resistance on a segment, with a kink at zero load; under tension, the load adds no strength.
 
     segment: one smooth part of an asperity law. groups: dimensionless groups of n contacts.
     """

@@ -44,8 +44,8 @@ _SPLITS = (8.0, 64.0, 512.0, 4096.0)
 def friction_coefficient(load_ratio):
     """Return the friction coefficient of one asperity in full stick, 0.27 coth(0.27 (P/L_c)^0.35).
 
-    load_ratio: P/L_c, load of the asperity over the load at first yield in full stick. The coefficient is 1.0242 at L_c and
-    tends to 0.27 for heavy loads.
+    load_ratio: P/L_c, the asperity's load divided by its load at first yield in full stick. The coefficient is 1.0242 at
+    L_c and tends to 0.27 for heavy loads.
     """
     return 0.27 / math.tanh(0.27 * load_ratio**0.35)
 
@@ -54,8 +54,8 @@ def friction_coefficient(load_ratio):
 def resistance(u, w, load, area, L_c):
     """Return the slip-limited and the yield-limited force of one asperity, (0, mu P); both are 0 under tension.
 
-    At the force mu P the asperity has lost its tangential stiffness. load: P in units of K R^(1/2) sigma^(3/2), as the forces.
-    L_c: load at first yield in full stick, in the same unit. u, w, area: not used.
+    At the force mu P the asperity has lost its tangential stiffness. load: P in units of K R^(1/2) sigma^(3/2), like the
+    forces. L_c: load at first yield in full stick, in the same unit. u, w, area: not used.
     """
     return 0.0, load * friction_coefficient(load / L_c) if load > 0.0 else 0.0
 

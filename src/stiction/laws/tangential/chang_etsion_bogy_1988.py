@@ -1,10 +1,10 @@
 r"""Tangential force at which a Hertz contact first yields, on its axis or at its trailing edge: Chang, Etsion & Bogy 1988.
 
-*Assumes*: a Hertz contact fails when it first yields (von Mises) under normal load and tangential force, at one of two places:
-on the axis at the depth $z=0.48$ contact radii, or at the trailing edge. From the displacement $\omega_c$ on, where it yields
-under the normal load alone, it has no resistance. *Source*: [chang_etsion_bogy_1988], with the stresses of [hamilton_1983], as
-restated by [eriten_2010]. The friction coefficient $\mu$ of one asperity ($T=\mu P$) depends on $r=w/w_c$ with $w_c$ and $K_H$
-of [`chang_etsion_bogy_1987`](#chang_etsion_bogy_1987):
+*Assumes*: a Hertz contact fails when it first yields (von Mises) under normal load and tangential force, at one of two points:
+on the axis at the depth $z=0.48$ contact radii, or at the trailing edge. At and beyond the displacement $\omega_c$, at which
+it yields under the normal load alone, it has no resistance. *Source*: [chang_etsion_bogy_1988], with the stresses of
+[hamilton_1983], as restated by [eriten_2010]. The friction coefficient $\mu$ of one asperity ($T=\mu P$) depends on $r=w/w_c$
+with $w_c$ and $K_H$ of [`chang_etsion_bogy_1987`](#chang_etsion_bogy_1987):
 
 $$
 \mu=\min\left\{\frac{0.2045}{K_H|c_1|}\sqrt{\frac1r-1},\ \frac{-c_4+\sqrt{c_4^2-4c_3c_5}}{2c_3}\right\}\ (r<1),\qquad0\ (r\ge1)
@@ -20,7 +20,7 @@ c_4=\tfrac{9\pi}4(1-2\nu)\left(1-\tfrac\nu2\right),\qquad c_5=\tfrac32(1-2\nu)^2
 $$
 
 0.2045 and 0.56 are $0.354/\sqrt3$ and $\tfrac92\cdot0.354^2$, rounded in print. The law therefore contains $Y=0.354H$,
-whatever $k$ the contact states. *Check*, at $\nu=0.3$: $K_H=0.577$, $c_1=-0.284869$, $c_3=10.707750$, $c_4=2.403318$.
+whatever the $k$ of the contact. *Check*, at $\nu=0.3$: $K_H=0.577$, $c_1=-0.284869$, $c_3=10.707750$, $c_4=2.403318$.
 
 | $\omega/\omega_c$ | 0.01 | 0.05 | 0.1 | 0.2 | 0.3 | 0.4 | 0.5 | 0.6 | 0.7 | 0.8 | 0.9 | 0.95 | 0.99 |
 |---|---|---|---|---|---|---|---|---|---|---|---|---|---|
@@ -33,7 +33,7 @@ by how much $\mu$ then differs from the paper's value; the default `none` is the
 
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ and tangential force $T$ in units of $KR^{1/2}\sigma^{3/2}$ and contact
 area $A$ in units of $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and
-$K=\tfrac43E^*$ ($E^*$ contact modulus); $\nu$ Poisson's ratio; $k=H/Y$ hardness over yield stress. Full list:
+$K=\tfrac43E^*$ ($E^*$ contact modulus); $\nu$ Poisson's ratio; $k=H/Y$ hardness divided by yield stress. Full list:
 [symbols](#1-units).
 """
 
@@ -59,8 +59,8 @@ _ON_AXIS, _AT_EDGE = 0.2045, 0.56
 def axis_coefficient(nu):
     """Return c1, the ratio of the shear stress on the axis of a sheared Hertz contact to the largest surface traction q0.
 
-    c1 = -1 + (3/2) z atan(1/z) - z^2 / (2 (1 + z^2)), where z = 0.48 is the depth of first yield over the contact radius for nu
-    = 0.3. The authors use this depth for every Poisson's ratio nu.
+    c1 = -1 + (3/2) z atan(1/z) - z^2 / (2 (1 + z^2)), where z = 0.48 is the depth of first yield, in units of the contact
+    radius, for nu = 0.3. The authors use this depth for every Poisson's ratio nu.
     """
     z = 0.48
     return -1.0 + 1.5 * z * math.atan(1.0 / z) - z * z / (2.0 * (1.0 + z * z))
@@ -68,22 +68,22 @@ def axis_coefficient(nu):
 
 @formula
 def on_axis(w_ratio, nu, K_H):
-    """Return the friction coefficient, tangential over normal force, at which a Hertz contact yields on its axis.
+    """Return the ratio of tangential to normal force at which a Hertz contact yields on its axis.
 
-    w_ratio: displacement over the displacement at first yield without shear. K_H: largest pressure at that yield over the
-    hardness. nu: Poisson's ratio. At yield (f p0)^2 + 3 (c1 q0)^2 = Y^2, with the yield stress Y. Without shear, the von Mises
-    stress on the axis is f times the largest pressure p0. The largest traction q0 adds the shear stress c1 q0 on the axis, see
-    `axis_coefficient`.
+    w_ratio: displacement divided by the displacement at first yield without shear. K_H: largest pressure at that yield
+    divided by the hardness. nu: Poisson's ratio. At yield (f p0)^2 + 3 (c1 q0)^2 = Y^2, with the yield stress Y. Without
+    shear, the von Mises stress on the axis is f times the largest pressure p0. The largest traction q0 adds the shear
+    stress c1 q0 on the axis, see `axis_coefficient`.
     """
     return _ON_AXIS / (K_H * abs(axis_coefficient(nu))) * math.sqrt(max(1.0 / w_ratio - 1.0, 0.0))
 
 
 @formula
 def at_edge(w_ratio, nu, K_H):
-    """Return the friction coefficient, tangential over normal force, at which a Hertz contact yields at its trailing edge.
+    """Return the ratio of tangential to normal force at which a Hertz contact yields at its trailing edge.
 
-    It is the positive root mu of c3 mu^2 + c4 mu + c5 = 0. w_ratio: displacement over the displacement at first yield without
-    shear. K_H: largest pressure at that yield over the hardness. nu: Poisson's ratio.
+    It is the positive root mu of c3 mu^2 + c4 mu + c5 = 0. w_ratio: displacement divided by the displacement at first yield
+    without shear. K_H: largest pressure at that yield divided by the hardness. nu: Poisson's ratio.
     """
     c3 = 9.0 * math.pi * math.pi / 16.0 * (2.0 - nu / 2.0 + 7.0 / 8.0 * nu * nu)
     c4 = 9.0 * math.pi / 4.0 * (1.0 - 2.0 * nu) * (1.0 - nu / 2.0)
@@ -93,11 +93,11 @@ def at_edge(w_ratio, nu, K_H):
 
 @formula
 def friction_coefficient(w_ratio, nu, K_H):
-    """Return the friction coefficient, tangential over normal force, at which one asperity first yields under both forces.
+    """Return the friction coefficient of one asperity, the ratio of tangential to normal force at which it first yields.
 
     It is the smaller of `on_axis` and `at_edge`, and 0 if the load alone causes yield (w_ratio >= 1). w_ratio: displacement
-    over the displacement at first yield without shear. K_H: largest pressure at that yield over the hardness. nu: Poisson's
-    ratio.
+    divided by the displacement at first yield without shear. K_H: largest pressure at that yield divided by the hardness.
+    nu: Poisson's ratio.
     """
     return min(on_axis(w_ratio, nu, K_H), at_edge(w_ratio, nu, K_H)) if w_ratio < 1.0 else 0.0
 
@@ -119,9 +119,9 @@ def _fill_first_on_axis(nu, K_H, out):
 def first_on_axis(nu: np.ndarray, K_H: np.ndarray) -> np.ndarray:
     """Return the ratio (n,) w/w_c above which a Hertz contact under shear yields on its axis first.
 
-    w: displacement. w_c: displacement at first yield without shear. Below this ratio the contact yields at its trailing edge
-    first. nu (n,): Poisson's ratio. K_H (n,): largest pressure at first yield without shear over the hardness. The ratio is
-    found by bisection; it is 0.9512 for nu = 0.3.
+    w: displacement. w_c: displacement at first yield without shear. Below this ratio the contact yields at its trailing
+    edge first. nu (n,): Poisson's ratio. K_H (n,): largest pressure at first yield without shear divided by the hardness.
+    The ratio is found by bisection; it is 0.9512 for nu = 0.3.
     """
     out = np.empty_like(nu)
     _fill_first_on_axis(nu, K_H, out)
@@ -132,9 +132,9 @@ def first_on_axis(nu: np.ndarray, K_H: np.ndarray) -> np.ndarray:
 def resistance(u, w, load, area, w_c, nu, K_H):
     """Return the slip-limited and the yield-limited force of one asperity, (0, mu P).
 
-    Both are 0 before first touch and from w_c on. w: displacement in units of sigma. load: P in units of K R^(1/2) sigma^(3/2),
-    as the forces. w_c: displacement at first yield without shear. nu: Poisson's ratio. K_H: largest pressure at that yield over
-    the hardness. u, area: not used.
+    Both are 0 before first touch and for w >= w_c. w: displacement in units of sigma. load: P in units of K R^(1/2)
+    sigma^(3/2), like the forces. w_c: displacement at first yield without shear. nu: Poisson's ratio. K_H: largest pressure
+    at that yield divided by the hardness. u, area: not used.
     """
     return 0.0, load * friction_coefficient(w / w_c, nu, K_H) if 0.0 < w < w_c else 0.0
 

@@ -2,8 +2,8 @@ r"""Tangential force at which a Hertz contact first yields anywhere, on its surf
 
 *Assumes*: a Hertz contact fails when it first yields (von Mises) under normal load and tangential force, anywhere on its
 surface or below. *Source*: [hamilton_1983], the stresses under Hertz's pressure $p_0\sqrt{1-r^2}$ and a shear traction
-$q_0\sqrt{1-r^2}$ proportional to it, in the direction $x$. The depth $z$ and the distance $r$ from the axis are over the
-contact radius $a$; the yield stress is $Y=H/k$. The formulas are rearranged in oblate spheroidal coordinates $M$ and $N$,
+$q_0\sqrt{1-r^2}$ proportional to it, in the direction $x$. The depth $z$ and the distance $r$ from the axis are in units of
+the contact radius $a$; the yield stress is $Y=H/k$. The formulas are rearranged in oblate spheroidal coordinates $M$ and $N$,
 
 $$
 z=MN,\qquad r^2=(1+M^2)(1-N^2)
@@ -17,13 +17,13 @@ which avoid the cancellation of powers of $1/r$ near the axis. Short closed form
   $\tau_{xy}=-\tfrac\pi8(2-\nu)y\,q_0$, $\tau_{xz}=-\sqrt{1-r^2}\,q_0$;
 - trailing edge $x=-1$: (S3.5) of [theory](theory.md#32-yield), and for the force (S3.7).
 
-With $s=p_0/Y$ and $q=q_0/Y$, the place of first yield moves as $s$ grows. It is first on the surface inside the contact, from
-the centre ($s=0$, $q=1/\sqrt3$) towards the trailing edge, where the stresses depend on $s$ only through $(1-2\nu)s$. It is
-then the trailing edge itself (never for $\nu$ above about 0.39). At last it is below the surface ahead of the axis, until the
-load alone causes yield, where $q$ vanishes like a square root. $q(s,\nu)$ of the first and the last place has no closed form;
-it is a Chebyshev series in $s$ and $\nu$, computed from the stresses and accurate to $10^{-9}$.
+With $s=p_0/Y$ and $q=q_0/Y$, the position of first yield moves as $s$ grows. It is first on the surface inside the contact,
+from the centre ($s=0$, $q=1/\sqrt3$) towards the trailing edge, where the stresses depend on $s$ only through $(1-2\nu)s$. It
+is then the trailing edge itself (never for $\nu$ above about 0.39). Finally it is below the surface ahead of the axis, until
+the load alone causes yield, where $q$ vanishes like a square root. $q(s,\nu)$ of the first and the last position has no closed
+form; it is a Chebyshev series in $s$ and $\nu$, computed from the stresses and accurate to $10^{-9}$.
 
-*Check*: first yield of the sheared contact, $\nu=0.3$; the last column is $p_0/Y$ for yield of the trailing edge:
+*Check*: first yield of the sheared contact, $\nu=0.3$; the last column is $p_0/Y$ for yield at the trailing edge:
 
 | $\mu=q_0/p_0$ | $p_0/Y$ | place $(x,z)/a$ | the trailing edge alone |
 |---|---|---|---|
@@ -49,13 +49,13 @@ and at other Poisson's ratios, $p_0/Y$:
 | $\nu=0.4$ | 1.7385 | 1.6819 | 1.6155 | 1.1334 | 0.5745 |
 
 First yield moves to the surface between $\mu=0.30$ and 0.31 at $\nu=0.3$ (0.27 to 0.28 at $\nu=0.25$, 0.35 to 0.36 at
-$\nu=0.4$). The two places checked by [`chang_etsion_bogy_1988`](#chang_etsion_bogy_1988-tangential-law) therefore give too
+$\nu=0.4$). The two positions checked by [`chang_etsion_bogy_1988`](#chang_etsion_bogy_1988-tangential-law) therefore give too
 large a load at first yield: by 2 % at $\mu=1$ and 7 % at $\mu=2$ ($\nu=0.3$), and by 1, 4, 7 and 9 % at $\mu$ = 0.4, 0.6, 1
 and 2 ($\nu=0.4$). The load at which the axis alone yields is too large by 1.6 % at $\mu=0.2$ and 3.5 % at $\mu=0.3$.
 
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ and tangential force $T$ in units of $KR^{1/2}\sigma^{3/2}$ and contact
 area $A$ in units of $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and
-$K=\tfrac43E^*$ ($E^*$ contact modulus); $k=H/Y$ hardness over yield stress; $\nu$ Poisson's ratio. Full list:
+$K=\tfrac43E^*$ ($E^*$ contact modulus); $k=H/Y$ hardness divided by yield stress; $\nu$ Poisson's ratio. Full list:
 [symbols](#1-units).
 """
 
@@ -80,39 +80,40 @@ INSIDE, BELOW, IN_NU = 14, 15, 20
 
 
 def inside_reach(nu):
-    """Return the value of (1 - 2 nu) p0/Y up to which the series for yield on the surface inside the contact is fitted.
+    """Return the largest (1 - 2 nu) p0/Y for which the series for yield on the surface inside the contact is fitted.
 
-    nu: Poisson's ratio. p0/Y: largest pressure over yield stress. For nu up to 0.4 the series is used up to a value that is 0.4
-    to 7 % smaller. For larger nu it is used up to a much smaller value, because the asperity yields below the surface first.
+    nu: Poisson's ratio. p0/Y: largest pressure divided by yield stress. For nu up to 0.4 the series is used up to a value
+    that is 0.4 to 7 % smaller. For larger nu it is used up to a much smaller value, because the asperity yields below the
+    surface first.
     """
     return 0.205 + 0.33 * nu
 
 
 def below_reach(nu):
-    """Return the relative width of the range of p0/Y over which the series for yield below the surface is fitted.
+    """Return the relative width of the range of p0/Y in which the series for yield below the surface is fitted.
 
-    p0/Y: largest pressure over yield stress. The range is (1 - width) F to F, where F is the p0/Y at which the load alone
-    causes yield. nu: Poisson's ratio. The series is used from the p0/Y at which yield below the surface comes first, at most
-    0.02 F above the start of the range.
+    p0/Y: largest pressure divided by yield stress. The range is (1 - width) F to F, where F is the p0/Y at which the load
+    alone causes yield. nu: Poisson's ratio. The series is used where yield below the surface comes first; this begins at
+    most 0.02 F above the start of the range.
     """
     return 0.012 + 0.22 * nu
 
 
 def shear_at_yield(s, nu, x, z) -> np.ndarray:
-    """Return the largest traction over the yield stress, q0/Y, at which a given place of a sheared Hertz contact yields.
+    """Return the ratio q0/Y of largest traction to yield stress at which a given point of a sheared Hertz contact yields.
 
-    s: largest pressure over the yield stress, p0/Y. nu: Poisson's ratio. x, z: position of the place in the direction of shear,
-    and its depth, over the contact radius. The arguments are broadcast. The result is infinite if the place never yields. The
-    squared von Mises stress is a quadratic form in s and q0/Y.
+    s: largest pressure divided by the yield stress, p0/Y. nu: Poisson's ratio. x, z: position along the direction of shear
+    and depth of the point, in units of the contact radius. The arguments are broadcast. The result is infinite if the point
+    never yields. The squared von Mises stress is a quadratic form in s and q0/Y.
     """
     return _root(s, *_forms(nu, x, z))
 
 
 def _forms(nu, x, z) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return the coefficients of s^2, 2 s q and q^2 in the squared von Mises stress at a place of a Hertz contact.
+    """Return the coefficients of s^2, 2 s q and q^2 in the squared von Mises stress at a point of a Hertz contact.
 
-    The squared stress is in units of Y^2. s, q: largest pressure and largest traction over the yield stress Y. nu: Poisson's
-    ratio. x, z: position of the place in the direction of shear, and its depth, over the contact radius.
+    The squared stress is in units of Y^2. s, q: largest pressure and largest traction, each divided by the yield stress Y.
+    nu: Poisson's ratio. x, z: position along the direction of shear and depth of the point, in units of the contact radius.
     """
     normal, tangential = pressed(x, 0.0, z, nu), dragged(x, 0.0, z, nu)
     return _product(normal, normal), _product(normal, tangential), _product(tangential, tangential)
@@ -121,8 +122,8 @@ def _forms(nu, x, z) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
 def _root(s, of_s, of_both, C) -> np.ndarray:
     """Return the larger root q of the yield condition C q^2 + 2 B q + A = 0, with A = s^2 of_s - 1 and B = s of_both.
 
-    s: largest pressure over the yield stress. of_s, of_both, C: coefficients from `_forms`. The root is computed without
-    cancellation; it is infinite for C = 0.
+    s: largest pressure divided by the yield stress. of_s, of_both, C: coefficients from `_forms`. The root is computed
+    without cancellation; it is infinite for C = 0.
     """
     A, B = s * s * of_s - 1.0, s * of_both
     root = np.sqrt(np.maximum(B * B - A * C, 0.0))
@@ -142,9 +143,9 @@ def _product(first: Stress, other: Stress) -> np.ndarray:
 
 @cache
 def first_yield_of_load() -> np.ndarray:
-    """Return F, the p0/Y at which the load alone causes yield, as the coefficients (IN_NU,) of a Chebyshev series in 4 nu - 1.
+    """Return the coefficients (IN_NU,) of a Chebyshev series in 4 nu - 1 for F, the p0/Y at which the load alone causes yield.
 
-    p0/Y: largest pressure over yield stress. nu: Poisson's ratio.
+    p0/Y: largest pressure divided by yield stress. nu: Poisson's ratio.
     """
     nu = (1.0 + chebyshev.chebpts1(IN_NU)) / 4.0
     largest = least_over(lambda x, z: -von_mises(pressed(x, 0.0, z, nu[:, None])), np.zeros(IN_NU), 0.48, 0.0, 0.1)[2]
@@ -178,11 +179,11 @@ def series_below() -> np.ndarray:
 
 
 def _least(s, nu, x, z, reach_x: float, reach_z: float) -> np.ndarray:
-    """Return the traction at which a Hertz contact first yields anywhere, as its largest value q0 over the yield stress Y.
+    """Return the largest traction at which a Hertz contact first yields anywhere, divided by the yield stress: q0/Y.
 
-    s: largest pressure over Y. nu: Poisson's ratio. Both are arrays of one shape, as is the result. The places (x, z), in units
-    of the contact radius, are tried first. Then the neighbourhood of the one that yields first is searched, reach_x by reach_z
-    in size.
+    s: largest pressure divided by Y. nu: Poisson's ratio. Both arrays and the result have the same shape. The points (x,
+    z), in units of the contact radius, are tried first. Then a neighbourhood of the point that yields first, reach_x by
+    reach_z in size, is searched.
     """
 
     def shear(x, z):
@@ -231,11 +232,10 @@ def _sum(y, series, first, terms):
 def resistance(u, w, load, area, *row):
     """Return the slip-limited and the yield-limited force of an elastic asperity, (0, Q) with Q = (q0/p0) P.
 
-    load, area: P and contact area. u, w: not used. row: hardness group eta; k = H/Y; Poisson's ratio; three values of s = p0/Y
-    (first yield is inside the contact up to the first, below the surface from the second on, and due to the load alone from the
-    third on); two factors that turn s into the variable y of either series; coefficients of both series (`series_for`). s = 1.5
-    k P/(eta A), because the mean pressure is H where P = eta A (theory.md) and H = k Y. Units: load and forces in K R^(1/2)
-    sigma^(3/2), area in pi R sigma.
+    load, area: P and contact area. u, w: not used. row: hardness group eta; k = H/Y; Poisson's ratio; three values of s =
+    p0/Y (see `series_for`); two factors that convert s to the variables y of the two series; coefficients of both series.
+    s = 1.5 k P/(eta A), because the mean pressure is H where P = eta A (theory.md) and H = k Y. Units: load and forces in K
+    R^(1/2) sigma^(3/2), area in pi R sigma.
     """
     eta, k, nu, inside_until, below_from, end, to_inside, to_below = row[:8]
     series = row[8:]
@@ -252,11 +252,12 @@ def resistance(u, w, load, area, *row):
 
 
 def series_for(nu: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the numbers of `resistance` that depend on Poisson's ratio alone: (5, n) and coefficients (INSIDE + BELOW, n).
+    """Return the parameters of `resistance` that depend on Poisson's ratio alone: (5, n) and (INSIDE + BELOW, n).
 
-    The first array holds three values of s = p0/Y and two factors that turn s into the variables of the series. First yield is
-    inside the contact up to the first s, below the surface from the second on, and due to the load alone from the third on. The
-    second array holds the coefficients of both series. nu: Poisson's ratio (n,).
+    The first array holds three values of s = p0/Y and two factors that convert s to the variables of the two series. First
+    yield is on the surface inside the contact for s below the first value, at the trailing edge between the first two
+    values, below the surface above the second, and due to the load alone above the third. The second array holds the
+    coefficients of both series. nu: Poisson's ratio (n,).
     """
     known, which = np.unique(nu, return_inverse=True)
     steps, series = _series_for(known.tobytes())
@@ -295,8 +296,8 @@ def _series_for(nu_bytes: bytes) -> tuple[np.ndarray, np.ndarray]:
 def _crossing(passed, low: np.ndarray, high: np.ndarray) -> np.ndarray:
     """Return the value (n,) between low and high (n,) at which the condition `passed` becomes True, or high if it never does.
 
-    passed(values): a mask (n,). Bisection to 1e-10 of the range is enough: the resistance is continuous, so that a misplaced
-    kink has a second-order effect.
+    passed(values): a mask (n,). Bisection to 1e-10 of the range is sufficient, because the resistance is continuous: an
+    error in the position of a kink has only a second-order effect.
     """
     for _ in range(34):
         middle = 0.5 * (low + high)

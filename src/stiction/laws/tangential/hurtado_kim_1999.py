@@ -1,10 +1,10 @@
-r"""A shear strength that falls with the size of the contact: Hurtado & Kim 1999, in the form of Adams, Muftu & Mohd Azhar 2003.
+r"""A shear strength that decreases with contact size: Hurtado & Kim 1999, in the form of Adams, Muftu & Mohd Azhar 2003.
 
 *Assumes*: a small contact slips as a whole, at a strength that does not depend on its size; a larger one slips by a
 dislocation that glides across it, at a strength that falls with its radius; a very large one by many dislocations, at a lower
-constant strength. *Sources*: [hurtado_kim_1999] for the mechanism, [adams_muftu_azhar_2003] for three straight lines in its
-place; neither text was available. *Reconstructed*: the constants below are from the secondary literature as recalled, not read
-in the papers. With the contact radius $a$, Burgers vector $b$ and shear modulus $G$
+constant strength. *Sources*: [hurtado_kim_1999] for the mechanism, [adams_muftu_azhar_2003] for an approximation by three
+straight lines; neither text was available. *Reconstructed*: the constants below are quoted from memory of secondary
+literature. With the contact radius $a$, Burgers vector $b$ and shear modulus $G$
 
 $$
 \frac\tau G=\begin{cases}1/43&a\le28\,b\\\frac1{43}\left(\frac a{28\,b}\right)^{-M}&\text{between}\\
@@ -12,8 +12,8 @@ $$
 M=\frac{\ln30}{\ln(8\cdot10^4/28)}=0.42742,\qquad T=\tau\,\pi a^2
 $$
 
-The lines meet by this choice of $M$. $G=2G_1G_2/(G_1+G_2)$ is taken as $(1-\nu)E^*$, which equals it for bodies of one
-Poisson's ratio $\nu$, and for a rigid counterbody; $\nu$ is the softer body's. In the units here, with
+The lines meet by this choice of $M$. $G=2G_1G_2/(G_1+G_2)$ is taken as $(1-\nu)E^*$, which equals it for two bodies of the
+same Poisson's ratio $\nu$, and for a rigid counterbody; $\nu$ is the softer body's. In the units here, with
 $s=\sqrt{\sigma/R}$,
 
 $$
@@ -26,10 +26,10 @@ $$
 |---|---|---|---|---|---|---|---|
 | $1000\,\tau/G$ | 23.2558 | 23.2558 | 13.4970 | 5.04454 | 1.88541 | 0.775194 | 0.775194 |
 
-The strength of the bodies, $Y/\sqrt3$, does not limit it. *Measured*: a smooth gold asperity of nanometres slid on mica at
-264 MPa; one of micrometres with a rough surface slid at 40.5 MPa, where Hurtado and Kim's model gave 208 to 245 MPa
-([li_kim_2008], abstract). *Limits*: a constant strength [`bowden_tabor_1943`](#bowden_tabor_1943) of $G/43$ for
-contacts below $28\,b$ and $G/1290$ above $8\cdot10^4\,b$.
+The strength of the bodies, $Y/\sqrt3$, does not limit it. *Measured*: a smooth gold asperity of nanometre size slid on mica at
+264 MPa; a rough one of micrometre size slid at 40.5 MPa, where Hurtado and Kim's model gave 208 to 245 MPa ([li_kim_2008],
+abstract). *Limits*: a constant strength [`bowden_tabor_1943`](#bowden_tabor_1943) of $G/43$ for contacts below $28\,b$ and
+$G/1290$ above $8\cdot10^4\,b$.
 
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ and tangential force $T$ in units of $KR^{1/2}\sigma^{3/2}$ and contact
 area $A$ in units of $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and
@@ -58,10 +58,10 @@ _PIECES = 6
 
 @formula
 def strength_over_modulus(radius):
-    """Return the shear strength of a contact over its shear modulus, tau/G.
+    """Return the shear strength of a contact divided by its shear modulus, tau/G.
 
-    radius: contact radius over Burgers vector, a/b. tau/G is 1/43 up to 28, falls as a power of the radius, and is 1/1290 from
-    80 000 on.
+    radius: contact radius divided by Burgers vector, a/b. tau/G is 1/43 up to a radius of 28, then falls as a power of the
+    radius, and is 1/1290 above 80 000.
     """
     return STRONGEST * (min(max(radius, SMALL), LARGE) / SMALL) ** -EXPONENT
 

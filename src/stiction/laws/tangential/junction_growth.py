@@ -17,13 +17,13 @@ $$
 \frac{A^2}{A_0^2}=1+\left(\frac{A_s^2}{A_0^2}-1\right)\frac{T^2}{T_s^2}
 $$
 
-*Limits*: [`bowden_tabor_1943`](#bowden_tabor_1943) for $c\to0$; full stick, $T_s$, for $c=1$ and above, where the bulk
-shears; [`tabor_1959`](#tabor_1959) of a plastic junction for $T_s\to\infty$. The force rises continuously between these
-limits. *Reconstructed*: Tabor's form of the area between both ends, and the area at full stick; the growth that Brizmer,
-Kligerman and Etsion computed, and their fit, were not available. The option `alpha` sets $\tau_b=H/\sqrt\alpha$. If this makes
-the bulk so strong that $A_s<A_0$, the equations give a smaller area, which has no physical meaning. *Check*: with
-$\alpha=3(H/Y)^2$, that is $\tau_b=Y/\sqrt3$; Hertz's asperity at the load $P_c$ of first yield in full stick for $\nu=0.3$,
-$H/Y=2.8$ (mean pressure 1.0175 $Y$, $A_s=1.805A_0$):
+*Limits*: [`bowden_tabor_1943`](#bowden_tabor_1943) for $c\to0$; full stick, $T_s$, for $c=1$ and above, where the bulk shears;
+[`tabor_1959`](#tabor_1959) of a plastic junction for $T_s\to\infty$. The force rises continuously between these limits.
+*Reconstructed*: Tabor's form of the area between these limits, and the area at full stick; the growth that Brizmer, Kligerman
+and Etsion computed, and their fit, were not available. The option `alpha` sets $\tau_b=H/\sqrt\alpha$. If this makes the bulk
+so strong that $A_s<A_0$, the equations give a smaller area, which has no physical meaning. *Check*: with $\alpha=3(H/Y)^2$,
+that is $\tau_b=Y/\sqrt3$; Hertz's asperity at the load $P_c$ of first yield in full stick for $\nu=0.3$, $H/Y=2.8$ (mean
+pressure 1.0175 $Y$, $A_s=1.805A_0$):
 
 | $c$ | 0.01 | 0.1 | 0.3 | 0.5 | 0.8 | 0.95 | 1 |
 |---|---|---|---|---|---|---|---|
@@ -31,7 +31,7 @@ $H/Y=2.8$ (mean pressure 1.0175 $Y$, $A_s=1.805A_0$):
 
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ and tangential force $T$ in units of $KR^{1/2}\sigma^{3/2}$ and contact
 area $A$ in units of $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and
-$K=\tfrac43E^*$ ($E^*$ contact modulus); $k=H/Y$ hardness over yield stress. Full list: [symbols](#1-units).
+$K=\tfrac43E^*$ ($E^*$ contact modulus); $k=H/Y$ hardness divided by yield stress. Full list: [symbols](#1-units).
 """
 
 import math
@@ -54,9 +54,9 @@ _force_of_full_stick = full_stick.resistance
 def growing_force(of_interface, of_full_stick, share):
     """Return the tangential force T of a growing junction, from 1/T^2 = (1 - c^2)/(tau_0 A)^2 + 1/T_s^2.
 
-    of_interface: tau_0 A, strength of the interface times area before growth. of_full_stick: T_s, force of a junction in full
-    stick. share: c, strength of the interface over strength of the bulk, at most 1. T is T_s for c = 1; it is tau_0 A/sqrt(1 -
-    c^2) for T_s -> infinity, and 0 if tau_0 A or T_s is 0.
+    of_interface: tau_0 A, strength of the interface times area before growth. of_full_stick: T_s, force of a junction in
+    full stick. share: c, strength of the interface divided by that of the bulk, at most 1. T is T_s for c = 1; it is tau_0
+    A/sqrt(1 - c^2) for T_s -> infinity, and 0 if tau_0 A or T_s is 0.
     """
     if of_interface == 0.0 or of_full_stick == 0.0:
         return 0.0
@@ -68,9 +68,9 @@ def growing_force(of_interface, of_full_stick, share):
 def resistance(u, w, load, area, L_c, eta, shear_strength, share):
     """Return the slip-limited and the yield-limited force of a growing junction; one of the two is 0.
 
-    The force is slip-limited if the interface is weaker than the bulk (share < 1), else yield-limited. L_c: load at first yield
-    in full stick. eta: hardness group. shear_strength: strength of the interface over hardness. share: strength of the
-    interface over strength of the bulk. Units: loads and forces in K R^(1/2) sigma^(3/2), area in pi R sigma.
+    The force is slip-limited if the interface is weaker than the bulk (share < 1), else yield-limited. L_c: load at first
+    yield in full stick. eta: hardness group. shear_strength: strength of the interface divided by hardness. share: strength
+    of the interface divided by that of the bulk. Units: loads and forces in K R^(1/2) sigma^(3/2), area in pi R sigma.
     """
     _, of_full_stick = _force_of_full_stick(u, w, load, area, L_c)
     force = growing_force(shear_force(area, eta, shear_strength), of_full_stick, share)

@@ -1,8 +1,8 @@
 r"""Sliding inception of an elastic-plastic sphere on a rigid flat: Kogut & Etsion 2003, fitted to finite elements.
 
 *Assumes*: sliding begins when a sphere under load and shear loses its strength, because yield reaches its surface (finite
-elements). *Sources*: [kogut_etsion_2003], and [kogut_etsion_2004], which prints the same fits times the load. The friction
-coefficient $\mu$ of one asperity, with $r=w/w_c$ of [`kogut_etsion_2002`](#kogut_etsion_2002), is
+elements). *Sources*: [kogut_etsion_2003], and [kogut_etsion_2004], which prints the same fits, multiplied by the load. The
+friction coefficient $\mu$ of one asperity, with $r=w/w_c$ of [`kogut_etsion_2002`](#kogut_etsion_2002), is
 
 $$
 \mu=\begin{cases}0.52\,r^{-0.518}&r\le1\\0.822-0.389\,r+0.085\,r^2-0.007\,r^3&1<r<6\\0&r\ge6\end{cases}
@@ -12,9 +12,9 @@ $$
 $P_c=w_c^{3/2}$ at first yield, equals $\mu=0.516\,(P/P_c)^{-0.345}$ within 1.2 %. The cubic times 1.03, rounded to two
 decimals, is the print of 2004. *Trap*: that print is negative above $r=4.3$; three decimals are needed. *Jumps*: $\mu$ falls
 from 0.520 to 0.511 at $r=1$ (with the authors' load, $T$ rises by 1.2 %) and from 0.036 to 0 at $r=6$. With another asperity
-law, $\mu(r)$ is unchanged and $T$ is $\mu$ times the load of that law. With the option `plastic_junctions`, asperities from
-$6\,\omega_c$ on resist according to another law, and results state by how much $\mu$ then differs from the paper's value; the
-default `none` is the paper's assumption.
+law, $\mu(r)$ is unchanged and $T$ is $\mu$ times the load of that law. With the option `plastic_junctions`, asperities at and
+beyond $6\,\omega_c$ resist according to another law, and results state by how much $\mu$ then differs from the paper's value;
+the default `none` is the paper's assumption.
 
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ and tangential force $T$ in units of $KR^{1/2}\sigma^{3/2}$ and contact
 area $A$ in units of $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and
@@ -37,11 +37,11 @@ NONE_FROM = 6.0  # omega/omega_c from which on the plastic zone reaches the surf
 
 @formula
 def friction_coefficient(w_ratio):
-    """Return the friction coefficient of one asperity, tangential force at failure over load, Q/P.
+    """Return the friction coefficient of one asperity, tangential force at failure divided by load, Q/P.
 
-    w_ratio: displacement over displacement at first yield. Up to 1 the coefficient follows from Q/P_c = 0.52 w_ratio^0.982 and
-    P/P_c = w_ratio^1.5. From 1 to 6 it is a cubic, and beyond it is 0. The 2004 paper prints the cubic times 1.03, with two
-    decimals; that print is negative above 4.3, so that three decimals are used here.
+    w_ratio: displacement divided by displacement at first yield. Up to 1 the coefficient follows from Q/P_c = 0.52
+    w_ratio^0.982 and P/P_c = w_ratio^1.5. From 1 to 6 it is a cubic, and beyond it is 0. The 2004 paper prints the cubic
+    times 1.03, with two decimals; that print is negative above 4.3, so that three decimals are used here.
     """
     if w_ratio <= 1.0:
         return 0.52 * w_ratio**-0.518
@@ -53,8 +53,8 @@ def friction_coefficient(w_ratio):
 def resistance(u, w, load, area, w_c):
     """Return the slip-limited and the yield-limited force of one asperity, (0, mu P).
 
-    Both are 0 before first touch and from 6 w_c on. w, w_c: displacement, and displacement at first yield, in units of sigma.
-    load: P in units of K R^(1/2) sigma^(3/2), as the forces. u, area: not used.
+    Both are 0 before first touch and for w >= 6 w_c. w, w_c: displacement, and displacement at first yield, in units of
+    sigma. load: P in units of K R^(1/2) sigma^(3/2), like the forces. u, area: not used.
     """
     return 0.0, load * friction_coefficient(w / w_c) if w > 0.0 else 0.0
 

@@ -12,7 +12,7 @@ $$
 
 whichever comes first. The yield stresses are $Y_f$ of the film and $Y_s$ of the body, with the hardness $H$ of the body. $N$
 is a norm in $(s,q)$ that depends on $a/t$ ($t$ film thickness) and the elastic constants. It is tabulated once for each pair
-of materials, over 61 ratios $q/s$ and 27 radii. It is accurate to 0.2 % on average and to 3 % at worst, where the place of
+of materials, for 61 ratios $q/s$ and 27 radii. It is accurate to 0.2 % on average and to 3 % at worst, where the position of
 first yield changes. The maximum over all directions around the axis is exact; the most stressed point may lie outside the
 plane of symmetry.
 
@@ -21,9 +21,9 @@ its interface below the axis ($a\approx t$) or, for wider contacts, where it is 
 that it bears little load before it cracks.
 
 *Limit*: [`hamilton_1983`](#hamilton_1983) without a film, for a film of the same material as its body, and with the film's
-groups for $t\to\infty$. A very thin film is stretched together with its body and yields accordingly. *Check*, for $\nu=0.3$,
-$Y_f=Y_s$ and a rigid sphere: mean pressure over the yield stress at first yield (on a half-space 1.075 for $q=0$ and 0.697 for
-$q=s/2$), and the place of first yield: f film, i interface, b body,
+groups for $t\to\infty$. A very thin film is stretched with its body and yields accordingly. *Check*, for $\nu=0.3$, $Y_f=Y_s$
+and a rigid sphere: mean pressure divided by the yield stress at first yield (on a half-space 1.075 for $q=0$ and 0.697 for
+$q=s/2$), and the position of first yield (f film, i interface, b body),
 
 | $E_f/E_s$ | | $a/t=0.5$ | 1 | 2 | 5 |
 |---|---|---|---|---|---|
@@ -36,8 +36,8 @@ $q=s/2$), and the place of first yield: f film, i interface, b body,
 
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ and tangential force $T$ in units of $KR^{1/2}\sigma^{3/2}$ and contact
 area $A$ in units of $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and
-$K=\tfrac43E^*$ ($E^*$ contact modulus); $n_H$ hardness of the film over the substrate's; $k=H/Y$ hardness over yield stress.
-Full list: [symbols](#1-units).
+$K=\tfrac43E^*$ ($E^*$ contact modulus); $n_H$ hardness of the film divided by the substrate's; $k=H/Y$ hardness divided by
+yield stress. Full list: [symbols](#1-units).
 """
 
 import numpy as np
@@ -55,10 +55,10 @@ from stiction.records.sources import Source
 def resistance(u, w, load, area, *row):
     """Return the slip-limited and the yield-limited force of a coated asperity, (0, q A).
 
-    The first is 0 because this law has no slip limit; both are 0 if the load alone causes yield. q: mean traction at first
-    yield of film or body. u: coordinate. area: contact area A in units of pi R sigma. w, load: not used. row: eta/k, the yield
-    stress of the body in the unit of load over area; the coordinate at which the load alone causes yield; the parameters of
-    `strength_at`.
+    The first force is 0 because this law has no slip limit. Both are 0 if the load alone causes yield. q: mean traction at
+    first yield of film or body. u: coordinate. area: contact area A in units of pi R sigma. w, load: not used. row: eta/k,
+    the yield stress of the body in the unit of load divided by area; the coordinate at which the load alone causes yield;
+    the parameters of `strength_at`.
     """
     if u >= row[1]:
         return 0.0, 0.0

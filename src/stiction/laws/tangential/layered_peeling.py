@@ -1,4 +1,4 @@
-r"""Tangential force at which an adhesive contact on a film peels: the energy balance of Savkoor & Briggs with its stiffness.
+r"""Tangential force at which an adhesive contact on a film peels: Savkoor & Briggs's energy balance with the film's stiffness.
 
 *Assumes*: the edge of an adhesive contact is a mixed-mode crack, which peels where $G_N+\zeta\,G_T=\gamma$, as in
 [`savkoor_briggs_1977`](#savkoor_briggs_1977). $G_N$ and $G_T$ are the energy release rates of normal load and tangential
@@ -14,8 +14,8 @@ G_N=\frac{(P_H-P)^2}{4\pi a}\frac{S'}{S^2},\qquad G_T=\frac{T^2}{4\pi a}\frac{S_
 $$
 
 and $T$ is the largest force for which a radius satisfies the balance at constant load. $\beta$ changes from the film's value
-for small contacts to the bodies' value for large ones; these limits are `film_K_beta` and `K_beta`. The force against the
-displacement of an asperity is stored as a spline, accurate to 0.1 % where it was compared.
+for small contacts to the bodies' value for large ones; these limits are `film_K_beta` and `K_beta`. The force as a function of
+the displacement of an asperity is stored as a spline, which was accurate to 0.1 % where compared.
 
 *Limit*: [`savkoor_briggs_1977`](#savkoor_briggs_1977) without a film, for a film of the same material as its body, and with
 the film's groups for a film thickness $t\to\infty$; the groups of the bodies for $t\to0$. *Check*: $K\beta$ for a rigid

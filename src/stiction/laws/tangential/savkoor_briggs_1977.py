@@ -20,8 +20,8 @@ bodies or one rigid body:
 | $T/P_c$ | 1.28338 | 1.81497 | 3.14362 | 6.01958 |
 | area when it peels over initial area | 0.6423 | 0.6300 | 0.6598 | 0.7458 |
 
-*Caution*: real contacts shrink much less under shear than the last line states, and a uniform interfacial shear stress would
-not change JKR's contact ([menga_carbone_dini_2018], [papangelo_ciavarella_2018]).
+*Caution*: real contacts shrink much less under shear than the last line of the table states, and a uniform interfacial shear
+stress would not change JKR's contact ([menga_carbone_dini_2018], [papangelo_ciavarella_2018]).
 
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ and tangential force $T$ in units of $KR^{1/2}\sigma^{3/2}$ and contact
 area $A$ in units of $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and
@@ -47,10 +47,10 @@ from stiction.records.sources import Source
 def slip_resistance(load, theta, K_beta):
     """Return the tangential force at which a JKR contact peels, T = 4 (K beta)^(-1/2) sqrt((2 pi/theta) P + 3 pi^2/theta^2).
 
-    load: P before shearing, in units of K R^(1/2) sigma^(3/2), as T. theta: elastic adhesion index. K_beta: K = (4/3) E* times
-    the tangential compliance beta of the pair. The force follows from the energy balance G_N + G_T = gamma at constant load; it
-    is eq (10) of soft_coating_2015, restated for the state before shearing (departure D6). The radicand is a perfect square for
-    a JKR contact; only rounding can make it negative.
+    load: P before shearing, in units of K R^(1/2) sigma^(3/2), like T. theta: elastic adhesion index. K_beta: K beta, with
+    K = (4/3) E* and the tangential compliance beta of the pair of bodies. The force follows from the energy balance G_N +
+    G_T = gamma at constant load; it is eq (10) of soft_coating_2015, restated for the state before shearing (departure D6).
+    The radicand is a perfect square for a JKR contact; only rounding can make it negative.
     """
     pull = math.pi / theta
     return 4.0 * math.sqrt(max(2.0 * pull * load + 3.0 * pull * pull, 0.0) / K_beta)
@@ -61,8 +61,8 @@ def slip_resistance_printed(x, theta, K_beta):
     """Return the tangential force at which a JKR contact peels by eq (10) of soft_coating_2015, exactly as printed.
 
     It is T = 4 (K beta)^(-1/2) sqrt((2 pi/theta) x^(3/2) - 3 pi^2/theta^2), in units of K R^(1/2) sigma^(3/2). x: a^2/(R
-    sigma), with the contact radius a. theta: elastic adhesion index. K_beta: K = (4/3) E* times the tangential compliance beta
-    of the pair.
+    sigma), with the contact radius a. theta: elastic adhesion index. K_beta: K beta, with K = (4/3) E* and the tangential
+    compliance beta of the pair of bodies.
     """
     hertz = x * math.sqrt(x)
     return 4.0 * math.sqrt(max(2.0 * math.pi / theta * hertz - 3.0 * (math.pi / theta) ** 2, 0.0) / K_beta)
@@ -87,7 +87,7 @@ def tangential_resistance(segment: NormalSegment, groups: Groups) -> TangentialR
 
 
 def mode_mixity_share(groups: Groups) -> np.ndarray:
-    """Return zeta (n,), the fraction of the tangential energy release rate that acts to peel; it is 1 by default.
+    """Return zeta (n,), the fraction of the tangential energy release rate that contributes to peeling; the default is 1.
 
     It is the group `peeling`. Raises InputError if it is 0, because the peeling force would then be infinite.
     """
@@ -100,8 +100,9 @@ def mode_mixity_share(groups: Groups) -> np.ndarray:
 def pull_off_coordinate(segment: NormalSegment, groups: Groups) -> np.ndarray | None:
     """Return the coordinate (n, 1) at which the load alone pulls a JKR contact off, or None for a segment in loading.
 
-    There the peeling force is 0 and has a kink, because it is proportional to |u^3 - S/2|. u: coordinate of the JKR contact. S
-    = sqrt(6 pi/theta), with the elastic adhesion index theta. groups: dimensionless groups of n contacts.
+    At this coordinate the peeling force is 0 and has a kink, because it is proportional to |u^3 - S/2|. u: coordinate of
+    the JKR contact. S = sqrt(6 pi/theta), with the elastic adhesion index theta. groups: dimensionless groups of n
+    contacts.
     """
     if segment.lowest >= 0.0:
         return None

@@ -52,7 +52,7 @@ from stiction.records.sources import Source
 
 @formula
 def resistance(u, w, load, area, *row):
-    """Return the slip-limited (peeling) and the yield-limited force of an adhesive asperity, the larger of them replaced by 0.
+    """Return the slip-limited (peeling) and the yield-limited force of an adhesive asperity, with the larger replaced by 0.
 
     u, w: not used. row: elastic adhesion index theta, hardness group eta, K beta times the fraction of the tangential energy
     that peels, Poisson's ratio nu, k = H/Y. Units: load and forces in K R^(1/2) sigma^(3/2), area in pi R sigma.
@@ -64,7 +64,7 @@ def resistance(u, w, load, area, *row):
 
 @formula
 def resistance_printed(u, w, load, area, *row):
-    """Return the two forces of `resistance`, the larger replaced by 0, with the peeling force of eq (10) as printed.
+    """Return the two forces of `resistance` with the peeling force of eq (10) as printed; the larger is replaced by 0.
 
     area: contact area in units of pi R sigma, which eq (10) uses as x. load, row: as in `resistance`. u, w: not used.
     """

@@ -30,7 +30,7 @@ $\alpha=9$ and $3\cdot2.8^2=23.52$:
 
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ and tangential force $T$ in units of $KR^{1/2}\sigma^{3/2}$ and contact
 area $A$ in units of $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and
-$K=\tfrac43E^*$ ($E^*$ contact modulus); $k=H/Y$ hardness over yield stress. Full list: [symbols](#1-units).
+$K=\tfrac43E^*$ ($E^*$ contact modulus); $k=H/Y$ hardness divided by yield stress. Full list: [symbols](#1-units).
 """
 
 import math
@@ -52,9 +52,10 @@ _ROUNDING = 1e-12
 def grown_area(load, area, eta, share):
     """Return the contact area at which the interface of a junction slides, or `area` if the junction does not grow.
 
-    Units: load W in K R^(1/2) sigma^(3/2), areas in pi R sigma. area: contact area before shear. eta: hardness group, so that
-    load/eta is W over the hardness H. share: c, strength of the interface over strength of the bulk. The area A follows from
-    W^2 + alpha T^2 = H^2 A^2 with the force of the interface, T = c H A/sqrt(alpha). A mean pressure above H counts as H.
+    Units: load W in K R^(1/2) sigma^(3/2), areas in pi R sigma. area: contact area before shear. eta: hardness group, so
+    that load/eta is W over the hardness H. share: c, strength of the interface divided by that of the bulk. The area A
+    follows from W^2 + alpha T^2 = H^2 A^2 with the force of the interface, T = c H A/sqrt(alpha). A mean pressure above H
+    counts as H.
     """
     return max(area, min(load / eta, area) / math.sqrt((1.0 - share) * (1.0 + share)))
 
@@ -65,7 +66,7 @@ def resistance(u, w, load, area, eta, shear_strength, share):
 
 
 def tangential_resistance(segment: NormalSegment, groups: Groups, alpha: str) -> TangentialResistance:
-    """Return the tangential resistance on a segment: strength of the interface times the area grown under shear.
+    """Return the tangential resistance on a segment: strength of the interface times the area after growth under shear.
 
     It has kinks where growth begins and where the mean pressure reaches the hardness. segment: one smooth part of an asperity
     law. groups: dimensionless groups of n contacts. alpha: key of ALPHA, "von_mises" or "9". Raises InputError if the interface

@@ -32,7 +32,8 @@ def peeling_force(load, pull_off, stiffness_ratio):
     """Return the tangential force at which a JKR contact peels, T = 4 sqrt((P P_c + P_c^2) G*/E*), in the unit of the load.
 
     load: P. pull_off: P_c = (3/2) pi gamma R, in the same unit. stiffness_ratio: G*/E*, with 1/G* = (2 - nu_1)/G_1 + (2 -
-    nu_2)/G_2. The radicand is 0 or more, because a contact is lost at P = -P_c; if it is negative by rounding, 0 is used.
+    nu_2)/G_2. The radicand is not negative, because a contact is lost at P = -P_c; a value below 0 due to rounding is
+    replaced by 0.
     """
     return 4.0 * math.sqrt(max((load + pull_off) * pull_off * stiffness_ratio, 0.0))
 
@@ -41,8 +42,8 @@ def peeling_force(load, pull_off, stiffness_ratio):
 def resistance(u, w, load, area, theta, K_beta):
     """Return the slip-limited and the yield-limited force, (T, 0), where T is the force at which a JKR contact peels.
 
-    load: in units of K R^(1/2) sigma^(3/2), as T. theta: elastic adhesion index. K_beta: K times the tangential compliance beta
-    of the pair. G* = 1/beta and K = (4/3) E* give G*/E* = (4/3)/(K beta). u, w, area: not used.
+    load: in units of K R^(1/2) sigma^(3/2), like T. theta: elastic adhesion index. K_beta: K times the tangential
+    compliance beta of the pair of bodies. G* = 1/beta and K = (4/3) E* give G*/E* = (4/3)/(K beta). u, w, area: not used.
     """
     return peeling_force(load, 1.5 * math.pi / theta, 4.0 / (3.0 * K_beta)), 0.0
 

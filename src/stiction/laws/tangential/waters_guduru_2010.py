@@ -1,12 +1,12 @@
-r"""Peeling by shear with a work of adhesion that grows with mode mixity: Waters & Guduru 2010, Hutchinson & Suo 1992.
+r"""Peeling under shear with a work of adhesion that grows with mode mixity: Waters & Guduru 2010, Hutchinson & Suo 1992.
 
-*Assumes*: the edge of a JKR contact is a mixed-mode crack, as in [`savkoor_briggs_1977`](#savkoor_briggs_1977), with a work
-of adhesion that grows with the mode mixity, the phase angle $\psi$ of shear against opening. The contact slides when no
-radius satisfies the energy balance any more, or when it has shrunk to Hertz's contact, where the opening mode vanishes.
-*Source*: [waters_guduru_2010], abstract: a work of adhesion that rises with the degree of mode mixity, measured and modelled;
+*Assumes*: the edge of a JKR contact is a mixed-mode crack, as in [`savkoor_briggs_1977`](#savkoor_briggs_1977), with a work of
+adhesion that grows with the mode mixity, the phase angle $\psi$ of shear against opening. The contact slides when no radius
+satisfies the energy balance any more, or when it has shrunk to Hertz's contact, where the opening mode vanishes. *Source*:
+[waters_guduru_2010], abstract: a work of adhesion that rises with the degree of mode mixity, measured and modelled;
 [papangelo_ciavarella_2018], abstract: some of the compared models end in a jump to the Hertzian area, others approach a limit.
 The function of $\psi$ is due to [hutchinson_suo_1992]. *Reconstructed*: the equations of both papers were not available. The
-function on which both build is written from memory, and its consequences are derived here.
+function that both papers use is written from memory, and its consequences are derived here.
 
 $$
 G_N+G_T=\gamma\left[1+\tan^2\left((1-\zeta)\psi\right)\right],\qquad\tan^2\psi=\frac{G_T}{G_N}
@@ -27,7 +27,7 @@ Hertz's contact, with $T=\frac{4\sqrt3\,\pi}{\theta\sqrt{K\beta}}\sqrt p/\cos\fr
 $\zeta$ is `peeling` of the contact, by default 1; $\zeta=0$ (no peeling) raises an error. `savkoor_briggs_1977` uses
 $G_N+\zeta G_T=\gamma$, which corresponds to another function of [hutchinson_suo_1992], $[1+(\zeta-1)\sin^2\psi]^{-1}$.
 *Limit*: that law for $\zeta=1$. *Unknown*: a third function, $1+(1-\zeta)\tan^2\psi$, has no largest force and is not
-included. *Check*: $T$ over its value for $\zeta=1$,
+included. *Check*: $T$ divided by its value for $\zeta=1$,
 
 | $P/P_c$ | −0.5 | 0 | 2 | 10 |
 |---|---|---|---|---|
@@ -59,10 +59,10 @@ _NEAR = 1e-9
 
 @formula
 def _grows(psi, p, kappa):
-    """Return a number with the sign of the derivative of the peeling force by the phase angle; it is finite and continuous.
+    """Return a finite, continuous number with the same sign as the derivative of the peeling force by the phase angle.
 
-    psi: phase angle of shear against opening. p: load over pull-off force. kappa: 1 - zeta, where zeta is the input `peeling`
-    of the contact.
+    psi: phase angle of shear against opening. p: load divided by pull-off force. kappa: 1 - zeta, where zeta is the input
+    `peeling` of the contact.
     """
     sine, cosine = math.sin(psi), math.cos(psi)
     narrow, shared = math.cos(kappa * psi), kappa * sine * math.tan(kappa * psi)
@@ -75,7 +75,7 @@ def _grows(psi, p, kappa):
 def _phase(p, kappa):
     """Return the phase angle, at most pi/2, at which the peeling force is largest, by regula falsi (Illinois variant).
 
-    p: load over pull-off force. kappa: 1 - zeta, where zeta is the input `peeling` of the contact.
+    p: load divided by pull-off force. kappa: 1 - zeta, where zeta is the input `peeling` of the contact.
     """
     low, high = 0.0, 0.5 * math.pi
     at_low, at_high = _grows(low, p, kappa), _grows(high, p, kappa)
@@ -105,8 +105,8 @@ def _phase(p, kappa):
 def peeling_force(p, kappa):
     """Return the dimensionless peeling force, the maximum of (sqrt(g) + sqrt(g + p)) sqrt(q) over the phase angle psi.
 
-    p: load over pull-off force. kappa: 1 - zeta, where zeta is the input `peeling` of the contact. g = cos^2(psi)/cos^2(kappa
-    psi), q = sin^2(psi)/cos^2(kappa psi). The result is sqrt(1 + p) for kappa = 0.
+    p: load divided by pull-off force. kappa: 1 - zeta, where zeta is the input `peeling` of the contact. g =
+    cos^2(psi)/cos^2(kappa psi), q = sin^2(psi)/cos^2(kappa psi). The result is sqrt(1 + p) for kappa = 0.
     """
     p = max(p, -1.0)
     psi = _phase(p, kappa)

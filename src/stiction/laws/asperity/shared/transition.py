@@ -6,7 +6,7 @@ omega_1 to 1 at omega_2. omega_1 is the displacement at first yield, where the m
 Without adhesion omega is proportional to the square of the elastic mean pressure p, so that p/H is 0.4 at omega_1 and
 sqrt(54) * 0.4 = 2.94 at omega_2.
 
-This project's own change (grade C): xi grows linearly with (p/H)^2, which is also defined if hardness and modulus change with
+This project's own change (grade C): xi grows linearly with (p/H)^2, a rule that also works if hardness and modulus change with
 depth. The step starts at p = H, where the elastic asperity of soft_coating_2015 ends.
 """
 
@@ -22,7 +22,8 @@ FULLY_PLASTIC = FULLY_PLASTIC_SQUARED**0.5  # p/H from which all of the asperity
 def plastic_share(ratio):
     """Return the plastic fraction of an asperity, from 0 (elastic) to 1 (fully plastic), and its derivative by `ratio`.
 
-    ratio: elastic mean pressure over hardness. The fraction is 0 up to ratio = 1, and 1 from ratio = FULLY_PLASTIC = 2.94 on.
+    ratio: elastic mean pressure divided by hardness. The fraction is 0 for ratios up to 1, and 1 for ratios of
+    FULLY_PLASTIC = 2.94 or more.
     """
     ratio = min(max(ratio, 1.0), FULLY_PLASTIC)
     done = min((ratio * ratio - 1.0) / (FULLY_PLASTIC_SQUARED - 1.0), 1.0)

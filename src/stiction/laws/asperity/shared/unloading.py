@@ -1,4 +1,4 @@
-r"""Load of a yielded asperity without adhesion in unloading.
+r"""Load of a yielded asperity without adhesion during unloading.
 
 `st.unload` separates a surface after loading. JKR asperities follow their unloading branch. Asperities by [Thornton and
 Ning](#thornton_ning_1998) follow the equations of these authors. For yielded asperities without adhesion this project uses its
@@ -40,9 +40,10 @@ from stiction.laws.segment import NormalSegment
 def residual(w_max, load_max, area_max):
     """Return the displacement that remains after unloading, w_max - load_max/sqrt(area_max), at least 0, in units of sigma.
 
-    w_max, load_max, area_max: displacement, load and contact area of a yielded asperity at the turning point, where unloading
-    begins. In SI the formula is omega_max - 3 P/(4 E* a). It would be negative where a published law lets the load jump up, or
-    the area down, at yield; the law of Kogut and Etsion does so up to 1.58 times the displacement at yield.
+    w_max, load_max, area_max: displacement, load and contact area of a yielded asperity at the turning point, where
+    unloading begins. In SI the formula is omega_max - 3 P/(4 E* a). The formula would be negative if the published law has
+    an upward jump of the load, or a downward jump of the area, at yield; the law of Kogut and Etsion does, up to 1.58 times
+    the displacement at yield.
     """
     if not area_max > 0.0:
         return 0.0
@@ -55,7 +56,7 @@ def unloading_response(w, w_max, w_res, load_max, area_max):
 
     w_max, load_max, area_max: displacement, load and area at the turning point, where unloading begins. w_res: displacement
     that remains at zero load. With s = (w - w_res)/(w_max - w_res) load and area are load_max s^(3/2) and area_max s,
-    continuous with loading at w_max. Where w_res is not clipped at 0 (see `residual`), this is Hertz's law P = (4/3) E*
+    continuous with loading at w_max. Unless w_res was clipped at 0 (see `residual`), this is Hertz's law P = (4/3) E*
     R'^(1/2) (omega - omega_res)^(3/2) with the flattened radius R' = 4 E* a_max^3/(3 P_max).
     """
     if w <= w_res:
@@ -78,7 +79,7 @@ def _overshoots(state):
     """Return whether the elastic recovery of an asperity in unloading would exceed its displacement; `residual` is then 0.
 
     state: displacement, its derivative by the coordinate, load and contact area at the end of loading. Differences within
-    rounding do not count.
+    rounding error are ignored.
     """
     return state[3] > 0.0 and state[2] > (1.0 + 1e-12) * state[0] * math.sqrt(state[3])
 
@@ -94,7 +95,7 @@ def _unloading_formulas(normal: Callable, coordinate: Callable, parameters: int)
 
     @formula
     def released(v, *row):
-        """Return displacement w, dw/dv, load and contact area, after unloading, of the asperity with the coordinate v.
+        """Return displacement w, dw/dv, load and contact area of the asperity with the coordinate v after unloading.
 
         The asperity was loaded to the coordinate u = free + v^2 of the loading law. free: u below which contact is lost, as
         `fill_free` computes it. Just above it the load grows like (u - free)^(3/2), which is smooth in v. row: parameters of
@@ -125,10 +126,10 @@ def _contact_loss(normal: Callable, parameters: int) -> Any:
     def fill_free(distance, table, edges, out):
         """Fill `out` (n,) with the loading coordinate of the asperity that has just lost contact after unloading.
 
-        distance (n,): increase of the separation in units of sigma. table, edges: parameters and edges of the loading segment.
-        If even the first asperity of the segment is still in contact, `out` is extrapolated below the segment along a straight
-        line, or is the start of the segment if the line leads too far. The coordinate after unloading, sqrt(u - out[i]) at the
-        loading coordinate u, is then smooth on the segment.
+        distance (n,): increase of the separation in units of sigma. table, edges: parameters and edges of the loading
+        segment. If even the first asperity of the segment is still in contact, `out` is extrapolated below the segment
+        along a straight line, or set to the start of the segment if the line leads too far. The coordinate after unloading,
+        sqrt(u - out[i]) at the loading coordinate u, is then smooth on the segment.
         """
         for i in range(distance.size):
             row = unpack(table[i], parameters)

@@ -14,12 +14,12 @@ from stiction.laws.segment import NormalSegment
 def film_regimes(
     law: Law, groups: Groups, through: np.ndarray, weights: Callable[[NormalSegment], tuple[Weights, Weights]]
 ) -> list[Regime]:
-    """Return the regimes of a film that follows its own asperity law at every displacement.
+    """Return the regimes of a film that obeys its own asperity law at every displacement.
 
-    A regime is one smooth part of an asperity's behaviour. groups: dimensionless groups of n coated contacts. through (n,):
-    displacement, in units of sigma, at which the film is pressed through. weights(segment): the `Weights` of the response
-    before and after this displacement. The film acts as a half-space while the contact radius is below the film thickness;
-    regimes of wider contacts have in_half_space=False.
+    A regime is a segment of an asperity law together with the tangential force on it. groups: dimensionless groups of n
+    coated contacts. through (n,): displacement, in units of sigma, at which the film is pressed through. weights(segment):
+    returns the `Weights` of the response before and after this displacement. The film acts as a half-space while the
+    contact radius is below the film thickness; regimes of wider contacts have in_half_space=False.
     """
     film = groups.film()
     # For a film of infinite thickness the regimes of wider contacts would be empty and are left out.

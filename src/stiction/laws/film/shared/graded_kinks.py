@@ -1,9 +1,9 @@
 """Find the kinks of the law of a graded film (modulus and hardness depend on depth), which are the edges of its regimes.
 
 Each kind of kink is a zero of a function of the coordinate u, a signal (`graded_signals`). A signal is smooth, except for a
-kink where the asperity begins to flow plastically. All signals are sampled together. Each sign change brackets a zero, which is
-then refined. Where a signal nears zero without a sign change, a pair of zeros is searched for. Where the load would fall
-although it is compressive, the asperity keeps its load until the law reaches it again (S5.19); this plateau adds two edges.
+kink where the asperity begins to flow plastically. All signals are sampled together. Each sign change brackets a zero, which
+is then refined. Where a signal nears zero without a sign change, a pair of zeros is searched for. Where a compressive load
+would fall with growing displacement, it is held constant until the law reaches it again (S5.19); this plateau adds two edges.
 """
 
 import math
@@ -63,7 +63,7 @@ def _add_zeros(which, places, values, law, out, count):
     """Append the zeros of one signal to the edges `out`, and return the new number of edges.
 
     which: index of the signal, a function of u whose zeros are kinks. places, values: coordinates u of the samples, and the
-    signal there. law: parameters of an asperity on a graded film. count: number of edges so far.
+    values of the signal there. law: parameters of an asperity on a graded film. count: number of edges so far.
     """
     before = values[0]
     # A branch point affects the integrand nearby, and the balance has sharp extrema. Other signals may be nearly constant.
@@ -87,7 +87,7 @@ def _add_zeros(which, places, values, law, out, count):
 def _sample_loads(law, edges, count, places, loads, slopes):
     """Sample load and slope at INNER coordinates in each segment between the first `count` edges.
 
-    law: parameters of an asperity on a graded film. places, loads, slopes: arrays that are filled with the coordinates u, and
+    law: parameters of an asperity on a graded film. places, loads, slopes: arrays to be filled with the coordinates u, and
     with loads and slopes from `load_before_plateaus`.
     """
     for segment in range(count - 1):
@@ -103,7 +103,7 @@ def _sample_loads(law, edges, count, places, loads, slopes):
 
 @lazy_kernel(worth=100_000)
 def _summit(low, kink, high, at_high, law):
-    """Return the coordinate u at which the load has a maximum, between `low`, where it rises, and `high`, where it falls.
+    """Return the coordinate u of the load maximum between `low`, where the load rises, and `high`, where it falls.
 
     kink: an edge between them, at which the slope may jump, or `low`. at_high: slope of the load at `high`.
     """
@@ -135,7 +135,7 @@ def _descent(low, high, law):
 def _first_flowing(part, count):
     """Return the index of the first segment in which the asperity flows plastically, or of the last edge if there is none.
 
-    part: number for body and state of each segment, from `_name_parts`; odd numbers are plastic. count: number of edges.
+    part: code for body and state of each segment, from `_name_parts`; odd codes are plastic. count: number of edges.
     """
     first = 0
     while first < count - 1 and (part[first] < 0 or part[first] % 2 == 0):
@@ -157,8 +157,8 @@ def _regained(low, high, above, law, level):
 def _add_plateaus(law, edges, count, part, levels, places, loads, slopes):
     """Append start and end of each load plateau to the edges, and return the new number of edges.
 
-    On a plateau the load of an asperity stays constant, because by the law it would fall. law: parameters of an asperity on a
-    graded film. The first `count` edges are sorted. part: number for body and state of each segment, from `_name_parts`.
+    On a plateau the load of an asperity is held constant, because it would otherwise fall. law: parameters of an asperity
+    on a graded film. The first `count` edges are sorted. part: code for body and state of each segment, from `_name_parts`.
     levels: filled with the start and the load of each plateau. places, loads, slopes: work arrays.
     """
     out = edges[_first_flowing(part, count) : count]  # an elastic asperity's load cannot fall
@@ -204,9 +204,9 @@ def _add_plateaus(law, edges, count, part, levels, places, loads, slopes):
 def _fixed_edges(law, tau, out):
     """Fill `out` with the edges that are known in advance, and return three coordinates and the number of edges.
 
-    The three are the start of the contact, the end of the range that `_scan` samples, and the coordinate at which the film is
-    pressed through. tau: displacement at which it is pressed through, in units of sigma. Further edges split long segments.
-    law: parameters of an asperity on a graded film.
+    The three are the start of the contact, the end of the range that `_scan` samples, and the coordinate at which the film
+    is pressed through. tau: displacement at which this happens, in units of sigma. Further edges split long segments. law:
+    parameters of an asperity on a graded film.
     """
     pull, _, n_H, linear, square = law[:5]
     S, bodies = math.sqrt(6.0 * pull), law[ALONE:]
@@ -230,8 +230,8 @@ def _fixed_edges(law, tau, out):
 def _scan(start, top, law, places, values):
     """Sample all signals from the coordinate `start` to `top`, and return the number of samples.
 
-    Signals are functions of u whose zeros are kinks. places, values: filled with coordinates and signals. law: parameters of an
-    asperity on a graded film. Samples are dense near the start, because a thin film has an effect only there.
+    Signals are functions of u whose zeros are kinks. places, values: filled with coordinates and signals. law: parameters
+    of an asperity on a graded film. Samples are dense near the start, because a thin film matters only there.
     """
     pull, _, n_H, linear, square = law[:5]
     slope = contact(start, math.sqrt(6.0 * pull), law[ALONE:])[1]
@@ -343,11 +343,11 @@ def _add_branches(start, at_start, law, out, first, count, branch):
 
 @formula
 def _name_parts(law, through, edges, count, part):
-    """Fill `part` with a number for body and state of every segment between the edges.
+    """Fill `part` with a code for body and state of every segment between the edges.
 
-    The numbers are 0 elastic film, 1 plastic film, 2 elastic substrate, 3 plastic substrate, -1 no segment. The endless segment
-    after the last edge is included. through: coordinate at which the film is pressed through. edges: the first `count` are
-    used, the others are overwritten. law: parameters of an asperity on a graded film.
+    The codes are 0 elastic film, 1 plastic film, 2 elastic substrate, 3 plastic substrate, -1 no segment. The unbounded
+    segment after the last edge is included. through: coordinate at which the film is pressed through. edges: the first
+    `count` are used, the others are overwritten. law: parameters of an asperity on a graded film.
     """
     edges[count:] = _END
     part[:] = -1
@@ -359,14 +359,14 @@ def _name_parts(law, through, edges, count, part):
 
 
 def find_kinks(parameters: np.ndarray, tau: np.ndarray) -> tuple[np.ndarray, ...]:
-    """Return edges, part numbers, plateaus and branch points of asperities on graded films, for n contacts.
+    """Return edges, part codes, plateaus and branch points of asperities on graded films, for n contacts.
 
     parameters: (n, PARAMETERS) of the law. tau (n,): displacement, in units of sigma, at which the film is pressed through.
 
-    The edges (n, CAPACITY) are coordinates u. The part numbers (n, CAPACITY - 1) state body and state of each segment between
-    them: 0 elastic film, 1 plastic film, 2 elastic substrate, 3 plastic substrate, -1 no segment. The plateaus (n, 6) are three
-    pairs (start, level): from `start` on the load is at least `level`. The branch points (n, 4) are coordinates at which the
-    yield resistance ends like a square root.
+    The edges (n, CAPACITY) are coordinates u. The part codes (n, CAPACITY - 1) give body and state of each segment between
+    them: 0 elastic film, 1 plastic film, 2 elastic substrate, 3 plastic substrate, -1 no segment. The plateaus (n, 6) are
+    three pairs (start, level): for u >= `start` the load is at least `level`. The branch points (n, 4) are coordinates at
+    which the yield resistance ends like a square root.
     """
     laws = len(parameters)
     edges, part = np.empty((laws, CAPACITY)), np.empty((laws, CAPACITY - 1), dtype=np.int8)
@@ -389,10 +389,10 @@ def _gather(edges, part, wanted, out):
 def gather(edges: np.ndarray, part: np.ndarray, wanted: int) -> np.ndarray:
     """Return the edges (n, m) of a regime that consists of all segments of one body in one state.
 
-    edges (n, CAPACITY): from `find_kinks`. part (n, CAPACITY - 1): number from 0 to 3 for body and state of each segment, also
-    from `find_kinks`. wanted: the number whose segments are returned. Segments are listed from the largest coordinate down, as
-    pairs (low, high). Thus the gap between two of them is a pair of edges that does not increase, which the engine skips.
-    Shorter rows are filled with the first edge.
+    edges (n, CAPACITY): from `find_kinks`. part (n, CAPACITY - 1): code from 0 to 3 for body and state of each segment,
+    also from `find_kinks`. wanted: the code whose segments are returned. Segments are listed as pairs (low, high) in
+    descending order. The gap between two of them is therefore a pair of edges that does not increase, which the engine
+    skips. Shorter rows are filled with the first edge.
     """
     most = int((part == wanted).sum(axis=1).max(initial=1))
     out = np.empty((len(edges), 2 * most))

@@ -24,12 +24,12 @@ ALONE, WHOLE = 11, 20  # number of parameters for adhesion and strength; togethe
 
 @formula
 def stiffness(u, bodies):
-    """Return three numbers: K_eff/K_s, its derivative by ln u, and the film's weight in the modulus.
+    """Return three numbers: K_eff/K_s, its derivative with respect to ln u, and the film's weight in the modulus.
 
-    K_eff/K_s is the contact modulus with the film over that without, (S5.11) at the contact radius a = sqrt(R sigma) u^2. The
-    weight is averaged over the coated bodies. bodies: two bounds on the result (unused here), sqrt(R sigma) over the film
-    thickness on one body, then the first four fields of `TwoBodies`, and for each body the mean of its Poisson's ratio and the
-    film's.
+    K_eff/K_s is the ratio (S5.11) of the contact modulus with the film to that without it, at the contact radius a = sqrt(R
+    sigma) u^2. The weight is averaged over the coated bodies. bodies: two bounds on the result (unused here), sqrt(R sigma)
+    divided by the film thickness on one body, then the first four fields of `TwoBodies`, and for each body the mean of its
+    own Poisson's ratio and that of the film.
     """
     _, _, per_aspect, first, second, s, films, nu_first, nu_second = bodies
     share, slope = modulus_share(u * u * per_aspect, nu_first)
@@ -48,10 +48,10 @@ def stiffness(u, bodies):
 def contact(u, S, bodies):
     """Return w, dw/du, Q, d ln Q/d ln u and the film's weight in the modulus, for an elastic JKR contact on a graded film.
 
-    w: displacement in units of sigma. Q = sqrt(K_eff/K_s) u^3, with the modulus K_eff of film and substrate together (S5.11)
-    and K_s of the substrate. u: coordinate, with the contact radius sqrt(R sigma) u^2. S: sqrt(6 pi n_g/theta), strength of
-    adhesion, with the work of adhesion n_g of the film over the substrate's and the elastic adhesion index theta. bodies: as in
-    `stiffness`.
+    w: displacement in units of sigma. Q = sqrt(K_eff/K_s) u^3, with the modulus K_eff of film and substrate together
+    (S5.11) and the modulus K_s of the substrate. u: coordinate, with the contact radius sqrt(R sigma) u^2. S: sqrt(6 pi
+    n_g/theta), strength of adhesion, with the work of adhesion n_g of the film divided by the substrate's and the elastic
+    adhesion index theta. bodies: as in `stiffness`.
     """
     ratio, rise, share = stiffness(u, bodies)
     root = math.sqrt(ratio)
@@ -76,9 +76,9 @@ def along(u, *row):
     """Return displacement w, dw/du, load, contact area, slip-limited and yield-limited force of an asperity on a graded film.
 
     u: coordinate, with the contact radius sqrt(R sigma) u^2 of the elastic contact. row: pull = pi n_g/theta; eta of the
-    substrate; n_H; linear and square of `fading`; nu_s, nu_c, K_beta_s, K_beta_c of substrate and film; yield_s, yield_c, yield
-    stress of substrate and film over pi H_s; parameters of `stiffness`; three plateaus (start, level): from u = `start` on the
-    load is at least `level`. Units: as in this module.
+    substrate; n_H; linear and square of `fading`; nu_s, nu_c, K_beta_s, K_beta_c of substrate and film; yield_s, yield_c,
+    the yield stresses of substrate and film divided by pi H_s; parameters of `stiffness`; three plateaus (start, level):
+    for u >= `start` the load is at least `level`. Units: as in this module.
     """
     pull, eta, n_H, linear, square, nu_s, nu_c, K_beta_s, K_beta_c, yield_s, yield_c = row[:ALONE]
     (

@@ -45,7 +45,7 @@ def signals(u, law):
 
 @formula
 def load_before_plateaus(u, law):
-    """Return the load without plateaus, its scaled derivative by ln u, and the elastic mean pressure over the hardness.
+    """Return the load without plateaus, its scaled derivative by ln u, and the elastic mean pressure divided by the hardness.
 
     The derivative is divided by hardness times contact area, so that it is of the order of one. u: coordinate. law: parameters
     of an asperity on a graded film.
@@ -92,7 +92,7 @@ def signal(which, u, law, level):
 
 @lazy_kernel(worth=100_000)
 def zero(which, low, at_low, high, at_high, law, level):
-    """Return the coordinate between low and high at which the function `which` is zero, by false position.
+    """Return the coordinate between low and high at which the function `which` is zero, by the method of false position.
 
     which, law, level: as in `signal`. at_low, at_high: values at low and high, of opposite sign. The method is from Anderson &
     Bjorck 1973; some steps bisect the bracket. The relative accuracy is 4e-15 for zeros of the load, of its slope, and of
@@ -122,11 +122,11 @@ def zero(which, low, at_low, high, at_high, law, level):
 
 @lazy_kernel(worth=100_000)
 def beyond_zero(which, left, at_left, u, at_u, right, at_right, law):
-    """Search for a sign change of a function between two places at which it has the same sign.
+    """Search for a sign change of a function between two coordinates at which it has the same sign.
 
-    which, law: as in `signal`. left, u, right: coordinates in ascending order; at_left, at_u, at_right: values there, almost
-    zero at u. The search fits parabolas through three points. Returns a coordinate and the value there. The value has the
-    opposite sign or, if no such coordinate is found, is the closest to zero.
+    which, law: as in `signal`. left, u, right: coordinates in ascending order; at_left, at_u, at_right: values at these
+    coordinates, almost zero at u. The search fits parabolas through three points. Returns a coordinate and the value there.
+    The value has the opposite sign or, if no such coordinate is found, is the closest to zero.
     """
     for turn in range(25):
         p, q = (u - left) * (at_u - at_right), (u - right) * (at_u - at_left)
@@ -158,7 +158,7 @@ def beyond_zero(which, left, at_left, u, at_u, right, at_right, law):
 
 @formula
 def comes_near(before, current, following, small):
-    """Return whether a function, sampled at three places with the same sign, has an extremum close to zero between them.
+    """Return whether a function, given by three samples of the same sign, has an extremum close to zero between them.
 
     before, current, following: the three samples. The middle one must be smaller than `small` in absolute value, or the
     parabola through all three must come much closer to zero than the samples.

@@ -30,9 +30,9 @@ def rows(groups: Groups, pull: np.ndarray) -> tuple[np.ndarray, ...]:
 def coefficients(groups: Groups) -> np.ndarray:
     """Return the coefficients (n, CURVES, TERMS) of the curves of spheres on films.
 
-    The curves state effective moduli and displacement against contact radius over film thickness; the first is the modulus E_P
-    of the load. Each pair of materials is computed once. groups: dimensionless groups of n coated contacts with all defaults
-    filled in.
+    The curves give effective moduli and displacement as functions of contact radius divided by film thickness. The first
+    curve is the modulus E_P of the load. Each pair of materials is computed only once. groups: dimensionless groups of n
+    coated contacts with all defaults filled in.
     """
     columns = columns_of(groups)
     if (columns == columns[:, :1]).all():
@@ -57,7 +57,7 @@ def _curves(columns: np.ndarray) -> np.ndarray:
 
 
 def _films(n_E: float, bodies: float, first: float, nu: float, nu_first: float, nu_second: float) -> Pair:
-    """Return the films on both bodies of one contact; swapped bodies give the same pair.
+    """Return the films on both bodies of one contact; the result does not depend on the order of the bodies.
 
     The arguments are the elastic constants of the contact, one column of `columns_of`.
     """
@@ -69,7 +69,7 @@ def _films(n_E: float, bodies: float, first: float, nu: float, nu_first: float, 
 def edge_pull(groups: Groups) -> np.ndarray:
     """Return the strength of adhesion (n,) of JKR's contact on the film, s = (2/3) sqrt(6 pi n_g/theta).
 
-    n_g: work of adhesion of the film over the substrate's. theta: elastic adhesion index of the substrate. groups:
+    n_g: work of adhesion of the film divided by the substrate's. theta: elastic adhesion index of the substrate. groups:
     dimensionless groups of n coated contacts.
     """
     return 2.0 / 3.0 * np.sqrt(6.0 * math.pi * groups.n_g / groups.theta)
@@ -78,7 +78,7 @@ def edge_pull(groups: Groups) -> np.ndarray:
 def outer_pull(groups: Groups) -> np.ndarray:
     """Return DMT's adhesive force (n,) on the film, 2 pi n_g/theta, in units of K R^(1/2) sigma^(3/2).
 
-    It acts on elastic and plastic asperities. n_g: work of adhesion of the film over the substrate's. theta: elastic adhesion
-    index of the substrate. groups: dimensionless groups of n coated contacts.
+    It acts on elastic and plastic asperities. n_g: work of adhesion of the film divided by the substrate's. theta: elastic
+    adhesion index of the substrate. groups: dimensionless groups of n coated contacts.
     """
     return 2.0 * math.pi * groups.n_g / groups.theta

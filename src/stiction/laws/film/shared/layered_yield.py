@@ -2,8 +2,8 @@
 
 The asperity yields where its mean pressure reaches the value at which its asperity law yields on a uniform half-space. This
 half-space has the modulus E_P of film and substrate together at this contact radius, and their hardness chi at this depth; the
-depth leaves out the stretch by adhesion. Beyond yield, the plastic segments of the asperity law on this half-space are shifted
-to the displacement, load and area of the contact on the film. Their load, without the adhesion, is proportional to the
+depth does not include the stretch by adhesion. Beyond yield, the plastic segments of the asperity law on this half-space are
+shifted to the displacement, load and area of the contact on the film. Their load, without the adhesion, is proportional to the
 hardness at their depth.
 """
 
@@ -31,9 +31,9 @@ _ROUNDS = 6
 class Hardness:
     """Hold the hardness chi of film and substrate together as a function of the displacement, for n contacts.
 
-    chi is the ratio to the substrate's hardness. `value` is the formula, `row` its parameters (n,): film hardness over the
-    substrate's, film thickness in units of sigma, constant, exponent. `depths` (n, m) are displacements in units of sigma at
-    which an integral is split.
+    chi is divided by the substrate's hardness. `value` is the formula, `row` its parameters (n,): film hardness divided by
+    the substrate's, film thickness in units of sigma, constant, exponent. `depths` (n, m) are displacements in units of
+    sigma at which an integral is split.
     """
 
     def __init__(self, record: Composite, groups: Groups, soft_film_exponent: float):
@@ -81,9 +81,10 @@ def _onset(along: Any, hardness: Any, parameters: int) -> Any:
     def find(table, pressure, of_hardness, out):
         """Fill out[i] with coordinate u, modulus, hardness, z, and displacement in units of sigma at first yield of contact i.
 
-        The displacement leaves out the stretch by adhesion. Modulus and hardness are those of film and substrate together over
-        the substrate's. z states Poisson's ratio: -1 is the film's, 1 the substrate's. table: parameters of the elastic
-        asperities. pressure: eta times the mean pressure at yield over the hardness. of_hardness: parameters of `Hardness`.
+        The displacement does not include the stretch by adhesion. Modulus and hardness are those of film and substrate
+        together divided by the substrate's. z selects Poisson's ratio: -1 for the film's, 1 for the substrate's. table:
+        parameters of the elastic asperities. pressure: eta times the ratio of the mean pressure at yield to the hardness.
+        of_hardness: parameters of `Hardness`.
         """
         for i in range(pressure.size):
             row, hard = unpack(table[i], parameters), unpack(of_hardness[i], 4)
@@ -110,9 +111,9 @@ def _onset(along: Any, hardness: Any, parameters: int) -> Any:
 def half_space_at_yield(groups: Groups, modulus: np.ndarray, hardness: np.ndarray, place: np.ndarray) -> Groups:
     """Return the dimensionless groups (n,) of the uniform half-space that replaces film and substrate at first yield.
 
-    groups: dimensionless groups of n coated contacts. modulus, hardness (n,): modulus of the half-space over the bare bodies',
-    and its hardness over the substrate's. place (n,): -1 for Poisson's ratio of the film, 1 for the substrate's, linear in
-    between. The work of adhesion is the film's.
+    groups: dimensionless groups of n coated contacts. modulus, hardness (n,): modulus of the half-space divided by the bare
+    bodies', and its hardness over the substrate's. place (n,): -1 for Poisson's ratio of the film, 1 for the substrate's,
+    linear in between. The work of adhesion is the film's.
     """
     theta, lam, tabor, eta = groups.theta, groups.lam, groups.tabor_parameter, groups.hardness_group
     return groups.substrate().with_changes(
@@ -153,9 +154,9 @@ def cut_at_yield(
 
 
 def _pressure_at_yield(segments: list[NormalSegment], own: Groups) -> np.ndarray:
-    """Return the mean pressure over the hardness (n,) at the end of the last elastic segment.
+    """Return the ratio (n,) of mean pressure to hardness at the end of the last elastic segment.
 
-    segments: segments of an asperity law. own: groups of the half-space for which the segments were computed.
+    segments: segments of an asperity law. own: dimensionless groups of the half-space for which the segments were computed.
     """
     last = _last_elastic(segments)
     _, _, load, area = normal_states(last, last.edges[:, -1]).T
@@ -167,7 +168,7 @@ def _last_elastic(segments: list[NormalSegment]) -> NormalSegment:
 
 
 def _plastic_segments(elastic, segments, at_yield, hardness: Hardness, pull) -> list[NormalSegment]:
-    """Return the plastic segments of an asperity law, shifted to the point at which the asperity on a film yields.
+    """Return the plastic segments of an asperity law, shifted to start where the asperity on a film yields.
 
     elastic: segment of the asperity on the film up to yield. segments: segments of the asperity law on the uniform half-space
     that replaces film and substrate at yield. at_yield (n, 5): u, modulus, hardness, z and displacement at yield. pull (n,):
@@ -226,12 +227,12 @@ def _filling(normal: Any, coordinate: Any, parameters: int) -> Any:
 
 @cache
 def _shifted_formulas(normal: Any, coordinate: Any, hardness: Any, parameters: int) -> tuple[Any, Any]:
-    """Return the formulas `along` and `back` of a plastic segment, shifted to the point at which a coated asperity yields.
+    """Return the formulas `along` and `back` of a plastic segment, shifted to start where a coated asperity yields.
 
-    along(u) returns displacement, its derivative, load and area; back(w) returns u at the displacement w. normal, coordinate:
-    formulas of the segment, with `parameters` parameters. hardness: formula of the hardness. The returned formulas take these
-    parameters, then: shift of displacement and load, modulus, shift of the area, pull, 1 over the hardness at yield, depth
-    minus displacement, and the parameters of the hardness.
+    along(u) returns displacement, its derivative, load and area; back(w) returns u at the displacement w. normal,
+    coordinate: formulas of the segment, with `parameters` parameters. hardness: formula of the hardness. The returned
+    formulas take these parameters, then: shift of displacement and load, modulus, shift of the area, pull, reciprocal of
+    the hardness at yield, depth minus displacement, and the parameters of the hardness.
     """
 
     @formula

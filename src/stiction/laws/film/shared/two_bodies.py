@@ -22,10 +22,10 @@ from stiction.engine.compiled import formula
 class TwoBodies:
     """Hold the elastic constants of n contacts in which one body or both are coated, as arrays (n,).
 
-    first, second: modulus of the film over the modulus of the first and of the second body, with E' = E/(1 - nu^2); `second`
-    has no meaning if the second body is bare. share: fraction of the compliance of both bare bodies that belongs to the first
-    body, which is coated. films: number of coated bodies, 1 or 2. nu: Poisson's ratio of the film. nu_first, nu_second:
-    Poisson's ratios of the first and of the second body.
+    first, second: modulus of the film divided by the modulus of the first and of the second body, with E' = E/(1 - nu^2);
+    `second` has no meaning if the second body is bare. share: fraction of the compliance of both bare bodies that is due to
+    the first body, which is coated. films: number of coated bodies, 1 or 2. nu: Poisson's ratio of the film. nu_first,
+    nu_second: Poisson's ratios of the first and of the second body.
     """
 
     first: np.ndarray
@@ -56,14 +56,14 @@ class TwoBodies:
     def against_rigid(cls, film_over_substrate: np.ndarray, nu_film: np.ndarray, nu_substrate: np.ndarray) -> "TwoBodies":
         """Return the constants of a coated first body against a rigid second body.
 
-        film_over_substrate (n,): reduced modulus of the film over the substrate's. nu_film, nu_substrate (n,): Poisson's ratios
-        of film and substrate.
+        film_over_substrate (n,): reduced modulus of the film divided by the substrate's. nu_film, nu_substrate (n,):
+        Poisson's ratios of film and substrate.
         """
         ones = np.ones_like(film_over_substrate)
         return cls(film_over_substrate, 0.0 * ones, ones, ones, nu_film, nu_substrate, nu_substrate)
 
     def without_film(self, there: np.ndarray) -> "TwoBodies":
-        """Return a copy in which the film has the modulus of the body below it where the mask `there` (n,) is False."""
+        """Return a copy without film where the mask `there` (n,) is False: the film then has the modulus of its body."""
         first, second = np.where(there, self.first, 1.0), np.where(there, self.second, 1.0)
         return TwoBodies(first, second, self.share, self.films, self.nu, self.nu_first, self.nu_second)
 
@@ -72,7 +72,7 @@ class TwoBodies:
         return self.first, self.second, self.share, self.films, self.nu, self.nu_first, self.nu_second
 
     def bounds(self) -> tuple[np.ndarray, np.ndarray]:
-        """Return the smallest and the largest possible ratio (n,) of the contact modulus with films to that in the bare bodies.
+        """Return the smallest and the largest possible ratio (n,) of the contact modulus with films to that of the bare bodies.
 
         The modulus of each coated body is between its own and the film's.
         """
@@ -83,7 +83,7 @@ class TwoBodies:
 
     @property
     def film_over_bodies(self) -> np.ndarray:
-        """Return the film modulus over the modulus of the coated body or bodies (n,); two coated bodies act in series."""
+        """Return the film modulus divided by the modulus of the coated body (n,), or of two coated bodies in series."""
         both = in_series(self.first, self._second(), self.share)
         return np.where(self.films == 2.0, both, self.first)
 
@@ -96,7 +96,7 @@ class TwoBodies:
 def in_series(first, second, share):
     """Return the ratio of the contact modulus with films to the contact modulus of the bare bodies.
 
-    first, second: factors by which films multiply the moduli of the two bodies. share: fraction of the compliance of both bare
-    bodies that belongs to the first body.
+    first, second: factors by which films multiply the moduli of the two bodies. share: fraction of the compliance of both
+    bare bodies that is due to the first body.
     """
     return first * second / (share * second + (1.0 - share) * first)

@@ -1,4 +1,4 @@
-"""Find the weaker of two tangential resistances, those of a film that is pressed through and of its substrate, in series."""
+"""Find the weaker of two tangential resistances in series, that of a film that is pressed through and that of its substrate."""
 
 from collections.abc import Callable
 from functools import cache
@@ -59,12 +59,12 @@ def _back(coordinate: Callable, of_substrate: int) -> Any:
 
 
 def weaker_regimes(law: Law, groups: Groups) -> list[Regime]:
-    """Return regimes that add only friction, by the weaker of film and substrate, where the film is pressed through (w > tau).
+    """Return regimes that add only the friction of the weaker of film and substrate where the film is pressed through.
 
-    Their load and area are zero. The resistance is the smaller of the film's at the displacement w and the substrate's at w -
-    tau, in units of K R^(1/2) sigma^(3/2) with K = (4/3) E* of the substrate. w: displacement, tau: film thickness, both in
-    units of sigma. law: asperity law, and a tangential law that does not describe the interface. groups: dimensionless groups
-    of n coated contacts.
+    The film is pressed through where w > tau. Load and area of the regimes are zero. The resistance is the smaller of the
+    film's at the displacement w and the substrate's at w - tau, in units of K R^(1/2) sigma^(3/2) with K = (4/3) E* of the
+    substrate. w: displacement, tau: film thickness, both in units of sigma. law: asperity law, and a tangential law that
+    does not describe the interface. groups: dimensionless groups of n coated contacts.
     """
     film_groups, substrate = groups.film(), groups.substrate()
     tau = np.broadcast_to(np.asarray(groups.tau, dtype=float), len(groups))
@@ -87,9 +87,9 @@ def _in_series(
 ) -> Regime:
     """Return the regime of one substrate segment below one film regime, with the weaker resistance of the two.
 
-    below: regime of the substrate; segment: its segment. above: regime of the film. tau (n,): film thickness in units of sigma.
-    first, last (n,): coordinates of the substrate segment between which both film and substrate resist. The edges of the
-    returned regime are the kinks of both, and the coordinates at which the weaker of the two changes.
+    below: regime of the substrate; segment: its segment. above: regime of the film. tau (n,): film thickness in units of
+    sigma. first, last (n,): coordinates of the substrate segment between which both film and substrate resist. The edges of
+    the returned regime are the kinks of both, and the coordinates at which the other body becomes the weaker one.
     """
     inner = [_edge_on_substrate(above, number, segment, tau) for number in range(above.edges.shape[1])]
     edges = np.sort(np.concatenate([below.edges, np.stack(inner, axis=1)], axis=1), axis=1)
@@ -128,10 +128,10 @@ def _branches(below: Regime, above: Regime, segment: NormalSegment, tau: np.ndar
 
 
 def _edge_on_substrate(above: Regime, number: int, segment, tau: np.ndarray) -> np.ndarray:
-    """Return one edge of the film's regime as a coordinate (n,) of the substrate segment.
+    """Convert an edge of the film's regime to a coordinate (n,) of the substrate segment.
 
-    above: regime of the film. number: index of the edge. segment: segment of the substrate. tau (n,): film thickness in units
-    of sigma, by which the displacement of the substrate is smaller.
+    above: regime of the film. number: index of the edge. segment: segment of the substrate. tau (n,): film thickness in
+    units of sigma; the substrate's displacement is smaller than the film's by this thickness.
     """
     edge = above.edges[:, number]
     finite = np.isfinite(edge)

@@ -1,7 +1,7 @@
-"""Derive, from a tangential law, laws of contacts that are displaced tangentially but may not slide yet.
+"""Derive laws of tangentially displaced contacts, which may not slide yet, from a tangential law.
 
-In these laws the force, stiffness or sticking area of a contact at its displacement replaces its strength, so that the engine
-can sum it over heights. Equations and sources are in `laws/presliding/mindlin_1949.py`.
+In these laws the strength of a contact is replaced by its force, stiffness or sticking area at the given displacement, so that
+the engine can sum this quantity over heights. Equations and sources are in `laws/presliding/mindlin_1949.py`.
 """
 
 from collections.abc import Callable
@@ -26,7 +26,7 @@ _MOST = 4  # changes between sticking and sliding that are searched for on a seg
 
 @cache
 def _slipping(resistance: Callable, own: int) -> Any:
-    """Return a formula that gives two numbers for a displaced asperity: its tangential force, and the energy lost in a cycle.
+    """Return a formula for two numbers of a displaced asperity: its tangential force and its energy loss per cycle.
 
     resistance: formula of the strength, with `own` parameters. The returned formula takes these parameters, then K beta, the
     tangential displacement in units of sigma, and the fraction of its strength that a sliding asperity retains. The energy is
@@ -89,9 +89,9 @@ def _not_yet(normal: Callable, parameters: int, resistance: Callable, own: int) 
 def slipping_law(tangential: TangentialLaw, displacement: np.ndarray, residual: float) -> TangentialLaw:
     """Return a tangential law that gives the force of contacts at a tangential displacement, in place of their strength.
 
-    tangential: law of the strength. displacement (n,): in units of sigma. residual: fraction of its strength that an asperity
-    retains once it slides. The slip-limited part of the returned law is the force. Its yield-limited part is the energy lost in
-    a cycle of this amplitude, in the unit of force times sigma.
+    tangential: law of the strength. displacement (n,): in units of sigma. residual: fraction of its strength that an
+    asperity retains once it slides. The slip-limited part of the returned law is the force. Its yield-limited part is the
+    energy lost per cycle of this amplitude, in the unit of force times sigma.
     """
     return _displaced(tangential, _slipping, displacement, np.full(len(displacement), residual))
 
@@ -107,7 +107,7 @@ def sticking_area_law(tangential: TangentialLaw, displacement: np.ndarray) -> Ta
 def _displaced(
     tangential: TangentialLaw, formula_of: Callable, displacement: np.ndarray, *parameters: np.ndarray
 ) -> TangentialLaw:
-    """Return a tangential law in which a formula of displaced contacts replaces the strength.
+    """Return a tangential law in which the strength is replaced by a formula for displaced contacts.
 
     tangential: law of the strength. formula_of(resistance, number of its parameters): returns the formula that replaces the
     strength; it takes the parameters of the strength, then K beta, the displacement (n,) in units of sigma and `parameters`.

@@ -1,17 +1,17 @@
 """Solve Persson's diffusion of pressure with a rate that depends on the area in contact.
 
 Let V be the variance of the pressure at a point, V_c the variance in full contact at the same resolution, and A the contact
-area over the nominal area, A = erf(p / sqrt(2 V)). Persson (2001) has dV = dV_c. Corrected theories have
+area divided by the nominal area, A = erf(p / sqrt(2 V)). Persson (2001) has dV = dV_c. Corrected theories have
 
     dV/dV_c = S(A),   V = 0 at V_c = 0,   S(1) = 1,   at the end V_c = (E* h')^2 / 4
 
-(p: nominal pressure, E*: contact modulus, h': root mean square gradient, S: factor of the theory). V_c takes the place of time,
+(p: nominal pressure, E*: contact modulus, h': root mean square gradient, S: factor of the theory). V_c plays the role of time,
 so that only h' of the whole spectrum is needed. With q = p / sqrt(2 V), V = p^2 / (2 q^2), the equation becomes an integral,
 
     1 / (4 x^2) = J(q) = Int_q^inf dt / (t^3 S(erf t)),   x = p / (E* h'),   A = erf(q).
 
-S = 1 gives Persson's q = sqrt(2) x again. J decreases with q. Beyond q = 6, where erf is 1 in double precision,
-J = 1 / (2 q^2).
+S = 1 gives Persson's result, q = sqrt(2) x. J decreases with q. Beyond q = 6, where erf is 1 in double precision, J = 1 / (2
+q^2).
 """
 
 import math
@@ -39,8 +39,8 @@ _PANELS, _NODES, _STEPS = 120, 16, 8
 class _Table:
     """Hold a table of ln q and of J(q), the integral of 1/(t^3 S(erf t)) over t from q to infinity.
 
-    S: function of a theory. q: nominal pressure over sqrt(2) times the standard deviation of the pressure; it grows from light
-    to full contact.
+    S: factor of a theory, a function of the relative contact area. q: nominal pressure p / sqrt(2 V), with the variance V
+    of the pressure; it grows from light to full contact.
     """
 
     log_q: np.ndarray
@@ -48,7 +48,7 @@ class _Table:
 
 
 def area_share(pressure: np.ndarray, rate: Rate) -> np.ndarray:
-    """Return the contact area over the nominal area at the reduced pressures p / (E* h') >= 0.
+    """Return the ratio of contact area to nominal area at the reduced pressures p / (E* h') >= 0.
 
     pressure: array of any shape; p: nominal pressure, E*: contact modulus, h': root mean square gradient. rate: the function
     S(A/A_n) = dV/dV_c of arrays, with the contact area A, the nominal area A_n, the variance V of the pressure and its value
@@ -68,8 +68,8 @@ def area_share(pressure: np.ndarray, rate: Rate) -> np.ndarray:
 def _solved(wanted: np.ndarray, table: _Table, rate: Rate) -> np.ndarray:
     """Return the lower limits q (n,) at which the integral J(q) equals `wanted` (n,).
 
-    J(q) is the integral of 1/(t^3 S(erf t)) over t from q to infinity. table: table of J. rate: the function S. The method is
-    Newton's in ln q and ln J.
+    J(q) is the integral of 1/(t^3 S(erf t)) over t from q to infinity. table: table of J. rate: the function S. The
+    equation is solved by Newton's method in ln q and ln J.
     """
     panel = np.searchsorted(-table.J, -wanted)  # J falls along the table: index of the first J <= wanted
     log_q = np.interp(np.log(wanted), np.log(table.J[::-1]), table.log_q[::-1])
@@ -81,7 +81,7 @@ def _solved(wanted: np.ndarray, table: _Table, rate: Rate) -> np.ndarray:
 
 
 def _integral(low: np.ndarray, high: np.ndarray, rate: Rate) -> np.ndarray:
-    """Return the integral of 1/(t^3 S(erf t)) over t, with the function S = `rate`, by Gauss's method.
+    """Return the integral of 1/(t^3 S(erf t)) over t by Gaussian quadrature, where S is the function `rate`.
 
     low, high: natural logarithms of the limits of t, (n,).
     """
@@ -102,8 +102,8 @@ def _table(rate: Rate) -> _Table:
 def area_per_asperity(load: np.ndarray, groups: Groups, share: Callable[[np.ndarray], np.ndarray]) -> np.ndarray:
     """Return the contact area per asperity (n, H), in units of pi R sigma, at H loads of n contacts; it is 0 under tension.
 
-    load: per asperity, in units of K R^(1/2) sigma^(3/2). share: function that returns contact area over nominal area at the
-    reduced pressures p / (E* h'), with the contact modulus E* and the root mean square gradient h'.
+    load: per asperity, in units of K R^(1/2) sigma^(3/2). share: function that returns the ratio of contact area to nominal
+    area at the reduced pressures p / (E* h'), with the contact modulus E* and the root mean square gradient h'.
     """
     density = groups.roughness_parameter[:, None]
     return share(reduced_pressure(np.maximum(load, 0.0), density)) / (math.pi * density)

@@ -1,4 +1,4 @@
-"""Define the validity range of maps that resolve their contact area: enough points in the shortest wave."""
+"""Define a validity range for maps: the shortest wave must have enough points to resolve the contact area."""
 
 import math
 

@@ -30,10 +30,10 @@ def _curve(z, row):
 def edge_root(u, load, area, row):
     """Return the discriminant and the larger root T of the yield condition at the trailing edge of a coated contact.
 
-    The condition is D (A P^2 + 2 B P T + T^2) = S^2. P: load. T: tangential force, valid if both returned numbers are positive.
-    S: yield stress times contact area. A, B, D: functions of contact radius over film thickness. u: coordinate, u^4 = a^2/(R
-    sigma) with the contact radius a. row: parameters from `edge_columns`. Units: load and T in K R^(1/2) sigma^(3/2), area in
-    pi R sigma.
+    The condition is D (A P^2 + 2 B P T + T^2) = S^2. P: load. T: tangential force, valid if both returned numbers are
+    positive. S: yield stress times contact area. A, B, D: functions of contact radius divided by film thickness. u:
+    coordinate, u^4 = a^2/(R sigma) with the contact radius a. row: parameters from `edge_columns`. Units: load and T in K
+    R^(1/2) sigma^(3/2), area in pi R sigma.
     """
     z = 1.0 - 2.0 / (row[1] * u + 1.0)
     A, B = _curve(z, row[_A:_B]), _curve(z, row[_B:_END])
@@ -46,8 +46,8 @@ def edge_root(u, load, area, row):
 def edge_columns(groups: Groups) -> tuple[np.ndarray, ...]:
     """Return the parameters of `edge_root`, each an array (n,), for yield at the trailing edge of a contact with a film.
 
-    groups: dimensionless groups of n contacts with all defaults filled in, from `Groups.resolved`. If the film has no
-    thickness, the parameters are those of the body.
+    groups: dimensionless groups of n contacts with all defaults filled in, from `Groups.resolved`. If the film thickness is
+    0, the parameters are those of the bare body.
     """
     laws = len(groups)
     different, which = bodies_of(groups)
@@ -61,8 +61,8 @@ def edge_columns(groups: Groups) -> tuple[np.ndarray, ...]:
 def _of_half_space(nu: np.ndarray) -> np.ndarray:
     """Return the curves of ln D, A and B (n, FORMS, 2 + EDGE_TERMS) for uniform half-spaces with Poisson's ratios nu (n,).
 
-    A, B, D: coefficients of the squared von Mises stress at the trailing edge, as in `edge_root`. For a half-space the curves
-    are constant.
+    A, B, D: coefficients of the squared von Mises stress at the trailing edge, as in `edge_root`. These curves are
+    constant.
     """
     n, p, q = coefficients(nu)
     d = p * p + q * q - p * q

@@ -5,11 +5,11 @@ Under the load P and a shear force T, the edge of a contact of radius a releases
     G = (P_H - P)^2 S'/(4 pi a S^2) + zeta T^2 S_T'/(4 pi a S_T^2),    S_T = 8 a/beta,    S_T'/S_T^2 = (1 - e) beta/(8 a^2),
 
 where P_H is the load of a contact of this radius without adhesion, S the normal and S_T the tangential stiffness, S' and S_T'
-their derivatives by a, zeta the weight of the tangential energy release, beta the tangential compliance and
-e = d ln beta/d ln a. In equilibrium G equals the work of adhesion. As T grows at constant P, the contact shrinks, up to the
-largest T for which such a radius exists. With c = (P_H - P)/L, where L is the adhesive force of JKR's contact at this radius,
-and in the units of the laws, T^2 is the largest value of 32 pi n_g u^6/(theta zeta K beta (1 - e)) (1 - c^2) over c from 0
-to 1. n_g: work of adhesion of the film over the substrate's; theta: adhesion index; u^4 = a^2/(R sigma).
+their derivatives by a, zeta the weight of the tangential energy release, beta the tangential compliance and e = d ln beta/d ln
+a. In equilibrium G equals the work of adhesion. As T grows at constant P, the contact shrinks, up to the largest T for which
+such a radius exists. With c = (P_H - P)/L, where L is the adhesive force of JKR's contact at this radius, and in the units of
+the laws, T^2 is the largest value of 32 pi n_g u^6/(theta zeta K beta (1 - e)) (1 - c^2) over c from 0 to 1. n_g: work of
+adhesion of the film divided by the substrate's; theta: adhesion index; u^4 = a^2/(R sigma).
 """
 
 import math
@@ -38,9 +38,9 @@ _LEAST_SHARE = 1e-200
 def _compliance(u, root, curve):
     """Return the dimensionless tangential compliance K beta of a coated contact, and 1 - e with e = d ln(K beta)/d ln a.
 
-    K = (4/3) E*; beta: tangential compliance; a: contact radius. u: coordinate, u^4 = a^2/(R sigma). root: factor from u to
-    sqrt(a/t), with the thickness t of one film. curve: logarithms of K beta for the film and for the bodies, then coefficients
-    of the curve between them.
+    K = (4/3) E*; beta: tangential compliance; a: contact radius. u: coordinate, u^4 = a^2/(R sigma). root: factor that
+    converts u to sqrt(a/t), with the thickness t of one film. curve: logarithms of K beta for the film and for the bodies,
+    then coefficients of the curve between them.
     """
     rest = 1.0 / (root * u + 1.0)
     z, by_radius = 1.0 - 2.0 * rest, rest * (1.0 - rest)  # dz/d ln a
@@ -55,11 +55,11 @@ def _compliance(u, root, curve):
 
 @formula
 def _coordinate_at_load(start, c, load, row):
-    """Return the largest coordinate u at which P_H - c L equals the load, or a negative number if there is none.
+    """Return the largest coordinate u at which P_H - c L equals the load, or a negative number if no u satisfies this.
 
-    P_H: load of a contact of this radius without adhesion. L: adhesive force of JKR's contact of this radius. c: number from 0
-    to 1. row: parameters of the coated JKR asperity. start: coordinate of a wider contact, from which the secant method
-    starts.
+    P_H: load of a contact of this radius without adhesion. L: adhesive force of JKR's contact of this radius. c: number
+    from 0 to 1. row: parameters of the coated JKR asperity. start: coordinate of a wider contact, at which the secant
+    method starts.
     """
     u = start
     before = before_u = slope = 0.0
@@ -82,10 +82,10 @@ def _coordinate_at_load(start, c, load, row):
 def _largest_force_squared(start, load, row, root, curve):
     """Return the largest value of T^2 theta zeta/(32 pi n_g) at which the contact is in equilibrium; T: tangential force.
 
-    theta: adhesion index. zeta: weight of the tangential energy release. n_g: work of adhesion of the film over the
+    theta: adhesion index. zeta: weight of the tangential energy release. n_g: work of adhesion of the film divided by the
     substrate's. The value depends on c, from 0 to 1, the fraction of JKR's adhesive force that acts; golden section search
-    finds its single maximum over c. start: coordinate of a wider contact. load: normal load. row: parameters of the coated JKR
-    asperity. root, curve: as in `_compliance`.
+    finds its single maximum over c. start: coordinate of a wider contact. load: normal load. row: parameters of the coated
+    JKR asperity. root, curve: as in `_compliance`.
     """
     low, high = 0.0, 1.0
     at_first, at_second, best = -1.0, -1.0, 0.0
@@ -115,10 +115,10 @@ def _fill(rows, root, curves, first, out):
     """Fill `out` (n, SEGMENTS + 1) with the scaled peeling force at the knots of a spline over u, one row per contact.
 
     The scaled force is sqrt(T^2 theta zeta/(32 pi n_g))/u^3, with the peeling force T, the adhesion index theta, the weight
-    zeta of the tangential energy release, and the work of adhesion n_g of the film over the substrate's. The last knot is the
-    limit at infinite u. The sign is minus where the load falls as the contact grows, because a constant load would pull off
-    such a contact. rows: parameters of the coated JKR asperities. root, curves: as in `_compliance`. first (n,): u at the first
-    knot.
+    zeta of the tangential energy release, and the work of adhesion n_g of the film divided by the substrate's. The last
+    knot is the limit at infinite u. It is negative where the load falls as the contact grows, because such a contact pulls
+    off under a constant load. rows: parameters of the coated JKR asperities. root, curves: as in `_compliance`. first (n,):
+    u at the first knot.
     """
     for i in range(root.size):
         row = unpack(rows[i], EDGED)
@@ -174,7 +174,7 @@ def _curves(segment: NormalSegment, groups: Groups) -> tuple[tuple[np.ndarray, .
 
 
 def _sign_change(first: np.ndarray, values: np.ndarray) -> np.ndarray:
-    """Return the coordinate (n,) at which the values at the knots change sign, by interpolation linear in the knot number.
+    """Return the coordinate (n,) at which the values at the knots change sign, by linear interpolation in the knot number.
 
     values (n, SEGMENTS + 1): at the knots, negative before the sign change. first (n,): coordinate u at the first knot, which
     is returned if the first value is not negative.
@@ -189,8 +189,8 @@ def _sign_change(first: np.ndarray, values: np.ndarray) -> np.ndarray:
 def peeling_force(u, load, area, row):
     """Return the tangential force at which a coated JKR asperity peels, in units of K R^(1/2) sigma^(3/2).
 
-    u: coordinate, u^4 = a^2/(R sigma) with the contact radius a. load, area: not used. row: sqrt(32 pi n_g/(theta zeta)), u at
-    the start of the spline, spline coefficients.
+    u: coordinate, u^4 = a^2/(R sigma) with the contact radius a. load, area: not used. row: sqrt(32 pi n_g/(theta zeta)), u
+    at the first knot, spline coefficients.
     """
     y = 1.0
     if u < 1e100:

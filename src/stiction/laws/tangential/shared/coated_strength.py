@@ -3,7 +3,7 @@
 The tables of `solvers.layered.first_yield` state whether film or body yields under a given mean pressure and mean traction;
 the pressure follows from the segment. Knots are evenly spaced in 1 - sqrt(1 - y), where y is ln(1 + p) scaled to 1 at the end
 and p is proportional to the square root of the contact radius. They are dense near y = 1, where the load alone causes yield,
-because the traction falls to zero over the last few per cent of the pressure. The spline represents the square of the
+because the traction falls to zero within the last few per cent of the pressure. The spline represents the square of the
 traction, which is linear in the pressure there.
 """
 
@@ -32,12 +32,12 @@ _STEP, _LEAST, _MOST = 1.06, 1e-9, 1e30
 
 @formula
 def _norms_at(p, table, angle, film_strength, film):
-    """Return the larger of two ratios, for film and for body: largest von Mises stress over yield stress of the material.
+    """Return the larger of two ratios, one for the film, one for the body: largest von Mises stress divided by yield stress.
 
     The stress belongs to a mean pressure s and a mean traction q with s^2 + q^2 = 1 in units of the body's yield stress. p:
-    (a/t)^(1/2), with the contact radius a and the film thickness t. table: largest stresses in film and body over p and angle.
-    angle: index of a ratio q/s in ANGLES. film_strength: yield stress of the film over the body's. film: 1, or 0 without a
-    film.
+    (a/t)^(1/2), with the contact radius a and the film thickness t. table: largest stresses in film and body as functions
+    of p and angle. angle: index of a ratio q/s in ANGLES. film_strength: yield stress of the film divided by the body's.
+    film: 1, or 0 without a film.
     """
     place = min((1.0 + (p - 1.0) / (p + 1.0)) * _PER_PLACE, 2.0 * _PER_PLACE - 1e-9) if p < 1e15 else 2.0 * _PER_PLACE - 1e-9
     knot = int(place)
@@ -83,9 +83,9 @@ def _filling(normal: Callable, parameters: int) -> Any:
     def fill(rows, scale, root, film_strength, film, which, tables, place, out):
         """Fill out[i] with the squared mean traction at first yield at the knots of contact i.
 
-        Tractions are in units of the body's yield stress. place[i] is filled with three numbers of its coordinate: u at which
-        the load alone causes yield, the factor from u to p, and 1 over ln(1 + p) at this u. rows: parameters of the elastic
-        segments. scale: eta/k, which turns load over area into mean pressure over yield stress. root: factor from area^(1/4) to
+        Tractions are in units of the body's yield stress. place[i] is filled with three numbers: u at which the load alone
+        causes yield, the factor that converts u to p, and 1/ln(1 + p) at this u. rows: parameters of the elastic segments.
+        scale: eta/k, the ratio of load/area to mean pressure/yield stress. root: factor that converts area^(1/4) to
         (a/t)^(1/2). which: index of the contact's table in `tables`. film_strength, film: as in `_norms_at`.
         """
         for i in range(scale.size):
@@ -110,11 +110,11 @@ def _filling(normal: Callable, parameters: int) -> Any:
 
 
 def _bends(place: np.ndarray, values: np.ndarray) -> np.ndarray:
-    """Return the coordinates (n, _BENDS) of knots with the largest second differences of the squared traction at yield.
+    """Return the coordinates (n, _BENDS) of the knots at which the squared traction at yield bends most.
 
-    At these kinks first yield moves to another part of the asperity. place (n, 3): coordinate at which the load alone causes
-    yield, factor from coordinate to p (see the module docstring), and 1/ln(1 + p) there. values (n, SEGMENTS + 1): squared
-    traction at the knots.
+    These knots have the largest second differences. They are kinks, at which first yield moves to another part of the
+    asperity. place (n, 3): coordinate at which the load alone causes yield, factor from coordinate to p (see the module
+    docstring), and 1/ln(1 + p) there. values (n, SEGMENTS + 1): squared traction at the knots.
     """
     bent = np.abs(np.diff(values, n=2, axis=1))
     knots = 1 + np.sort(np.argpartition(bent, -_BENDS, axis=1)[:, -_BENDS:], axis=1)
@@ -123,11 +123,12 @@ def _bends(place: np.ndarray, values: np.ndarray) -> np.ndarray:
 
 
 def strengths(segment: NormalSegment, groups: Groups) -> tuple[tuple[np.ndarray, ...], np.ndarray]:
-    """Return the squared mean traction at first yield along an elastic segment as a spline, and the coordinates of its bends.
+    """Return a spline of the squared mean traction at first yield along an elastic segment, and the coordinates of its kinks.
 
-    The spline is a tuple of arrays (n,): u at which the load alone causes yield, then factor and scale of the coordinate and
-    the spline coefficients, as `strength_at` takes them. The bends are coordinates (n, k). segment: asperity of a film law that
-    solves film and body as one solid. groups: dimensionless groups of n contacts with a film, with all defaults filled in.
+    The spline is a tuple of arrays (n,): u at which the load alone causes yield, then factor and scale of the coordinate
+    and the spline coefficients, as `strength_at` takes them. The kinks are an array (n, k), see `_bends`. segment: asperity
+    of a film law that solves film and body as one solid. groups: dimensionless groups of n contacts with a film, with all
+    defaults filled in.
     """
     laws = len(groups)
     different, which = bodies_of(groups)

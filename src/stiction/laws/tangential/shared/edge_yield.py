@@ -24,9 +24,9 @@ def coefficients(nu):
 def yield_resistance(load, strength, nu):
     """Return the tangential force T at which the trailing edge of a Hertz contact yields, or 0 if T is not real and positive.
 
-    T is the larger root of 3n^2 P^2 + 3n(p-q) P T + (p^2+q^2-pq) T^2 = strength^2, with n, p and q from `coefficients`. load:
-    P. strength: yield stress times contact area, divided by pi, eta x / (pi k). nu: Poisson's ratio. load, strength and T have
-    the same unit.
+    T is the larger root of 3n^2 P^2 + 3n(p-q) P T + (p^2+q^2-pq) T^2 = strength^2, with n, p and q from `coefficients`.
+    load: P. strength: eta x/(pi k), which is yield stress times contact area, divided by pi. nu: Poisson's ratio. load,
+    strength and T have the same unit.
     """
     n, p, q = coefficients(nu)
     d = p * p + q * q - p * q
@@ -39,6 +39,6 @@ def yield_resistance(load, strength, nu):
 
 @formula
 def keep_smaller(slip_limited, yield_limited):
-    """Return both forces, the larger one replaced by 0 because the smaller one decides; equal forces count as slip."""
+    """Return both forces with the larger one replaced by 0; if they are equal, the slip-limited force is kept."""
     slips = slip_limited <= yield_limited
     return slip_limited if slips else 0.0, 0.0 if slips else yield_limited

@@ -1,4 +1,4 @@
-"""Evaluate cubic splines with evenly spaced knots in [0, 1] inside formulas; each contact has its own tabulated curve."""
+"""Evaluate cubic splines with evenly spaced knots in [0, 1] inside formulas; each contact has its own spline."""
 
 from functools import lru_cache
 
@@ -26,7 +26,7 @@ def to_coefficients() -> np.ndarray:
 
 @formula
 def spline(y, coefficients):
-    """Return the value at y, 0 to 1, of the cubic B-spline with the given coefficients (SEGMENTS + 3)."""
+    """Return the value of a cubic B-spline with the coefficients (SEGMENTS + 3,) at y, which is between 0 and 1."""
     place = min(y * SEGMENTS, SEGMENTS - 1e-9)
     knot = int(place)
     t = place - knot

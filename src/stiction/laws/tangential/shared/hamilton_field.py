@@ -1,13 +1,13 @@
 """Compute the stresses in a half-space below a pressed and sheared Hertz contact, and its first yield: Hamilton 1983.
 
 Lengths are in units of the contact radius a, stresses in units of the largest pressure p0. Hamilton's equations divide by
-powers of the distance r from the axis and lose their digits there. Here they are rearranged in oblate spheroidal coordinates
-M >= 0, 0 <= N <= 1, with the depth z:
+powers of the distance r from the axis and lose accuracy near it. Here they are rearranged in oblate spheroidal coordinates M
+>= 0, 0 <= N <= 1, with the depth z:
 
     z = M N,   r^2 = (1 + M^2)(1 - N^2)
 
-Every such power cancels in these coordinates, so that the formulas are exact everywhere. The contact is M = 0, the free surface
-N = 0, the axis N = 1.
+All these powers cancel in the new coordinates, so that the formulas are accurate everywhere. The contact is at M = 0, the free
+surface at N = 0, the axis at N = 1.
 """
 
 from collections.abc import Callable
@@ -21,10 +21,10 @@ Stress = tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, np.ndarray, np.nd
 def stress(x: ArrayLike, y: ArrayLike, z: ArrayLike, mu: ArrayLike, nu: ArrayLike) -> Stress:
     """Return the six stresses (x, y, z, xy, yz, xz) below a Hertz contact under normal and tangential force, in units of p0.
 
-    The contact carries the pressure p0 sqrt(1 - r^2) and, in the direction +x, mu times this as traction; r: distance from the
-    axis. x, y, z: place, with the depth z >= 0. Lengths are in units of the contact radius. mu: tangential over normal force,
-    any sign. nu: Poisson's ratio, 0 to 0.5. All arguments are broadcast. Tension is positive. Source: Hamilton (1983);
-    `pressed` and `dragged` are the two parts.
+    The contact carries the pressure p0 sqrt(1 - r^2) and a traction along +x of mu times this pressure; r: distance from
+    the axis. x, y, z: coordinates of a point, with the depth z >= 0. Lengths are in units of the contact radius. mu: ratio
+    of tangential to normal force, any sign. nu: Poisson's ratio, 0 to 0.5. All arguments are broadcast. Tension is
+    positive. Source: Hamilton (1983); `pressed` and `dragged` are the two parts.
     """
     normal, tangential = pressed(x, y, z, nu), dragged(x, y, z, nu)
     xx, yy, zz, xy, yz, xz = (normal_part + mu * other for normal_part, other in zip(normal, tangential, strict=True))
@@ -34,9 +34,9 @@ def stress(x: ArrayLike, y: ArrayLike, z: ArrayLike, mu: ArrayLike, nu: ArrayLik
 def pressed(x: ArrayLike, y: ArrayLike, z: ArrayLike, nu: ArrayLike) -> Stress:
     """Return the six stresses (x, y, z, xy, yz, xz) in a half-space under the pressure p0 sqrt(1 - r^2) alone, in units of p0.
 
-    x, y, z: place, with the depth z >= 0. r: distance from the axis. Lengths are in units of the contact radius. nu: Poisson's
-    ratio. All arguments are broadcast. Tension is positive. Source: Hamilton (1983), the stresses of the normal load. In r,
-    theta and z they are those of Huber (1904).
+    x, y, z: coordinates of a point, with the depth z >= 0. r: distance from the axis. Lengths are in units of the contact
+    radius. nu: Poisson's ratio. All arguments are broadcast. Tension is positive. Source: Hamilton (1983), the stresses of
+    the normal load. In the cylindrical coordinates r, theta, z they are those of Huber (1904).
     """
     x, y, z, nu = np.broadcast_arrays(*(np.asarray(value, dtype=float) for value in (x, y, z, nu)))
     M, N, S, phi, cos, sin = _spheroidal(x, y, z)
@@ -59,8 +59,9 @@ def pressed(x: ArrayLike, y: ArrayLike, z: ArrayLike, nu: ArrayLike) -> Stress:
 def dragged(x: ArrayLike, y: ArrayLike, z: ArrayLike, nu: ArrayLike) -> Stress:
     """Return the stresses (x, y, z, xy, yz, xz) in a half-space under the traction q0 sqrt(1 - r^2) along +x, in units of q0.
 
-    x, y, z: place, with the depth z >= 0. r: distance from the axis. Lengths are in units of the contact radius. nu: Poisson's
-    ratio. All arguments are broadcast. Tension is positive. Source: Hamilton (1983), the stresses of the tangential load.
+    x, y, z: coordinates of a point, with the depth z >= 0. r: distance from the axis. Lengths are in units of the contact
+    radius. nu: Poisson's ratio. All arguments are broadcast. Tension is positive. Source: Hamilton (1983), the stresses of
+    the tangential load.
     """
     x, y, z, nu = np.broadcast_arrays(*(np.asarray(value, dtype=float) for value in (x, y, z, nu)))
     M, N, S, phi, cos, sin = _spheroidal(x, y, z)
@@ -87,7 +88,7 @@ def dragged(x: ArrayLike, y: ArrayLike, z: ArrayLike, nu: ArrayLike) -> Stress:
 
 
 def von_mises(stress: Stress) -> np.ndarray:
-    """Return the von Mises stress; a material yields where it equals the yield stress of a tensile test.
+    """Return the von Mises stress; a material yields where it reaches the yield stress of a tensile test.
 
     stress: the six components (x, y, z, xy, yz, xz); the result has their unit and shape.
     """
@@ -96,11 +97,11 @@ def von_mises(stress: Stress) -> np.ndarray:
 
 
 def first_yield(mu: float, nu: float) -> tuple[float, tuple[float, float]]:
-    """Return p0/Y and the place (x, z) at which a sheared Hertz contact first yields (von Mises).
+    """Return p0/Y and the point (x, z) at which a sheared Hertz contact first yields (von Mises).
 
-    p0: largest pressure; Y: yield stress. mu: tangential over normal force, 0 or more. nu: Poisson's ratio, 0 to 0.5. x, z: in
-    units of the contact radius; x < 0 is the trailing side, z the depth. The place is in the plane y = 0, where the stress is
-    always largest. p0/Y is accurate to 1e-12.
+    p0: largest pressure; Y: yield stress. mu: ratio of tangential to normal force, 0 or more. nu: Poisson's ratio, 0 to
+    0.5. x, z: in units of the contact radius; x < 0 is the trailing side, z the depth. The point is in the plane y = 0,
+    where the stress is always largest. p0/Y is accurate to 1e-12.
     """
     # The grid includes the trailing edge, where the stress has a cusp, and the axis.
     x, z = np.linspace(-1.1, 1.1, 221), np.linspace(0.0, 0.8, 81)
@@ -115,11 +116,11 @@ def first_yield(mu: float, nu: float) -> tuple[float, tuple[float, float]]:
 def least_over(
     function: Callable, x: ArrayLike, z: ArrayLike, reach_x: float, reach_z: float
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return the minimum of function(x, z) near each of the places x, z, as three arrays: x, z and value at the minimum.
+    """Find the minimum of function(x, z) near each point (x, z); return three arrays: x, z and value at the minimum.
 
-    function: takes arrays and returns an array of their shape. x, z: arrays that are broadcast; z stays >= 0. Grids around the
-    best place are refined, starting with the size reach_x by reach_z. The place is accurate to 1e-7 at best, the value to the
-    square of this.
+    function: takes arrays and returns an array of their shape. x, z: arrays that are broadcast; z stays >= 0. Grids around
+    the best point are refined, starting with the size reach_x by reach_z. The point is accurate to 1e-7 at best, the value
+    to the square of this.
     """
     x, z = np.broadcast_arrays(np.asarray(x, dtype=float), np.asarray(z, dtype=float))
     step_x, step_z = (steps.ravel() for steps in np.meshgrid((-1.0, 0.0, 1.0), (-1.0, 0.0, 1.0)))
@@ -134,8 +135,9 @@ def least_over(
 def _spheroidal(x, y, z):
     """Return M, N, S = M^2 + N^2, arctan(1/M), and cosine and sine of the angle around the axis (1 and 0 on the axis).
 
-    M and N are the oblate spheroidal coordinates of the place x, y, z, with z = M N and r^2 = (1 + M^2)(1 - N^2); r: distance
-    from the axis. Lengths are in units of the contact radius. At the edge of the contact S is returned as 1, not 0.
+    M and N are the oblate spheroidal coordinates of the point x, y, z, with z = M N and r^2 = (1 + M^2)(1 - N^2); r:
+    distance from the axis. Lengths are in units of the contact radius. At the edge of the contact S is returned as 1, not
+    0.
     """
     r = np.hypot(x, y)
     A = (r - 1.0) * (r + 1.0) + z * z

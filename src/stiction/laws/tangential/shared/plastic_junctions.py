@@ -1,4 +1,4 @@
-"""Give yielded junctions the resistance of another law, chosen with the option plastic_junctions.
+"""Give yielded junctions the resistance of another law, which the option plastic_junctions selects.
 
 The published law stays unchanged. The other law is used only where the published one gives no resistance: beyond a
 displacement or on a whole segment. The requirements of the other law on elastic asperities are not checked there.
@@ -46,7 +46,7 @@ def _from_there_on(published: Callable, own: int, junction: Callable, more: int)
 def beyond(
     plastic_junctions: str, start: np.ndarray, published: TangentialResistance, segment: NormalSegment, groups: Groups
 ) -> TangentialResistance:
-    """Return a resistance that is `published` up to the displacement `start`, and the resistance by another law beyond it.
+    """Return a resistance that equals `published` up to the displacement `start`, and follows another law beyond it.
 
     start (n,): displacement in units of sigma; it must be one of the kinks of the published resistance. plastic_junctions: key
     of the other tangential law, or "none", which returns `published` unchanged. groups: dimensionless groups of n contacts.

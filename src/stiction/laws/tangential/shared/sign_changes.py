@@ -1,4 +1,4 @@
-"""Find sign changes along a segment, which are kinks of laws that take the smaller of two forces."""
+"""Find sign changes along a segment; they are kinks of laws that take the smaller of two forces."""
 
 from collections.abc import Callable
 from functools import cache

@@ -31,9 +31,9 @@ _TOUCH, _NO_SLIP, _LOST = 2.0 / 3.0, 1.0 / 2.0, 1.0 / 6.0
 def _shape(nu, K_beta):
     """Return the coefficients of r^2, r y (y-1) and y^2 (y-1)^2 in the numerator of G(y), the function G of this module.
 
-    Slip and yield resistance of an asperity are equal where G(y) equals a certain value. y = (u/S^(1/3))^3, with the coordinate
-    u and the strength of adhesion S. r: slip resistance over a constant. nu: Poisson's ratio. K_beta: K times the tangential
-    compliance.
+    Slip and yield resistance of an asperity are equal where G(y) equals a certain value. y = (u/S^(1/3))^3, with the
+    coordinate u and the strength of adhesion S. r: slip resistance divided by a constant. nu: Poisson's ratio. K_beta: K
+    times the tangential compliance.
     """
     n, p, q = coefficients(nu)
     g = 4.0 / math.sqrt(3.0 * K_beta)
@@ -71,7 +71,7 @@ def _steepness(y, shape, printed):
 
 @formula
 def _turning_point(low, high, shape, printed):
-    """Return the y between low and high at which the function G of this module has an extremum, or `high` if there is none.
+    """Return the y between low and high at which the function G of this module has an extremum, or `high` without one.
 
     G, y, shape, printed: as in `_numerator`. The search is regula falsi (Illinois variant). An accuracy of 1e-8 is enough: G is
     flat at an extremum, so that its value there is accurate to 1e-16.
@@ -98,8 +98,8 @@ def _turning_point(low, high, shape, printed):
 def _dip(nu, shape, printed):
     """Return the two y between which the function G of this module falls; if G only rises, both are the y of first touch.
 
-    nu: Poisson's ratio. G, y, shape, printed: as in `_numerator`. d ln G/d ln y falls from first touch to a single lowest
-    value, then rises to 4/3.
+    nu: Poisson's ratio. G, y, shape, printed: as in `_numerator`. As y grows from first touch, d ln G/d ln y falls to a
+    single minimum, then rises to 4/3.
     """
     lowest, least, ratio = _TOUCH, 0.1, 1.4
     y = _TOUCH
@@ -129,9 +129,9 @@ def _dip(nu, shape, printed):
 def _crossing(low, high, level, shape, printed):
     """Return v between low and high at which slip and yield resistance are equal, G(v^3) = level, or `high` if there is none.
 
-    v: coordinate u over S^(1/3), with the strength of adhesion S. G: function of this module, which must be monotonic between
-    low and high. shape, printed: as in `_numerator`. Bracketed Newton's method is applied to the fourth root of G, which is
-    almost linear for large v.
+    v: coordinate u divided by S^(1/3), with the strength of adhesion S. G: function of this module, which must be monotonic
+    between low and high. shape, printed: as in `_numerator`. Bracketed Newton's method is applied to the fourth root of G,
+    which is almost linear for large v.
     """
     if not high > low:
         return high
@@ -156,11 +156,11 @@ def _crossing(low, high, level, shape, printed):
 
 @formula
 def _unloading_kinks(out, level, shape):
-    """Fill out[0:6] with the kinks v at and below first touch, which an asperity passes only in unloading.
+    """Fill out[0:6] with the kinks v at and below first touch, which an asperity reaches only in unloading.
 
-    v: coordinate u over S^(1/3), with the strength of adhesion S. level: value of the function G of this module at which slip
-    and yield resistance are equal. shape: coefficients from `_shape`. The slip resistance vanishes at v^3 = 1/2, and G has one
-    extremum on either side.
+    v: coordinate u divided by S^(1/3), with the strength of adhesion S. level: value of the function G of this module at
+    which slip and yield resistance are equal. shape: coefficients from `_shape`. The slip resistance vanishes at v^3 = 1/2,
+    and G has one extremum on either side.
     """
     lost, none, touch = _LOST ** (1.0 / 3.0), _NO_SLIP ** (1.0 / 3.0), _TOUCH ** (1.0 / 3.0)
     left = _turning_point(_LOST, _NO_SLIP - 1e-9, shape, False) ** (1.0 / 3.0)
@@ -177,12 +177,12 @@ def _unloading_kinks(out, level, shape):
 def _fill_kinks(level, end, nu, K_beta, printed, unloading, kinks):
     """Fill `kinks` (n, 3 or 9) with the kinks v of the resistance of n contacts, up to `end` (n,).
 
-    v: coordinate u over S^(1/3), with the strength of adhesion S. The first three columns are the v from first touch (v^3 =
-    2/3) on at which slip and yield resistance are equal. With `unloading` the segment starts at a smaller v, and six columns
-    follow: the v at which the slip resistance vanishes, the v of first touch, and four v below first touch at which both
-    resistances are equal. A crossing that does not exist is replaced by the upper end of its interval. level (n,): value of the
-    function G of this module at which both resistances are equal. nu (n,): Poisson's ratio. K_beta (n,): (4/3) E* times the
-    tangential compliance and the mode-mixity share. printed: as in `_numerator`.
+    v: coordinate u divided by S^(1/3), with the strength of adhesion S. The first three columns are the v above first touch
+    (v^3 = 2/3) at which slip and yield resistance are equal. With `unloading` the segment starts at a smaller v, and six
+    columns follow: the v at which the slip resistance vanishes, v at first touch, and four values below first touch at
+    which both resistances are equal. A crossing that does not exist is replaced by the upper end of its interval. level
+    (n,): value of the function G of this module at which both resistances are equal. nu (n,): Poisson's ratio. K_beta (n,):
+    (4/3) E* times the tangential compliance and the mode-mixity share. printed: as in `_numerator`.
     """
     touch = _TOUCH ** (1.0 / 3.0)
     down, up, shape = touch, touch, (0.0, 0.0, 0.0)
@@ -202,12 +202,12 @@ def _fill_kinks(level, end, nu, K_beta, printed, unloading, kinks):
 def kinks_of(
     groups: Groups, K_beta: np.ndarray, last: np.ndarray, printed: bool, unloading: bool
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Return the kinks (n, 5 or 11) of the smaller of slip and yield resistance, and a branch point (n,) of the latter.
+    """Return the kinks (n, 5 or 11) of the smaller of slip and yield resistance, and the yield resistance's branch point (n,).
 
-    Both are values of the coordinate u of an adhesive elastic asperity. The yield resistance is a real number from the branch
-    point on. K_beta (n,): K beta times the mode-mixity share. last (n,): u at the end of the elastic asperity. printed: use eq
-    (10) of soft_coating_2015 as printed. unloading: start at the smallest stable contact instead of first touch; this adds six
-    kinks. A kink that does not exist is placed at an end of the segment or outside it.
+    Both are values of the coordinate u of an adhesive elastic asperity. Above the branch point the yield resistance is a
+    real number. K_beta (n,): K beta times the mode-mixity share. last (n,): u at the end of the elastic asperity. printed:
+    use eq (10) of soft_coating_2015 as printed. unloading: start at the smallest stable contact instead of first touch;
+    this adds six kinks. A kink that does not exist is placed at an end of the segment or outside it.
     """
     scale = np.sqrt(6.0 * math.pi / groups.theta) ** (1.0 / 3.0)
     e = groups.eta / (scale * scale)

@@ -18,8 +18,8 @@ _MOST = 5
 class Force(NamedTuple):
     """Hold a formula of (u, load, area, row) and its parameters as columns, arrays (n,); row has one value of each column.
 
-    The formula of a peeling force returns the force. The formula of a yield force returns two numbers: one that is negative if
-    the force is not real, and the force. A force that is not real or is negative counts as 0.
+    The formula of a peeling force returns the force. The formula of a yield force returns two numbers: one that is negative
+    where the force is not real, and the force itself. A force that is negative or not real counts as 0.
     """
 
     formula: Callable
@@ -38,12 +38,12 @@ def _resistance(peels: Callable, width: int, yields: Callable) -> Any:
 
 @cache
 def _signed(peels: Callable, width: int, yields: Callable, normal: Callable, parameters: int) -> Any:
-    """Return a formula of (u, row) that gives two numbers, whose sign changes are kinks of the smaller force.
+    """Return a formula of (u, row) for two numbers whose sign changes are kinks of the smaller of two forces.
 
-    The forces are those of peeling and of yield at the coordinate u. The first number changes sign where the two forces are
-    equal or the yield force vanishes, the second where the yield force stops being real. peels, yields: formulas of the forces;
-    `peels` has `width` parameters. normal: formula of the segment, with `parameters` parameters. row: parameters of segment,
-    peeling and yield, in this order.
+    The two forces are the peeling force and the yield force at the coordinate u. The first number changes sign where the
+    two forces are equal or the yield force vanishes, the second where the yield force stops being real. peels, yields:
+    formulas of the forces; `peels` has `width` parameters. normal: formula of the segment, with `parameters` parameters.
+    row: parameters of segment, peeling and yield, in this order.
     """
     of_yield = parameters + width
 
@@ -63,8 +63,8 @@ def smaller_force(
 ) -> TangentialResistance:
     """Return the tangential resistance of an adhesive asperity on an elastic segment, the smaller of peeling and yield force.
 
-    peeling, yielding: formulas with their parameters. kinks (n, k): coordinates u at which one of the forces has a kink of its
-    own, or None.
+    peeling, yielding: formulas with their parameters. kinks (n, k): coordinates u of further kinks, at which one of the two
+    forces itself has a kink, or None.
     """
     width, own = len(peeling.columns), (*peeling.columns, *yielding.columns)
     signed = _signed(peeling.formula, width, yielding.formula, segment.normal, len(segment.parameters))

@@ -27,8 +27,8 @@ def _zeros(normal: Callable, parameters: int) -> Any:
         """Fill out[i] with the coordinate at which the load of contact i becomes positive.
 
         table, edges: parameters and edges of the segment. The result is the first coordinate if the load is not negative
-        there, and the last if the load stays negative. The search doubles its steps and then bisects; the load must change
-        sign at most once.
+        there, and the last if the load stays negative. The search doubles its step until the sign changes, then bisects.
+        The load must change sign at most once.
         """
         for i in range(out.size):
             row = unpack(table[i], parameters)
