@@ -87,8 +87,8 @@ class _Column:
 def read_measurements(path: Any, content: Mapping) -> Measurements:
     """Read measured values, with their loads and standard errors, from a CSV file, in SI units.
 
-    path: path of the file. content: tables of the case to which the values belong. The first line that is no comment (#) has
-    the column names:
+    path: path of the file. content: tables of the case to which the values belong. The first line that is not a comment (#)
+    holds the column names:
 
     - `load [mN]`
     - one or more of MEASURABLE, e.g. `friction_coefficient`

@@ -36,7 +36,7 @@ def with_materials_of_file(content: Mapping, folder: Path, read: Callable[[Path]
 
 
 def naming_materials_file(content: Mapping) -> AbstractContextManager[None]:
-    """Return a context manager that puts the name of the materials file before the field of InputErrors about materials.
+    """Return a context manager that adds the name of the materials file to the field of InputErrors about materials.
 
     Errors stay unchanged if the case names no materials file.
     """

@@ -53,11 +53,11 @@ class Case:
 
     title: text, "" if not stated. subject: a Contact, or dimensionless Indices. Its swept numbers are arrays with named
     dimensions, its uncertain numbers have their nominal values. separation, load: the points to solve, one of them an array
-    (n,) and the other None. They are in m and N for a Contact. For Indices they are h = d/sigma and the load over K R^(1/2)
-    sigma^(3/2) per asperity. If sigma is swept, separations stated as multiples of sigma are an array with named dimensions.
-    choice: the model with its laws and options. uncertain: uncertain numbers with their distributions. uncertainty: how they
-    are sampled. swept: arrays of the swept numbers by address (tuple of keys). points: separations as the file states them;
-    None without separations.
+    (n,) and the other None. They are in m and N for a Contact. For Indices they are h = d/sigma and the load per asperity
+    divided by K R^(1/2) sigma^(3/2). If sigma is swept, separations stated as multiples of sigma are an array with named
+    dimensions. choice: the model with its laws and options. uncertain: uncertain numbers with their distributions. uncertainty:
+    how they are sampled. swept: arrays of the swept numbers by address (tuple of keys). points: separations as the file states
+    them; None without separations.
     """
 
     title: str
@@ -94,7 +94,7 @@ class Case:
 
     @property
     def unknowns(self) -> dict[str, list[Uncertain]]:
-        """Return lists of the uncertain numbers by sample dimension; numbers of one dimension are sampled together."""
+        """Return lists of uncertain numbers by sample dimension; those of one dimension are sampled at the same quantiles."""
         by_dimension: dict[str, list[Uncertain]] = {}
         for number in self.uncertain:
             by_dimension.setdefault(number.dimension, []).append(number)
@@ -125,7 +125,7 @@ class Case:
 
     @property
     def size(self) -> int:
-        """Return how many points are solved: loads or separations, summed over all contacts of a parameter sweep."""
+        """Return the number of points to solve: loads or separations, summed over all contacts of a parameter sweep."""
         points = self.loads_or_separations
         contacts = prod(dimensions([*(array for _, array in self.subject.arrays()), points]).values())
         return contacts if hasattr(points, "dims") else contacts * np.size(points)

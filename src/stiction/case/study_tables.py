@@ -13,7 +13,7 @@ from stiction.quantities.inputs import Input
 
 @cache
 def study_tables() -> dict[str, tuple[type[Input], str]]:
-    """Return (class that checks the table, description) for every table that a study adds to a case file, by name.
+    """Return every table that a study adds to a case file, by name: the class that checks it and its description.
 
     A study that reads a table has a module `table.py` with `TABLE = (class, description)`. The folder of the study names the
     table. Modules are found by their path, because `case` must not import `studies`.

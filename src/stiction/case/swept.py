@@ -125,7 +125,7 @@ class SweptNumber:
 
     @property
     def words(self) -> InWords:
-        """Return a text for errors that states how many values the number has, and the first and last of them."""
+        """Return the number of values, and the first and last of them, as text for errors."""
         return values_in_words(self.values, self.where, self.count)
 
     def numbers(self) -> np.ndarray:

@@ -63,7 +63,7 @@ class Uncertainty(Input):
 class _Between(Input):
     """Define an uncertain number with a uniform or log-uniform distribution between two limits.
 
-    along: name of a dimension; numbers with the same dimension are sampled together.
+    along: name of a dimension; numbers with the same dimension are sampled at the same quantile levels.
     """
 
     low: Point = Field(description="the low end")

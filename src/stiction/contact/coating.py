@@ -27,7 +27,7 @@ class Coating(Input):
     thickness : float [m], str with a unit, or array
         Film thickness; with two films the sum of both.
     bodies : {"both", "first", "second"}
-        Body that carries the film; with "both" (default, as in the 2015 paper) each body does, and film meets film.
+        Coated body; with "both" (default, as in the 2015 paper) each body has a film, and film meets film.
     work_of_adhesion : float [J/m^2], str with a unit, or array, optional
         Work of adhesion of the surfaces that meet; by default the value of the contact.
     friction_constant : float [N/m], str with a unit, or array, optional

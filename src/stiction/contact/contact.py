@@ -39,24 +39,24 @@ class Contact(Subject):
     Parameters
     ----------
     first, second : Material, str or dict
-        Material, name of a preset, or a dict. Their order matters for what is stated of one body, and in `st.slide`.
+        Material, name of a preset, or a dict. Their order matters for inputs that refer to one body, and in `st.slide`.
     roughness : Roughness, dict, HeightMap, topography or (array, size)
         sigma, R and N of the asperities; or a scan of the first body (the second is then smooth); or a dict like the table of
         a case file, with scans or numbers as `first` and `second`, and the method that finds asperities.
     nominal_area : float [m^2], str with a unit, or array
-        Area on which the load rests.
+        Nominal contact area.
     work_of_adhesion : float [J/m^2], str with a unit, or array, optional
         Work of adhesion of the two surfaces, see `st.work_of_adhesion`; by default, or at zero, there is no adhesion.
     coating : Coating or dict, optional
         Film on one body or on both.
     hardness_to_yield : float or array, optional
-        H/Y; by default hardness over yield_stress of the softer body, or 2.8 if that body has no yield_stress.
+        H/Y; by default hardness / yield_stress of the softer body, or 2.8 if that body has no yield_stress.
     interfacial_shear_strength, pressure_coefficient : float [Pa] and float, str with a unit, or array, optional
         tau_0 and alpha in the shear strength tau_0 + alpha p of the interface at the pressure p, on the real contact area.
     interface : str, dict or Interface, optional
         State of the interface in place of these two numbers; `stiction interfaces` lists the states. Results use its medians.
     peeling, strength_variation, burgers_vector : float, the last [m] or str with a unit, optional
-        Fraction of the energy released by shear that opens an adhesive asperity, by default 1; standard deviation over mean of
+        Fraction of the energy released by shear that peels an adhesive asperity off, by default 1; coefficient of variation of
         the strength of junctions; Burgers vector, for the law `hurtado_kim_1999`.
     weakening_slip, residual_strength : float [m] and float, str with a unit, or array, optional
         Slip over which the strength of the interface falls, and fraction of the strength that remains; a slip needs a fraction.
@@ -117,7 +117,7 @@ class Contact(Subject):
         return self
 
     def _check_adhesion(self) -> None:
-        """Raise InputError if a sweep has works of adhesion of 0 and above, or if only one of contact and film adheres."""
+        """Raise InputError if a sweep mixes zero and positive works of adhesion, or if only one of contact and film adheres."""
         some = np.asarray(0.0 if self.work_of_adhesion is None else self.work_of_adhesion)
         if (some == 0.0).any() and some.any():
             raise InputError(
@@ -276,7 +276,7 @@ class Contact(Subject):
         return self if surface is None else self.model_copy(update={"roughness": surface})
 
     def all_groups(self) -> dict[str, "NumberOrArray"]:
-        """Return name -> value of every known dimensionless group, with the plasticity index, which needs the materials."""
+        """Return every known dimensionless group by name, and the plasticity index, which needs the materials."""
         return super().all_groups() | {"plasticity_index": self.plasticity_index}
 
     def given_as(self, group: str) -> str:
@@ -335,8 +335,8 @@ class Contact(Subject):
         """Return the shear strength tau_0 [Pa] and the pressure coefficient of the interface; each is None if unknown.
 
         level: quantile levels between 0 and 1 at which the distributions of the interface state are evaluated; without a state
-        the level has no effect. The strength is not capped at the bodies' strength. A strength relative to hardness or shear
-        modulus refers to the softer touching body. Raises InputError for a level outside 0 to 1.
+        the level has no effect. The strength is not capped at the strength of the bodies. A strength relative to hardness or
+        shear modulus refers to the softer touching body. Raises InputError for a level outside 0 to 1.
         """
         if self.interface is None:
             return self.interfacial_shear_strength, self.pressure_coefficient
@@ -354,7 +354,7 @@ class Contact(Subject):
 
     @property
     def kelvin_radius_over_confirmed(self) -> "NumberOrArray | None":
-        """Return the Kelvin radius over the smallest radius at which Kelvin's equation was confirmed; None without a liquid."""
+        """Return the Kelvin radius divided by the smallest at which Kelvin's equation was confirmed; None without a liquid."""
         return None if self.liquid is None else self.liquid.kelvin_radius_over_confirmed
 
     @property

@@ -47,7 +47,7 @@ def stiffness_group(nu):
 def check_film(theta, lam, n_E, n_H, n_g=1.0) -> None:
     """Raise InputError unless the adhesion indices of the contact with an infinitely thick film are within their bounds.
 
-    theta, lam: adhesion indices without a film. n_E, n_H, n_g: modulus, hardness and work of adhesion of the film over those of
+    theta, lam: adhesion indices without a film. n_E, n_H, n_g: modulus, hardness and work of adhesion of the film relative to
     the bodies. All may be arrays.
     """
     with np.errstate(over="ignore"):
@@ -68,9 +68,10 @@ class Indices(Subject):
     hardness_group, nu, K_beta, hardness_to_yield, tabor_parameter, sharpness, roughness_parameter : float or array, optional
         Groups of the bodies without a film; K_beta is by default (8/3)(2 - nu)/(1 - nu), the value of two equal bodies.
     n_E, n_H, tau : float or array, optional
-        Modulus and hardness of a film over those of the bodies, and thickness over sigma: all three, or none without a film.
+        Modulus and hardness of a film relative to the bodies, and thickness divided by sigma: all three, or none without a
+        film.
     n_g, film_aspect, film_nu, film_K_beta, film_friction_constant : float or array, optional
-        Further groups of a film. By default n_g is 1, film_aspect infinite (the film is a half-space to every asperity),
+        Further groups of a film. By default n_g is 1, film_aspect infinite (the film acts as a half-space for every asperity),
         film_nu is nu, film_K_beta follows from film_nu or is K_beta, film_friction_constant follows from strength and hardness.
     films, layer_n_H, layer_nu, coated_share, coated_nu, counter_nu : float or array, optional
         Groups of the coated bodies. By default films is 1 (one coated body), coated_share is 1/films (the bare body is rigid,
@@ -78,7 +79,7 @@ class Indices(Subject):
     nominal_width, size_over_burgers, shear_strength, pressure_coefficient, peeling, hardening, strength_variation : optional
         Groups that some laws use.
     waiting, ageing_rate, meniscus_index, meniscus_height : float or array, optional
-        Time at rest over the reference time, and ageing rate, both or none; two groups of menisci, both or none.
+        Time at rest divided by the reference time, and ageing rate, both or none; two groups of menisci, both or none.
 
     Raises
     ------
@@ -189,12 +190,12 @@ class Indices(Subject):
 
     @property
     def eta(self) -> "NumberOrArray":
-        """Return the hardness group eta = pi H sqrt(R/sigma)/K: dimensionless load over dimensionless area at pressure H."""
+        """Return the hardness group eta = pi H sqrt(R/sigma)/K: ratio of dimensionless load to area at the pressure H."""
         return hardness_group(self.theta, self.lam) if self.hardness_group is None else self.hardness_group
 
     @property
     def yield_strain(self) -> "NumberOrArray | None":
-        """Return the yield stress over the contact modulus E*; None if `sharpness`, sqrt(sigma/R), is unknown."""
+        """Return the yield stress divided by the contact modulus E*; None if `sharpness`, sqrt(sigma/R), is unknown."""
         if self.sharpness is None:
             return None
         return 4.0 / 3.0 * self.eta * self.sharpness / (math.pi * self.hardness_to_yield)
@@ -227,17 +228,17 @@ class Indices(Subject):
 
     @property
     def meniscus_over_radius(self) -> "NumberOrArray | None":
-        """Return the height of a meniscus over the asperity radius R; None without menisci or if sqrt(sigma/R) is unknown."""
+        """Return the ratio of meniscus height to asperity radius R; None without menisci or if sqrt(sigma/R) is unknown."""
         if self.meniscus_height is None or self.sharpness is None:
             return None
         return self.meniscus_height * self.sharpness**2
 
     @property
     def film_modulus(self) -> "NumberOrArray":
-        """Return E_f/(1 - nu_f^2) of the film over the contact modulus E* of the bodies without a film.
+        """Return E_f/(1 - nu_f^2) of the film divided by the contact modulus E* of the bodies without a film.
 
-        It follows from n_E, the contact modulus of the film and the surface opposite it over E*, by subtracting the compliance
-        of that surface.
+        It follows from n_E, the contact modulus of the film and the surface opposite divided by E*, by subtracting the
+        compliance of that surface.
         """
         whole: Any = self.resolved()
         rest = np.where(np.asarray(whole.films) == 2.0, 0.5, (1.0 - whole.coated_share) * whole.n_E)
@@ -245,17 +246,17 @@ class Indices(Subject):
 
     @property
     def body_shear_strength(self) -> "NumberOrArray":
-        """Return the shear strength Y/sqrt(3) of the weaker touching surface over the hardness of the bodies."""
+        """Return the shear strength Y/sqrt(3) of the weaker touching surface divided by the hardness of the bodies."""
         return (1.0 if self.n_H is None else self.n_H) / (math.sqrt(3.0) * self.hardness_to_yield)
 
     @property
     def strength_over_bodies(self) -> "NumberOrArray | None":
-        """Return the shear strength of the interface over the shear strength of the weaker surface; None if unknown."""
+        """Return the shear strength of the interface divided by that of the weaker surface; None if unknown."""
         return None if self.shear_strength is None else self.shear_strength / self.body_shear_strength
 
     @property
     def interface_strength(self) -> "NumberOrArray | None":
-        """Return the interfacial shear strength over hardness, capped at the weaker surface's strength; None if unknown."""
+        """Return the interfacial shear strength divided by hardness, at most that of the weaker surface; None if unknown."""
         strengths: Any = self.shear_strength, self.body_shear_strength
         return None if self.shear_strength is None else np.minimum(*strengths)
 
@@ -287,7 +288,7 @@ class Indices(Subject):
         return self._unchecked(K_beta=K_beta, film_nu=film_nu, film_K_beta=film_K_beta, **alone | given)
 
     def film(self) -> Self:
-        """Return the groups of the contact with an infinitely thick film, which every asperity meets as a half-space.
+        """Return the groups of the contact with an infinitely thick film, which acts as a half-space for every asperity.
 
         Its adhesion indices are theta n_E/n_g and lambda n_H^4/(n_E n_g)^2; its nu and K beta are those of the film.
 
@@ -376,7 +377,7 @@ class Groups(_Arrays):
 
     @classmethod
     def of(cls, indices: Indices) -> tuple["Groups", dict[str, int]]:
-        """Return the groups of all n combinations of array inputs, and name -> length of their dimensions.
+        """Return the groups of all n combinations of array inputs, and the lengths of their dimensions by name.
 
         The shear strength of the interface is limited to the strength of the weaker touching surface.
         """

@@ -78,7 +78,7 @@ class Interface(Input):
     def strength_at(self, level: Any, hardness: Any = None, shear_modulus: Any = None, median: Any = None) -> Any:
         """Return the shear strength tau_0 [Pa] of this interface state at quantile levels between 0 and 1; arrays broadcast.
 
-        hardness, shear_modulus: of the softer body [Pa]; needed only if the strength is stated over one of them. median:
+        hardness, shear_modulus: of the softer body [Pa]; needed only if the strength is stated relative to one of them. median:
         numbers that replace the stated strength; its 5 and 95 % quantiles stay. Raises InputError for a level that is not
         between 0 and 1, and if a needed hardness or shear modulus is missing.
         """
@@ -204,7 +204,7 @@ def check_interface(contact: Input, state: Interface, first: Material, second: M
 
 
 def interface_weights(first: Material, second: Material) -> dict[str, float]:
-    """Return name -> prior weight of each interface state that is possible between two bodies; the weights sum to 1.
+    """Return the prior weight of each interface state that is possible between two bodies, by name; the weights sum to 1.
 
     The weights apply if the user states no interface. They depend on the classes of the two materials. first, second: materials
     of the touching surfaces; for a coated body, the material of its film.

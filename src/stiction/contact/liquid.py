@@ -31,7 +31,7 @@ class Liquid(Input):
     Parameters
     ----------
     relative_humidity : float or array
-        Vapour pressure over saturation pressure, above 0 and below 1.
+        Vapour pressure divided by saturation pressure, above 0 and below 1.
     temperature : float [K] or str with a unit
         Temperature of vapour and bodies, by default 293.15 K.
     contact_angle_first, contact_angle_second : float [rad] or str with a unit
@@ -107,7 +107,7 @@ class Liquid(Input):
 
     @property
     def kelvin_radius_over_confirmed(self) -> "NumberOrArray":
-        """Return the Kelvin radius over the smallest radius at which experiments confirmed Kelvin's equation.
+        """Return the Kelvin radius divided by the smallest radius at which experiments confirmed Kelvin's equation.
 
         That radius is 9 nm for water and 4 nm for other liquids. A liquid with the default surface tension or molar volume
         counts as water.
@@ -122,7 +122,7 @@ class Liquid(Input):
 
     @property
     def suction(self) -> "NumberOrArray":
-        """Return the Laplace pressure [Pa] by which a meniscus pulls: surface tension over Kelvin radius."""
+        """Return the Laplace pressure [Pa] by which a meniscus pulls: surface tension divided by Kelvin radius."""
         return self.tension / self.kelvin_radius
 
     @property

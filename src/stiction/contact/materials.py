@@ -33,12 +33,13 @@ class Material(Input):
     poissons_ratio : float or array
         At least 0 and below 0.5.
     yield_stress, tangent_modulus : float [Pa], str with a unit, or array, optional
-        Yield stress in tension, and slope of stress over strain beyond yield; some laws use them.
+        Yield stress in tension, and slope of the stress-strain curve beyond yield; some laws use them.
     surface_energy : float [J/m^2], str with a unit, or array, optional
         Energy of a clean surface.
     characteristic_depth : float [m], str with a unit, or array, optional
         Depth h* of a pyramid's imprint at which the hardness is sqrt(2) times the value of large imprints (Nix and Gao 1998).
-        `hardness` is then this value; small asperities use a larger one, except on a map solved point by point.
+        `hardness` is then the value of large imprints; small asperities use a larger one, except on a map solved point by
+        point.
     name : str, optional
         Name in results.
     source : str or dict, optional
@@ -235,8 +236,8 @@ def symbols_of(name: str) -> tuple[str, ...]:
 def remaining_notes(source: Any, ranges: Mapping[str, Any], changes: Mapping[str, object]) -> dict[str, Any]:
     """Return the fields `source` and `range` of a record after some of its numbers are replaced.
 
-    - source: text, or number -> text; ranges: number -> range, before the change
-    - changes: field -> new value; it may contain `source` and `range`
+    - source: text, or texts by name of the number; ranges: by name of the number; both before the change
+    - changes: new values by field; they may include `source` and `range`
 
     Replaced numbers lose their source and range, unless the changes state new ones.
     """
@@ -284,7 +285,7 @@ class _Preset(NamedTuple):
 
 @cache
 def _presets() -> dict[str, _Preset]:
-    """Return name -> preset material, read from the files of material_data/."""
+    """Return all preset materials by name, read from the files of material_data/."""
     presets: dict[str, _Preset] = {}
     for name, data in read_tables("contact", "material_data", "materials").items():
         notes, ends = data.pop("source", {}), data.pop("range", {})

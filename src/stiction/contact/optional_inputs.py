@@ -24,9 +24,9 @@ _OF_BODY = {"yield_stress": "hardness_to_yield", "tangent_modulus": "hardening",
 
 
 def optional_inputs(contact: "Contact") -> dict[str, str]:
-    """Return name of the input -> dimensionless group in which it is used, for every optional input that a contact states.
+    """Return the dimensionless group in which each optional input of a contact is used, by name of the input.
 
-    The group is "" for an input of the film that no group contains.
+    Only inputs that the contact states are included. The group is "" for an input of the film that no group contains.
     """
     inputs = {name: group for name, group in _OF_CONTACT.items() if getattr(contact, name) is not None}
     for body in ("first", "second"):

@@ -42,12 +42,12 @@ class Pair:
 
     @cached_property
     def k(self) -> Any:
-        """Return hardness over yield stress of the softer body, or 2.8 if it has no yield stress."""
+        """Return hardness divided by yield stress of the softer body, or 2.8 if it has no yield stress."""
         return self._of_softer(_hardness_to_yield(self.first), _hardness_to_yield(self.second))
 
     @cached_property
     def hardening(self) -> Any:
-        """Return tangent modulus over Young's modulus of the softer body; None if it has no tangent modulus."""
+        """Return tangent modulus divided by Young's modulus of the softer body; None if it has no tangent modulus."""
         return self._of_softer(_hardening(self.first), _hardening(self.second))
 
     @cached_property
@@ -68,7 +68,8 @@ def first_is_softer(first: Material, second: Material) -> Any:
 
     The softer body decides. Of two equally hard bodies, the one with the lower yield stress decides. If these are equal too,
     the one with the lower Poisson's ratio decides, because it yields at a lower pressure (Chang, Etsion & Bogy 1987). The last
-    criterion is the lower tangent modulus over Young's modulus; a body without tangent modulus comes before one that has it.
+    criterion is the lower ratio of tangent modulus to Young's modulus; a body without tangent modulus comes before one that has
+    it.
     """
     keys = (
         (first.hardness, second.hardness),

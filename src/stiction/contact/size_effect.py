@@ -50,8 +50,8 @@ def at_radius(body: Material, radius) -> Material:
     """Return a material with the hardness that it has under asperities of this radius [m].
 
     Hardness and yield stress are raised by the factor sqrt(1 + R*/R), where R* is `radius_of(characteristic_depth)`; elastic
-    moduli are unchanged. The result has no characteristic depth and no ranges any more. A material without a characteristic
-    depth is returned unchanged.
+    moduli are unchanged. The result has no characteristic depth and no ranges. A material without a characteristic depth is
+    returned unchanged.
     """
     if body.characteristic_depth is None:
         return body

@@ -35,7 +35,7 @@ class Scales:
     nominal_area: Any = None
 
     def factors(self) -> dict[str, Any]:
-        """Return unit -> factor that converts dimensionless results to this SI unit; "count" is for numbers of asperities."""
+        """Return the factors that convert dimensionless results to SI units, by unit; "count" is for numbers of asperities."""
         pressure = {} if self.nominal_area is None else {"Pa": self.load * self.asperities / self.nominal_area}
         return pressure | {
             "N": self.load * self.asperities,
@@ -68,7 +68,7 @@ class Subject(Input):
 
     @property
     def impossible(self) -> "NumberOrArray":
-        """Return a mask, over the dimensions of array inputs, that is True where a dimensionless group is out of its bounds."""
+        """Return where a dimensionless group is out of its bounds: a mask with the dimensions of the array inputs."""
         return False
 
     @cached_property
@@ -86,7 +86,7 @@ class Subject(Input):
         return self.listed()
 
     def optional_inputs(self) -> dict[str, str]:
-        """Return name of the input -> dimensionless group that it determines, for every optional input that is stated.
+        """Return the dimensionless group that each stated optional input determines, by name of the input.
 
         The group is "" if no law uses the input.
         """
@@ -98,7 +98,7 @@ class Subject(Input):
         return {name: name for name in names if name in self.model_fields_set and getattr(self, name) is not None}
 
     def remarks(self) -> list[str]:
-        """Return remarks, as text, on inputs of this contact; they need no solution."""
+        """Return remarks, as text, on the inputs of this contact; no solution is needed for them."""
         return []
 
     @property
@@ -139,11 +139,11 @@ class Subject(Input):
         return self
 
     def groups(self) -> dict[str, float]:
-        """Return name -> value of every known dimensionless group that is a single number; arrays are left out."""
+        """Return every known dimensionless group that is a single number, by name; arrays are left out."""
         return {name: float(value) for name, value in self.all_groups().items() if not hasattr(value, "dims")}
 
     def all_groups(self) -> dict[str, "NumberOrArray"]:
-        """Return name -> value of every known dimensionless group; a value is a number or an xarray array."""
+        """Return every known dimensionless group by name; a value is a number or an xarray array."""
         indices = self.indices().resolved()
         names = [name for name in type(indices).model_fields if indices.has_film or name != "n_g"]
         return {name: value for name in names if (value := getattr(indices, name)) is not None}
@@ -159,7 +159,7 @@ class Subject(Input):
 
     @abstractmethod
     def read(self, value: "QuantityLike", name: str) -> "Values":
-        """Return loads or separations stated by the user, checked, in the unit of this contact's inputs.
+        """Check loads or separations stated by the user, and return them in the unit of this contact's inputs.
 
         name: "load" or "mean_separation". A Contact has SI units; Indices have dimensionless values. Raises InputError.
         """

@@ -7,7 +7,7 @@ from pathlib import Path
 
 @cache
 def names_of_additions() -> dict[str, str]:
-    """Return keyword -> description of each kind of law that can be added to a model, such as "meniscus".
+    """Return the description of each kind of law that can be added to a model, by keyword, such as "meniscus".
 
     The keyword is the name of the folder in `laws`, and the description the docstring of its `__init__.py`. No law is imported.
     """

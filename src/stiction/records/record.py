@@ -26,7 +26,7 @@ from stiction.records.sources import Source
 class Record:
     """Describe one model or law: its sources, its claims and its inputs. A subclass for each kind of law adds the formulas.
 
-    - kind: name of the kind, such as "film"; room: subpackage of stiction whose folder of this name contains the records
+    - kind: name of the kind, such as "film", and of the folder with its records; room: subpackage that contains this folder
     - keyword: argument of `st.solve` that selects a record of this kind, "" if none does
     - key: name of the record, such as "greenwood_williamson_1966"; title: a phrase that describes it
     - grade: a key of GRADES; sources: origin of each equation; verified: what its numbers were checked against
@@ -59,13 +59,13 @@ class Record:
 
     @property
     def options(self) -> Mapping[str, tuple[str, ...]]:
-        """Return name -> allowed values of every option of the model or law, the default first."""
+        """Return the allowed values of every option of the model or law, by name, the default first."""
         return self.own_options
 
     def parts(self, options: Mapping[str, str]) -> list["Record"]:
         """Return the records of the laws that these options add to this one; a result must cite them too.
 
-        options: option name -> chosen value. The base class returns no record.
+        options: chosen values by option name. The base class returns no record.
         """
         return []
 
@@ -83,7 +83,7 @@ _LONG = 10.0  # seconds that a plug-in may take to be imported before a notice n
 
 @cache
 def _from_plug_ins() -> tuple[tuple[Record, str], ...]:
-    """Return (record, name of its module) for every usable record in the installed plug-in packages.
+    """Return every usable record in the installed plug-in packages, each with the name of its module.
 
     The user gets a notice for each plug-in that cannot be used, and for each whose import takes longer than 10 seconds.
     """

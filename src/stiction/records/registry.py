@@ -53,7 +53,7 @@ class TangentialLaw(Record):
 
     - tangential_resistance(segment, groups, **own_options): TangentialResistance of one segment of an asperity law, or None if
       the asperity has no resistance there. groups: dimensionless groups of n contacts (contact.indices.Groups)
-    - wants: trait that the asperity law must have -> why
+    - wants: traits that the asperity law must have, each with the reason (a dict)
     - interfacial: whether the law describes the interface and not the bodies. On a coated asperity it then uses the whole load
       and the outer contact area, whether film or substrate carries the load
     - layered: whether it treats film and body as one layered elastic solid; it then suits film laws with `solved_as_one`
@@ -92,7 +92,7 @@ class FilmLaw(Record):
 
     - regimes(groups, law, **own_options): list of engine.regime.Regime. groups: dimensionless groups of n contacts. law:
       asperity law and tangential law of film and substrate (laws.joining.Law)
-    - wants: trait that the asperity law must have -> why
+    - wants: traits that the asperity law must have, each with the reason (a dict)
     - own_asperity: whether the film law has its own asperity law and ignores the one in `law`
     - one_body: whether film and substrate count as one body with the film's surface. The groups in the field `takes` of the
       other laws are then unused, and so is the work of adhesion of the bodies if the film states its own
@@ -106,7 +106,7 @@ class FilmLaw(Record):
     - asperity: key of the asperity law in its source; another asperity law with the traits in `wants` may replace it
     - interchangeable: whether it can be combined with other models; False if it belongs to one variant of one model
     - departures: its errors for a thin film, for a thick film, and for a film equal to its substrate
-    - composites: option -> default key, for each joint property of film and substrate that a Composite computes
+    - composites: default key by option, for each joint property of film and substrate that a Composite computes
     """
 
     kind = keyword = "film"
@@ -141,7 +141,7 @@ class RoughSurface(Record):
     1. A sum of an asperity law over the asperity heights:
        - asperity, tangential: keys of the default laws; with tangential "none" only contact is computed
        - default_film: key of the default film law; "" if the model is for contacts without a film only
-       - film_by_option: option value -> key of the film law that the value selects
+       - film_by_option: keys of the film laws that an option selects, by option value
        - regimes(groups, law, film or None, **own_options): list of Regime, if the model is more than a plain sum
     2. A closed form in the separation (asperity is ""):
        - curve(h, groups, **own_options): load and area (n, H) at separations h (H,)
@@ -186,11 +186,11 @@ class Composite(Record):
     """Describe a formula for a joint property of film and substrate, as a function of depth. All formulas take scalars.
 
     - property "modulus": value(E_film/E_substrate, thickness/contact radius, Poisson's ratio of film, Poisson's ratio of
-      substrate) returns the joint modulus over the modulus of the substrate
-    - property "hardness": value(H_film/H_substrate, depth/thickness, constant, exponent) returns the joint hardness over the
-      hardness of the substrate
+      substrate) returns the joint modulus divided by the modulus of the substrate
+    - property "hardness": value(H_film/H_substrate, depth/thickness, constant, exponent) returns the joint hardness divided by
+      the hardness of the substrate
     - constants(n_E, n_H, n_Y): constants (n,) of a hardness formula; n_E, n_H, n_Y are modulus, hardness and yield stress of
-      the film over those of the substrate
+      the film relative to the substrate
     - landmarks(constant, exponent): values (n, m) of depth/thickness between which the formula is smooth
     """
 
@@ -214,7 +214,7 @@ class Addition(Record):
 
     - default: key of the law used if the contact has the inputs of this kind (see `is_stated`); "" for none
     - order: position of the kind in lists, the lowest first
-    - wants: trait that the asperity law must have -> why
+    - wants: traits that the asperity law must have, each with the reason (a dict)
     """
 
     default: ClassVar[str] = ""
@@ -248,7 +248,7 @@ class Addition(Record):
         summed: "Callable[[TangentialLaw], np.ndarray]",
         asperities: "np.ndarray | None",
     ) -> "dict[str, np.ndarray]":
-        """Return name -> array (n, m) of the results that this law adds, for n contacts at m loads or separations.
+        """Return the results that this law adds, by name, as arrays (n, m) for n contacts at m loads or separations.
 
         - results: results of the sum over asperities, by name, (n, m) each
         - summed(law): function that returns the sum per asperity of the tangential force by `law`, (n, m)
@@ -278,7 +278,7 @@ class AsperityMethod(Record):
     """Describe a method that finds the asperities of a measured surface, with their heights and curvatures.
 
     - find(surface, **parameters): surfaces.asperity_set.Asperities of a levelled HeightMap; lengths are in m
-    - parameters: name -> Parameter, with which values are checked before the call
+    - parameters: Parameter by name, with which values are checked before the call
     - label: short description for pictures
     - order: position among the methods in tables and pictures, which also sets its colour
     - of_profiles: whether it also accepts a single profile
@@ -303,7 +303,7 @@ class AsperityMethod(Record):
 
 @cache
 def kinds_of_additions() -> dict[str, type[Addition]]:
-    """Return keyword -> class of each kind of law that can be added to a model, such as "meniscus", sorted by `order`."""
+    """Return the class of each kind of law that can be added to a model, by keyword, such as "meniscus", sorted by `order`."""
     additions = [import_module(f"stiction.laws.{name}.kind").KIND for name in names_of_additions()]
     return {kind.keyword: kind for kind in sorted(additions, key=lambda kind: kind.order)}
 
@@ -329,7 +329,7 @@ def records() -> tuple[Record, ...]:
 
 
 def all_options() -> dict[str, tuple[str, ...]]:
-    """Return option name -> every value that any model or law allows for it."""
+    """Return all values that any model or law allows for each option, by option name."""
     known: dict[str, dict[str, None]] = {}
     for record in records():
         for name, values in record.options.items():
@@ -372,7 +372,7 @@ def friction_incompatibility(film: FilmLaw, tangential: TangentialLaw | None) ->
 def select_options(record: Record, options: Mapping[str, str]) -> dict[str, str]:
     """Return the values of a record's options, by name; the default where `options` has no value.
 
-    options: option name -> value; names of options that the record does not have are ignored.
+    options: values by option name; options that the record does not have are ignored.
     """
     return {name: options.get(name, values[0]) for name, values in record.options.items()}
 
@@ -380,7 +380,7 @@ def select_options(record: Record, options: Mapping[str, str]) -> dict[str, str]
 def resolve_options(known: Iterable[Record], options: Mapping[str, str | None]) -> dict[str, str]:
     """Return the value of every option of these records, by name: the one in `options`, else the default.
 
-    known: records of the laws in use. options: name -> value, None for the default. Raises InputError for an option that no
+    known: records of the laws in use. options: values by name, None for the default. Raises InputError for an option that no
     record has, or for a value that is not allowed.
     """
     known = tuple(known)

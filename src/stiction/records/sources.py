@@ -41,7 +41,7 @@ def _entries() -> dict[str, str]:
 
 
 def bibliography() -> dict[str, str]:
-    """Return key -> BibTeX text of every entry in the package's bibliography, in the order of the file."""
+    """Return the BibTeX text of every entry in the package's bibliography by key, in the order of the file."""
     return dict(_entries())
 
 
@@ -53,8 +53,8 @@ def keys_in(text: str) -> list[str]:
 def bibtex(keys: Iterable[str], more: Mapping[str, str] = MappingProxyType({})) -> str:
     """Return the BibTeX entries of these keys as the text of a .bib file; "" for no keys.
 
-    keys: keys of the bibliography or of `more`, in any order and with repetitions. more: further entries, key -> BibTeX text.
-    The entries stand in the order of the bibliography, with a blank line between two. Raises InputError for an unknown key.
+    keys: keys of the bibliography or of `more`, in any order and with repetitions. more: BibTeX text of further entries by key.
+    The entries are in the order of the bibliography, separated by blank lines. Raises InputError for an unknown key.
     """
     wanted = set(keys)
     entries = _entries() | dict(more)

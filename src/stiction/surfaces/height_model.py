@@ -31,9 +31,8 @@ class HeightModel:
     - reason: why this distribution was chosen, in words
     - skewness: skewness of the heights
     - allowed: largest acceptable Kolmogorov-Smirnov distance between a distribution and the heights
-    - distances: name of the candidate -> its Kolmogorov-Smirnov distance
-    - likelihoods: name of the candidate -> mean log-likelihood of the standardised heights; -inf if it excludes one of the
-      heights
+    - distances: Kolmogorov-Smirnov distance of each candidate, by name
+    - likelihoods: mean log-likelihood of the standardised heights for each candidate, by name; -inf if it excludes a height
     """
 
     name: str
