@@ -50,7 +50,7 @@ class Scan(Input):
 
 
 def _body(value):
-    """Return the input for one body as a Scan, a HeightMap or a Roughness; None (a smooth body) stays None.
+    """Return the input for one rough body as a Scan, a HeightMap or a Roughness.
 
     value: one of these, any input of `as_height_map`, or a table that describes a scan, a finish or a Roughness. Raises
     InputError for any other value, and for a Roughness that cannot be combined with a scan.
@@ -121,11 +121,11 @@ class Measured:
     """Store the roughness of a contact, as every asperity method finds it in the scans.
 
     Dicts have the keys of the methods, unless stated otherwise. by_method: Roughness. method: the chosen method. failures: why
-    a method found no asperities. history: processing steps of the scan of a body, by "first" or "second". notes: what was found
-    and how, in words. counts: number of separate asperities; 0 for a method that only computes averages, and for two combined
-    bodies. mean_heights: mean height of the asperities above the mean plane [m]. validity_warnings: on the scans and their
-    combination. of_moments: the method that computes the spectral moments. stated: which of "method" and "heights" the user
-    stated. solvable: the maps for a point-by-point solution.
+    a method found no asperities. history: processing steps of each body's scan, by "first" or "second". notes: what was found,
+    in words. counts: number of separate asperities; 0 for a method that only computes averages, and for two bodies.
+    mean_heights: mean asperity height above the mean plane [m]. validity_warnings: on scans and their combination. of_moments:
+    the method that computes spectral moments. stated: which of "method" and "heights" the user stated. solvable: maps for a
+    point-by-point solution.
     """
 
     by_method: Mapping[str, Roughness]
@@ -212,9 +212,8 @@ def of_one_map(found: Roughness, asperities: "Asperities", surface: "HeightMap")
 def roughness_of(scan: Any) -> Roughness:
     """Return the roughness of a contact from a scan of the first body, or from a mapping that describes scans.
 
-    scan: any input of `as_height_map`, or a mapping with the fields of MeasuredRoughness. One asperity method gives the numbers
-    of the roughness; the result also stores the asperities that each other method found. Raises InputError if a scan cannot be
-    read or no asperities are found.
+    scan: any input of `as_height_map`, or a mapping with the fields of MeasuredRoughness. The result also stores the asperities
+    that the other methods found. Raises InputError if a scan cannot be read or no asperities are found.
     """
     from stiction.surfaces.held import as_height_map
 

@@ -14,8 +14,7 @@ unique. It satisfies the Karush-Kuhn-Tucker conditions with an offset a and the 
 `residual` measures how far a solution violates (2), so any solution can be checked by itself.
 
 The method of Polonsky & Keer is used: conjugate gradients over the points with 0 < p < H. Five changes make it converge also
-where points flow, in a number of steps that hardly grows with the map size. Equation numbers were not checked against the
-publications.
+where points flow, in a number of steps that hardly grows with the map size. Equation numbers were not verified.
 
 - The gradient is divided by C(k) on these points and shifted to zero sum. Near full contact this is the solution.
 - The mean pressure is restored by a shift of the pressure at these points. A factor would raise it above H.
