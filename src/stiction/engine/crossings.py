@@ -52,7 +52,7 @@ def crossing(excess: Callable, parameters: int, samples: int = SAMPLES) -> Any:
     def fill_crossings(table, edges, out):
         """Fill out[i] with the first k values of u at which excess(u, table[i]) changes sign, in ascending order.
 
-        table (n, p): parameters. edges (n, m): ends and kinks of the formula, finite and ascending; sign changes are searched
+        table (n, p): parameters. edges (n, m): ends and kinks of the formula, finite and ascending; sign changes are sought
         between them. out: (n, k); unused entries hold the first edge.
         """
         for i in range(edges.shape[0]):

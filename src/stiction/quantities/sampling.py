@@ -33,6 +33,7 @@ def sobol_points(columns: int, count: int, seed: int | np.random.SeedSequence) -
     Returns
     -------
     numpy.ndarray, shape (count, columns)
+        Coordinates of the points, 0 to 1.
 
     Notes
     -----

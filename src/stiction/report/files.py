@@ -148,7 +148,7 @@ def write_rows(path: Path, heads: Iterable[str], rows: Iterable[Iterable[Any]], 
 
 
 def write_netcdf(data: "xarray.Dataset", path: Path) -> None:
-    """Write a dataset as netCDF4 file, to be read by xarray.open_dataset(path).
+    """Write a dataset as a netCDF4 file, to be read by xarray.open_dataset(path).
 
     The file is built in memory first, because the netCDF library aborts the process on a full disk.
     """
@@ -158,7 +158,7 @@ def write_netcdf(data: "xarray.Dataset", path: Path) -> None:
 
 
 def write_picture(figure: "Figure", path: Path) -> None:
-    """Write a figure as PNG file."""
+    """Write a figure as a PNG file."""
     figure.savefig(path, dpi=_DOTS_PER_INCH)
 
 

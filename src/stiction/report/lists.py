@@ -111,7 +111,7 @@ def _with_grade(number: Mapping[str, Any] | None) -> str:
 
 
 def interfaces_table() -> Group:
-    """Return a table of all interface states, one line each, with a legend and the way to state one in a case.
+    """Return a table of all interface states, one line each, with a legend and an example of how to state one in a case.
 
     The table is at most 80 columns wide.
     """

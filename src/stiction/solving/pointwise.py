@@ -86,7 +86,7 @@ def solve_batch(
 
 
 def meanings_of(rules: Sequence[Validity]) -> list[str]:
-    """Return the meaning of each bit of `BatchResult.validity_warnings`, as texts, from bit 0 on."""
+    """Return the meaning of each bit of `BatchResult.validity_warnings`, as texts, starting with bit 0."""
     return [*WHY_NOT, *(f"{rule.quantity} is not {rule.range}: {rule.why}" for rule in rules)]
 
 

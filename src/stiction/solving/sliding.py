@@ -114,7 +114,7 @@ def slide(
     ones. On a map displacements are relative to its mean plane. Pressure and shear of unlike bodies are coupled. The body with
     the larger (1 - 2 nu)/G then slides towards higher columns, whichever is the first; mirror the map to reverse this. For like
     bodies traction across the direction of sliding is neglected. The option mode_mixity lets shear lower the adhesion of a map;
-    no law of it is recommended. The fraction of the shear energy that opens the edge is `peeling` of the contact.
+    none of its laws is recommended. The input `peeling` of the contact is the fraction of the shear energy that opens the edge.
 
     Examples
     --------

@@ -9,8 +9,8 @@ over which strength falls to r tau_p, the largest force over the sum of strength
 
 e is 1 for small or weak spots, follows Griffith's V^(-1/2) for large ones without residual strength, and is at least r. b, m, w
 are fitted to maps that were displaced tangentially (truth/slides.py): the error is 1.6 % rms there, 1.5 % on 306 other results
-of such maps. Without a map, spots of radius a on a square nominal area of side L with free edges, the fraction c of which is in
-contact, have, with S = sum (2 - nu_i)/(2 G_i) (nu: Poisson's ratio, G: shear modulus),
+of such maps. Without a map, s follows from the radius a of the spots and the fraction c of the nominal area that is in contact.
+The nominal area is a square of side L with free edges. With S = sum (2 - nu_i)/(2 G_i) (nu: Poisson's ratio, G: shear modulus),
 
     s^2 = (tau_p S)^2 {[k_a a (eta R sigma)^d (1 - c)^q]^2 + [k_L c L]^2},                                                 (3)
     a^2 = sigma R F_1(t)/F_0(t),    c = pi eta R sigma F_1(t),
@@ -18,7 +18,8 @@ contact, have, with S = sum (2 - nu_i)/(2 G_i) (nu: Poisson's ratio, G: shear mo
 F_0 is the fraction of Gaussian heights above t, F_1 their mean excess; eta, R and sigma are density, radius and rms height of
 the asperities (Greenwood & Williamson 1966). k_a, d and q are fitted to the same maps, whose s follows from the numbers of
 their asperities with a standard error of 11 %; k_L is the value of a uniform square. For single discs with radii of 0.3 to 12
-weakening lengths, which were not fitted, e is within 1.1 %. Own formulas (grade C): no published law of this was found.
+weakening lengths, which were not fitted, e is within 1.1 %. The formulas are this project's own (grade C); no published law was
+found.
 """
 
 import math
@@ -46,7 +47,7 @@ _DEEPEST, _HIGHEST, _NODES = -8.0, 8.0, 4001
 def efficiency(spread, residual, constants=FITTED):
     """Return the largest tangential force of a contact over the sum of the strengths of its spots.
 
-    spread: standard deviation of the spots' shear displacement over the slip in which strength is lost, >= 0. residual:
+    spread: standard deviation of the spots' shear displacement, divided by the slip in which strength is lost, >= 0. residual:
     fraction of the strength that remains after slip, 0 to 1. The shapes broadcast. constants: b, m and w of equations (1) and
     (2) of this module.
     """

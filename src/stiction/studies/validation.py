@@ -314,7 +314,7 @@ def _predicted(entry: Entry, cases: list[tuple[Case, np.ndarray]]) -> dict[str, 
 
 
 def _within(low: float, high: float, least: float, most: float) -> str:
-    """Return whether a measured range is "inside", "partly" or "outside" of a predicted interval; "" without a prediction.
+    """Return whether a measured range is "inside", "partly" inside or "outside" a predicted interval; "" without one.
 
     low, high: ends of the measured range. least, most: ends of the interval.
     """

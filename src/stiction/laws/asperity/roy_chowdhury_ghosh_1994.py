@@ -7,7 +7,7 @@ the adhesion $2\pi\gamma R$. It is the asperity law of the 2015 paper, eqs. (1) 
 $S=\sqrt{6\pi/\theta}$ and the coordinate $u$ of JKR's contact, the plastic segment is
 
 $$
-P=2\eta w-\frac{2\pi}\theta,\qquad A=2w\qquad\text{from}\quad u_1^3-\eta u_1-S=0\ \text{on}
+P=2\eta w-\frac{2\pi}\theta,\qquad A=2w\qquad(u\ge u_1),\qquad u_1^3-\eta u_1-S=0
 $$
 
 *Jumps*: at this transition, where $w_1=u_1^4-\tfrac23Su_1$, the load is multiplied by 1.276 and the area by 1.399 at

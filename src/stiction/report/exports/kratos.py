@@ -1,7 +1,7 @@
 """Write parameters of a frictional contact process of Kratos Multiphysics as JSON, with mu at the stated load.
 
 Document: Kratos, "Contact Process Settings Reference" (contact_type "Frictional", frictional_law "Coulomb" and
-friction_coefficients by interface, one number each: a table in pressure is not read). Kratos 10.4 took the file.
+friction_coefficients by interface, one number each: a table over pressure is not read). Kratos 10.4 accepted the file.
 """
 
 import json

@@ -164,8 +164,8 @@ def groups_of(data: "xarray.Dataset", every: bool = False) -> list[Group]:
     """Return groups of models whose mu at the working load agrees within 10 %.
 
     Groups within their claimed range come first, then groups outside it, then groups of models that cannot be right for this
-    contact. Among equals, groups are sorted by family and mu. data: result of `compare`. every: whether each model is a group
-    of its own.
+    contact. Within each of the three, groups are sorted by family and mu. data: result of `compare`. every: whether each model
+    is a group of its own.
     """
     models = [data.isel(model=index) for index in range(data.sizes["model"])]
     alone = [_group([model]) for model in models if np.isfinite(model[_MU].item())]

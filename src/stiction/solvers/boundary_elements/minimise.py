@@ -164,7 +164,10 @@ def _settle(problem: Problem, pressure: np.ndarray, gap: np.ndarray, length: flo
 
 
 def _between(touches: np.ndarray, gap: np.ndarray) -> float:
-    """Return the middle between the largest gap of touching points (mask `touches`) and the smallest gap of open points."""
+    """Return the middle between the largest gap of touching points (mask `touches`) and the smallest gap of open points.
+
+    If no point is open, return the largest gap of touching points.
+    """
     xp = namespace(gap)
     apart = xp.full_like(gap, math.inf)
     highest, lowest = float(xp.max(xp.where(touches, gap, -apart))), float(xp.min(xp.where(touches, apart, gap)))

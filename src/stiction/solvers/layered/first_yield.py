@@ -21,7 +21,7 @@ from stiction.solvers.layered.compliance import Layer
 from stiction.solvers.layered.stresses import Radial, Stresses
 from stiction.solvers.layered.waves import CoatedBody
 
-# Number of regions whose largest stress is searched separately, so that each is a smooth function of a/t: the film's surface,
+# Number of regions whose largest stress is computed separately, so that each is a smooth function of a/t: the film's surface,
 # the contact edge, the inside of the film, its interface with the body, and the body.
 PARTS = 5
 # Coordinates of the tables: arctan(traction/pressure), and (p - 1)/(p + 1) with p = (a/t)^(1/2).

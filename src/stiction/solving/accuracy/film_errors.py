@@ -146,10 +146,10 @@ def on_other_kinds(problem: Problem, features: ContactFeatures, found: ErrorsNea
     """Return the errors of the area law for films on a surface that may not be Gaussian, for a contact without a map.
 
     features: features of the contact at k points. found: errors of the law on Gaussian surfaces. area: normalised contact area.
-    Two further errors widen them. The first is the error of the law for bare surfaces on all kinds of surface, read at the
-    pressure with the same elastic area (Persson 2001), and at the hardness at which the same fraction of this area flows. The
-    second is the additional error due to a film, from the benchmark surfaces with films; it is omitted for the kind "gaussian".
-    If the kind is known, both also shift the mean.
+    Two further errors widen them. The first is the error of the law for bare surfaces on all kinds of surface. It is taken at
+    the pressure at which a bare surface has the same elastic area (Persson 2001), and at the hardness at which the same
+    fraction of this area flows. The second is the additional error due to a film, from the benchmark surfaces with films; it is
+    omitted for the kind "gaussian". If the kind is known, both also shift the mean.
     """
     from stiction.surfaces.theory.widened_area import MEETING
 
@@ -181,7 +181,7 @@ def on_other_kinds(problem: Problem, features: ContactFeatures, found: ErrorsNea
 def _pressure_of(share: np.ndarray) -> np.ndarray:
     """Return the pressure over E* h' at which a bare elastic surface has the area fraction `share` (Persson 2001).
 
-    E*: contact modulus. h': rms slope. Any shape.
+    E*: contact modulus. h': rms slope. share: an array of any shape, as is the result.
     """
     from scipy.special import erfinv
 

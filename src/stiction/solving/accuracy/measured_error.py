@@ -277,8 +277,8 @@ def _on_other_maps(problem: Problem, features: ContactFeatures, points: int, are
     """Return the errors of an area law for films, measured on rough surfaces with films; None if it was not measured.
 
     Source: truth/films.csv. If the law solves the contact's own map, the errors are 0, because the discretisation error is
-    added later. Without a map they are wider, as the surface may not be Gaussian; a stated kind shifts them. points: loads per
-    contact.
+    added later. Without a map the errors are wider, as the surface may not be Gaussian; a stated kind shifts them. points:
+    loads per contact.
     """
     found = on_solved_maps(problem, points)
     surface = problem.map if isinstance(problem, ClosedFormProblem) else None

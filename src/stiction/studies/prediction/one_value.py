@@ -33,7 +33,7 @@ def predict_value(output: str, *pairs: str | float) -> float:
     Returns
     -------
     float
-        In SI units.
+        The number in SI units.
 
     Raises
     ------

@@ -103,8 +103,8 @@ class Strength:
         """Return the shear strength tau_0 [Pa] and the pressure coefficient of each of n samples, arrays (n, m or 1).
 
         state, strength, coefficient: quantile levels (n,) that select the state, tau_0 and the pressure coefficient. rows:
-        index of the sampled input numbers of each sample (n,). tau_0 is at most the shear strength of the weaker body; the
-        scatter of a strength that is stated as one number comes on top.
+        index of the sampled input numbers of each sample (n,). tau_0 is limited to the shear strength of the weaker body. After
+        this limit, a strength that is stated as one number is scattered.
         """
         from scipy.special import ndtri
 

@@ -201,7 +201,7 @@ def _plastic_segments(elastic, segments, at_yield, hardness: Hardness, pull) -> 
 
 
 def _coordinates_at(segment: NormalSegment, w: np.ndarray) -> np.ndarray:
-    """Return the coordinates (n, m) of a segment at the displacements w (n, m), limited to its ends; w: in units of sigma."""
+    """Return the coordinates (n, m) of a segment at the displacements w (n, m), clipped to it; w: in units of sigma."""
     out, edges = np.empty(w.shape), np.ascontiguousarray(segment.edges)
     fill = _filling(segment.normal, segment.coordinate, len(segment.parameters))
     fill(np.ascontiguousarray(w), columns(segment.parameters, len(w)), edges, out)
