@@ -40,7 +40,7 @@ class _Solve(Input):
     @model_validator(mode="before")
     @classmethod
     def _options_by_name(cls, table):
-        """Move the options of models that stand in [solve] itself into its table `options`, and return [solve].
+        """Move model options that are stated directly in [solve] to its table `options`, and return [solve].
 
         Any argument that is not a table is returned unchanged. Raises InputError if an option has no such value.
         """

@@ -32,7 +32,7 @@ STRENGTHS = ("interfacial_shear_strength", "shear_strength", "strength_over_shea
 class Interface(Input):
     """Describe the state of an interface, such as "oxidised metal", by distributions of its shear strength.
 
-    The shear strength is tau_0 + alpha p at the pressure p, tau_0 and alpha being lognormally distributed.
+    The shear strength is tau_0 + alpha p at the pressure p; tau_0 and alpha are lognormally distributed.
     interfacial_shear_strength, shear_strength, strength_over_shear_modulus: median of tau_0 in Pa, relative to the hardness, or
     relative to the shear modulus of the softer touching body or film; exactly one is stated. pressure_coefficient: median of
     alpha; None if the strength does not depend on pressure. pressure_limit: mean pressure of contact spots [Pa] above which the
@@ -42,7 +42,7 @@ class Interface(Input):
     materials; at least one body must be one of them. of_film: whether pairs of weight 0 require a film. not_for: uses that must
     be avoided, as text.
 
-    The strength of the bodies does not cap these values. Raises InputError for contradicting numbers.
+    These values are not capped at the strength of the bodies. Raises InputError for contradictory numbers.
     """
 
     name: str = Field(default="unnamed", description="its name")
@@ -79,8 +79,8 @@ class Interface(Input):
         """Return the shear strength tau_0 [Pa] of this interface state at quantile levels between 0 and 1; arrays broadcast.
 
         hardness, shear_modulus: of the softer body [Pa]; needed only if the strength is stated relative to one of them. median:
-        numbers that replace the stated strength; its 5 and 95 % quantiles stay. Raises InputError for a level that is not
-        between 0 and 1, and if a needed hardness or shear modulus is missing.
+        numbers that replace the stated strength; its 5 and 95 % quantiles are unchanged. Raises InputError for a level that is
+        not between 0 and 1, and if a needed hardness or shear modulus is missing.
         """
         scale: Any = 1.0
         if self.strength != "interfacial_shear_strength":
@@ -228,7 +228,7 @@ class InterfaceNumber(TypedDict):
 
 
 class InterfaceLimit(TypedDict):
-    """Describe the largest pressure of contact spots that an interface state bears: value, unit, source and grade."""
+    """Describe the largest pressure of contact spots that an interface state can bear: value, unit, source and grade."""
 
     value: float
     unit: str

@@ -144,10 +144,10 @@ def carry_over(few, tiles, doubtful_below, nodes, signed, sums, doubtful):
 
     few (rows of all laws, rounded up to a multiple of four, L): sums at the L separations of the skeleton. tiles: the matrix
     (L, H), cut into tiles by `skeleton`. sums (n, rows, H): filled with the product. doubtful (n, H): set to True where
-    cancellation may have cost digits, which holds for a sum of positive terms that is below doubtful_below (H,) times its size,
-    the same sum without the height density. nodes: (displacements, weights times values, numbers of nodes) from which `few` was
-    summed. signed: index of the row that holds the load; it changes sign and is not checked, because it is as accurate as the
-    area. The product is written as a loop here, because a threaded library would compete with the threads of the caller.
+    cancellation may have cost digits: a sum of positive terms is below doubtful_below (H,) times its size, the same sum without
+    the height density. nodes: (displacements, weights times values, numbers of nodes) from which `few` was summed. signed:
+    index of the row that holds the load; it changes sign and is not checked, because it is as accurate as the area. The product
+    is written as a loop here, because a threaded library would compete with the threads of the caller.
     """
     _, values, used = nodes
     laws, rows, separations = sums.shape

@@ -26,7 +26,7 @@ class Asperities:
     - radius: tip radius R [m], the reciprocal of the mean curvature, as in the relations of Nayak and McCool; a mean of the
       radii would be dominated by the few flattest asperities
     - mean_height: mean asperity height above the mean plane [m]; skewness: skewness of the asperity heights
-    - note: how many asperities were found and how, in words
+    - note: text that states how many asperities were found, and how
     - heights (n,) [m] above the mean plane; radii (n,) [m], inf for an asperity that does not curve down; places (n, 2), row
       and column of each asperity, or of its middle point. All are empty for a method that only computes averages; places may be
       empty for other methods too
@@ -115,7 +115,7 @@ def of_numbers(surface: "Roughness") -> Asperities:
 
 
 def rounding(heights: np.ndarray) -> float:
-    """Return the smallest height difference [m] that is not round-off, for a map of heights [m].
+    """Return the limit [m] below which height differences in a map of heights [m] count as round-off.
 
     Without this limit, the round-off of levelling would create peaks along the ridge of a groove.
     """

@@ -28,8 +28,8 @@ NUMBERS = ("rms_height", "asperity_radius", "rms_slope", "roughness_parameter")
 class Finish(Input):
     """Store a finish class, such as "ground": 5 and 95 % quantiles of the roughness that one process makes.
 
-    - range: name of a quantity in NUMBERS -> (5 % quantile, 95 % quantile) in SI units; the quantity is lognormally distributed
-      and its median is the geometric mean of the two
+    - range: 5 and 95 % quantiles of each quantity in NUMBERS, in SI units; the quantity is lognormally distributed, and its
+      median is the geometric mean of the two
     - surface_kind: kind of surface, one of SURFACE_KINDS
     - source, grade: origin and quality grade of each range, by name (data_files.GRADES)
 
@@ -91,13 +91,13 @@ def surface_kind_of(word: Any) -> str:
 def mixture_of_kinds(shares: Mapping[str, float]) -> str:
     """Return a text that describes a mixture of kinds of surface, e.g. "0.700 lay + 0.300 gaussian".
 
-    shares: share by the name of a kind or of a finish; the shares sum to 1.
+    shares: fraction of each kind, by the name of the kind or of a finish; the fractions sum to 1.
     """
     return " + ".join(f"{share:.3f} {surface_kind_of(word)}" for word, share in shares.items())
 
 
 def shares_of_kinds(kind: str) -> dict[str, float]:
-    """Return the share of each kind of surface in a text from `mixture_of_kinds`; a single kind has the share 1."""
+    """Return the fraction of each kind of surface in a text from `mixture_of_kinds`; a single kind has the fraction 1."""
     parts = [_SHARE_OF_KIND.fullmatch(part) for part in kind.split(" + ")]
     return {part[2]: float(part[1]) for part in parts if part} if all(parts) else {kind: 1.0}
 

@@ -40,7 +40,7 @@ def johnson(skewness: float, kurtosis: float) -> Callable[[np.ndarray], np.ndarr
 
     The function maps an array of standard Gaussian variables to variables with mean 0 and variance 1. kurtosis: above
     skewness^2 + 1 and at most 50; a Gaussian has 3. Raises InputError otherwise, or if no function is found for a kurtosis
-    close to its lower limit, where the heights would have only two values.
+    close to its lower limit, where the heights would take only two values.
     """
     for name, value in (("skewness", skewness), ("kurtosis", kurtosis)):
         if isinstance(value, bool) or not isinstance(value, Real) or abs(value) > 1e100:

@@ -148,7 +148,7 @@ class Measured:
         return found.attached(measured=self)
 
     def contacts(self, contact: _Contact) -> dict[str, _Contact]:
-        """Return copies of a contact with the roughness that each method found, by method, the chosen method first."""
+        """Return a copy of a contact for each method, by name, with the roughness it found; the chosen method is first."""
         order = sorted(self.by_method, key=lambda name: name != self.method)
         return {name: contact.model_copy(update={"roughness": self.by_method[name]}) for name in order}
 
@@ -289,7 +289,7 @@ def measure(wanted: MeasuredRoughness, folder: Path = Path()) -> Measured:
 
 
 def _with_the_surface(by_method: dict[str, Roughness], surface: Roughness | None) -> dict[str, Roughness]:
-    """Set the field `surface` of every roughness to `surface`; return them by method, unchanged if `surface` is None."""
+    """Return the roughness by method, with the field `surface` of each set to `surface`; unchanged if this is None."""
     return {
         name: one if one is surface or surface is None else one.model_copy(update={"surface": surface})
         for name, one in by_method.items()

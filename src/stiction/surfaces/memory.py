@@ -17,7 +17,7 @@ def needed_memory(shape: tuple[int, int], *, free: bool = False, kept: int = 1) 
     """Return the memory [bytes] that `solve_map` needs to solve the contact of a map, in addition to its heights.
 
     - shape: (rows, columns) of the map
-    - free: True for an isolated map, with no pressure outside of it; False for one period of an endless surface
+    - free: True for a map with free edges, with no pressure outside; False if the map is continued beyond its edges
     - kept: number of pressure maps that are stored
     """
     rows, columns = shape

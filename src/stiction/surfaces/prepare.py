@@ -99,7 +99,7 @@ def prepared_period(
 
 
 def _seam(surface: HeightMap) -> str:
-    """Return the end of a history entry, which warns that opposite edges of one period do not match; "" if they match.
+    """Return a text for the history that warns if opposite edges of one period do not match; "" if they match.
 
     They do not match if the rms height step across the edges is at least 5 times that between neighbouring points.
     """

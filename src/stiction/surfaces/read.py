@@ -1,7 +1,7 @@
 """Read scan files of instruments into height maps, with heights in metres.
 
-Arrays and text files are read without another library. All other formats need SurfaceTopography, an optional dependency. Each
-format is a module in `readers` with a constant READER; no other code depends on the format.
+Arrays and text files need no other library. All other formats need SurfaceTopography, an optional dependency. Each format is a
+module in `readers` with a constant READER; no other code depends on the format.
 
 Libraries and instruments may disagree on the size, unit and height factor of a file. The user can override all three, and the
 history of the map states the values used.

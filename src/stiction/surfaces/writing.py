@@ -1,4 +1,4 @@
-"""Write a height map to files of other programs, with the optional library SurfaceTopography or as text."""
+"""Write a height map in the file formats of other programs, with the optional library SurfaceTopography or as text."""
 
 from collections.abc import Callable
 from pathlib import Path
@@ -10,7 +10,7 @@ from stiction.surfaces.heightmap import HeightMap
 
 
 def write_map(surface: HeightMap, path: "Path | str") -> None:
-    """Write a height map to a file in the format of the file name's ending: .gwy, .x3p or .sdf.
+    """Write a height map to a .gwy, .x3p or .sdf file; the ending of the file name selects the format.
 
     Lengths are in metres, in double precision. Raises InputError for another ending, a profile, a file that cannot be written,
     or if the library that a format needs is not installed.

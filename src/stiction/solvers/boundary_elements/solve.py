@@ -41,11 +41,11 @@ class MapContact:
 
     load [N]. mean_pressure: load divided by nominal area [Pa]. nominal_area [m2]. area: real area, corrected for edge pixels
     [m2]. area_pixels: area of all pixels in contact [m2]. perimeter: length of the contact edge [m]. separation: distance from
-    the mean plane of the undeformed heights to the flat counterface [m]; for half-spaces on a periodic map, to its deformed
-    mean. mean_gap: mean distance of the faces [m], with 0 where they touch. approach: approach since first touch [m]; None for
-    half-spaces on a periodic map. stiffness: derivative of the load with respect to the approach [N/m]; NaN without elastic
-    points, or if not requested. plastic_area: area where the pressure equals the hardness [m2]. plastic_share: fraction of the
-    load on this area [1].
+    the mean plane of the undeformed heights to the flat counterface [m]; for half-spaces on a periodic map, to the mean plane
+    of the deformed counterface. mean_gap: mean distance of the faces [m], with 0 where they touch. approach: approach since
+    first touch [m]; None for half-spaces on a periodic map. stiffness: derivative of the load with respect to the approach
+    [N/m]; NaN without elastic points, or if not requested. plastic_area: area where the pressure equals the hardness [m2].
+    plastic_share: fraction of the load on this area [1].
 
     pressure: (rows, columns) [Pa]; None if not stored. residual: relative error of the contact conditions. steps: number of
     steps of the solver. pressure_error, area_error [1], overlap [m]: error bounds on this grid (see `certificate`). load_error:

@@ -28,10 +28,10 @@ from stiction.surfaces.theory.moments import LEAST_DENSITY
 def mccool(surface: HeightMap, cutoff: float | None) -> Asperities:
     """Return the summits of the Gaussian surface that has the spectral moments of this surface, as asperities.
 
-    The moments are computed by finite differences. The surface is isotropic, or stretched along one direction (a lay). cutoff:
-    shortest wavelength [m], as in `moments_by_differences`; None for twice the larger pitch. Differences underestimate waves
-    near the cutoff; for moments from the spectrum see `of_moments`. Raises InputError as these two functions do, and for a
-    surface with slopes along one direction only.
+    The moments are computed by finite differences. The surface may be isotropic, or stretched along one direction (a lay).
+    cutoff: shortest wavelength [m], as in `moments_by_differences`; None for twice the larger pitch. Differences underestimate
+    waves near the cutoff; for moments from the spectrum see `of_moments`. Raises InputError as these two functions do, and for
+    a surface with slopes along one direction only.
     """
     moments = moments_by_differences(surface, cutoff).equivalent
     if moments is None:

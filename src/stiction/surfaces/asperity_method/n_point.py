@@ -1,4 +1,4 @@
-r"""Find n-point asperities: runs of neighbouring points of a row or column of a map above a level, each run one asperity.
+r"""Find n-point asperities: each run of neighbouring points above a level in a row or column of a map is one asperity.
 
 Hariri, Zu & Ben Mrad (2006) let the level move with the separation of the surfaces. Here the level is fixed, because the sum
 over asperities needs heights that do not depend on the separation. Height and radius of an asperity are a reconstruction: see

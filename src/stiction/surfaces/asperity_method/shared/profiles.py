@@ -1,7 +1,7 @@
 """Select the profiles of a map, its rows and columns, and convert the density of asperities along them to a density per area.
 
-From asperities per length D to asperities per area N, the relation of the peaks of an isotropic Gaussian surface is used (Nayak
-1971): peaks (1/2 pi) sqrt(m4/m2) per length, summits m4 / (6 pi sqrt(3) m2) per area, and thus
+The number of asperities per area N follows from the number per length D as for an isotropic Gaussian surface (Nayak 1971),
+which has (1/2 pi) sqrt(m4/m2) peaks per length and m4 / (6 pi sqrt(3) m2) summits per area:
 
     N = 2 pi / (3 sqrt(3)) D_x D_y = 1.2092 D_x D_y.                                                                       (1)
 """
