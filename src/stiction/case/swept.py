@@ -154,7 +154,7 @@ class SweptNumber:
         return start + share * (stop - start) if self.spacing == "linear" else start * (stop / start) ** share
 
     def array(self, values: np.ndarray, dimension: str | None = None) -> "xarray.DataArray":
-        """Return given values (n,) of this number, in SI units, as an xarray.DataArray with a coordinate of the same values.
+        """Return values (n,) of this number, in SI units, as an xarray.DataArray whose coordinate has the same values.
 
         dimension: name of the dimension of the array; None uses the dimension of the swept number.
         """

@@ -281,7 +281,7 @@ def _is_number(text: str) -> bool:
 
 
 def at_bodies(numbers: Mapping[Address, Uncertain], content: Mapping) -> Iterator[Uncertain]:
-    """Yield the uncertain numbers of a case, each at the address of the body that has it.
+    """Yield the uncertain numbers of a case, each at the address of the body to which it belongs.
 
     numbers: uncertain numbers by address (tuple of keys). content: tables of the case. A number of a user-defined material is
     yielded once for every body of this material that does not state its own value. All other numbers are yielded unchanged.

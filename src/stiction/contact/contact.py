@@ -288,10 +288,10 @@ class Contact(Subject):
         return to_si(value, name)
 
     def read_point(self, entry: object, name: str, where: str) -> float:
-        """Return a load [N] or mean separation [m] from the text with a unit that a case file states.
+        """Convert an entry of a case file to a load [N] or mean separation [m].
 
-        entry: the text, or for a mean separation also a number, in units of sigma. name: "load" or "mean_separation". where:
-        place in the file, for errors.
+        entry: text with a unit, or for a mean separation also a number, in units of sigma. name: "load" or "mean_separation".
+        where: place in the file, for errors.
         """
         if not isinstance(entry, str):
             if name == "mean_separation":

@@ -65,8 +65,8 @@ def sums_of_each(scattered: Scattered, h: np.ndarray, threads: int = 1) -> np.nd
 def _fill(scattered: Scattered, laws: np.ndarray, h: np.ndarray, sums: np.ndarray, threads: int) -> None:
     """Fill `sums` (regimes, n, m, 5) for some of n laws, each at its own separations, from nodes placed once for each law.
 
-    A law is one parameter set. scattered: holds the regimes. laws (k,): indices of the laws to sum. h (n, m): separations over
-    sigma.
+    A law is one parameter set. scattered: holds the regimes. laws (k,): indices of the laws to sum. h (n, m): separations in
+    units of sigma.
     """
     ENGINE.take(len(sums) * laws.size * h.shape[1])
     w_low = max(min(regime.lowest for regime in scattered.regimes), NODE_RANGE[0])

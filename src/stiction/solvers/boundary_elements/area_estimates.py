@@ -66,8 +66,8 @@ class MapSlopes:
 def map_slopes(heights: np.ndarray, size: tuple[float, float], periodic: bool = True) -> MapSlopes:
     """Measure the gradient of a map, its Nayak parameter and lay, and how the gradient varies with height.
 
-    heights: (rows, columns) [m], finite. size: (y, x) [m]. periodic: True computes the first three from the spectrum, False
-    from finite differences.
+    heights: (rows, columns) [m], finite. size: (y, x) [m]. periodic: whether gradient, Nayak parameter and lay are computed
+    from the spectrum; otherwise from finite differences.
     """
     gradient, alpha, lay = _of_waves(heights, size) if periodic else _of_differences(heights, size)
     ranks, squares = _by_rank(heights, size, periodic)

@@ -164,7 +164,7 @@ def _settle(problem: Problem, pressure: np.ndarray, gap: np.ndarray, length: flo
 
 
 def _between(touches: np.ndarray, gap: np.ndarray) -> float:
-    """Return the middle between the largest gap of touching points (mask `touches`) and the smallest gap of open points.
+    """Return the midpoint between the largest gap of touching points (mask `touches`) and the smallest gap of open points.
 
     If no point is open, return the largest gap of touching points.
     """

@@ -187,9 +187,9 @@ class _Strengths:
     def next(self, wanted: np.ndarray) -> np.ndarray:
         """Return the strengths to use in this turn [Pa] (rows, columns).
 
-        wanted: strengths that the pressure of this turn gives [Pa], (rows, columns). The result differs from them at points
-        that have begun or ceased to touch after the third turn: these make 30 % of the change, and after doing so a second time
-        no change.
+        wanted: strengths that the pressure of this turn gives [Pa], (rows, columns). The result equals them, except at points
+        that have begun or ceased to touch after the third turn: there the strength makes only 30 % of its change, and none once
+        a point has done so twice.
         """
         self._turn += 1
         touching = wanted > 0.0

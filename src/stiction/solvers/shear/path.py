@@ -60,11 +60,11 @@ class Weakening:
 class State:
     """Store the state of a map at one rigid shift.
 
-    shift [m]. force: along x, sum of the traction over points [Pa]; times the area of a point it is the force [N]. traction
-    [Pa] and slip since the start [m], both (components, rows, columns). slipped: length of the slip path of each point [m],
-    slides: whether the point is at its strength, touching: whether it is in contact, all (rows, columns). stick: fraction of
-    the touching points that stick. loss: work dissipated by slip so far, summed over points [Pa m]. converged: whether the
-    iterations of this step converged.
+    shift [m]. force: sum of the traction along x over all points [Pa]; multiplied by the area of a point, it is the force [N].
+    traction [Pa] and slip since the start [m], both (components, rows, columns). slipped: length of the slip path of each point
+    [m]; slides: whether the point is at its strength; touching: whether it is in contact; all three (rows, columns). stick:
+    fraction of the touching points that stick. loss: work dissipated by slip so far, summed over points [Pa m]. converged:
+    whether the iterations of this step converged.
     """
 
     shift: float

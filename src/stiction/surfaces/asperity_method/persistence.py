@@ -37,7 +37,7 @@ def persistence(surface: HeightMap, threshold: float | None, fit_points: int) ->
     """Find the summits of a map that stand out from their surroundings by more than a threshold, as asperities.
 
     From such a summit, every path to a higher summit descends by more than the threshold. A hill that stands out by less
-    belongs to the higher hill behind its saddle, as in ISO 25178-2's segmentation with Wolf pruning. A plateau is one summit.
+    belongs to the higher hill beyond its saddle, as in ISO 25178-2's segmentation with Wolf pruning. A plateau is one summit.
 
     - threshold: height difference [m] >= 0; None for 5 % of the range of heights
     - fit_points: number of points of the paraboloid fitted around each summit, a key of FITS

@@ -106,7 +106,7 @@ class Moments:
 
 
 def combine(first: Moments, second: Moments) -> Moments:
-    """Return the spectral moments of the sum of two independent surfaces, which are the sums of their moments.
+    """Return the spectral moments of the sum of two independent surfaces: the sums of their moments.
 
     The gap between two rough bodies has these moments. The moments of both surfaces must include the same wavelengths.
     """
