@@ -119,7 +119,7 @@ def test_friction_is_in_the_fan():
         asperity_radius=found.radius,
         asperity_density=found.density,
     )
-    alone = st.solve(contact().model_copy(update={"roughness": rough}), load="1 N")
+    alone = st.predict(contact().model_copy(update={"roughness": rough}), load="1 N")
     assert float(table["mu"].loc["mccool", 0.0]) == near(float(alone["friction_coefficient"]), rel=1e-12)
     assert float(table["mu"].max() / table["mu"].min()) > 1.05  # why there is a fan
     published = resolution_study(
@@ -127,6 +127,15 @@ def test_friction_is_in_the_fan():
     )
     alone = st.solve(contact().model_copy(update={"roughness": rough}), load="1 N", variant="published")
     assert float(published["mu"][0, 0]) == near(float(alone["friction_coefficient"]), rel=1e-12)
+
+
+def test_friction_is_that_of_a_model_by_the_name_that_a_comparison_shows(surface):
+    sheared = contact().model_copy(update={"interfacial_shear_strength": 1e8})
+    named, spelt = (
+        resolution_study(surface, [0.0], ["mccool"], contact=sheared, load="10 mN", choice=choice)["mu"].item()
+        for choice in (Choice("jackson_green_2005"), Choice("greenwood_williamson_1966", asperity="jackson_green_2005"))
+    )
+    assert named == spelt > 0.0
 
 
 def test_a_load_that_is_not_carried_is_a_failure_in_words(surface):

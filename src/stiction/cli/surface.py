@@ -75,9 +75,13 @@ def surface(
 
             solved = contact_of_map(scan, pressures, hardness)
     if out is not None:
+        from stiction.studies.prediction.predict import is_predicted
         from stiction.studies.scans.resolution import default_cutoffs, resolution_study
 
-        contact_at = {"contact": chosen.subject, "load": chosen_load, "choice": chosen.choice} if chosen else {}
+        contact_at: dict[str, Any] = {}
+        if chosen is not None:
+            choice = None if is_predicted(chosen) else chosen.choice
+            contact_at = {"contact": chosen.subject, "load": chosen_load, "choice": choice}
         cutoffs = default_cutoffs(analysis.surface, analysis.spectrum.shortest)  # the tip could not follow shorter waves
         resolution = resolution_study(analysis.surface, cutoffs, progress=bar("Studying the resolution"), **contact_at)
     from stiction.report.views.surface import surface_view

@@ -292,6 +292,9 @@ def surface_view(
             yield "Details: --details   pictures: --out DIR"
         if solved is not None:
             yield from ("", contact_table(solved), "", *contact_notes(solved))
+        if resolution is not None and "mu" in resolution and not resolution["mu"].notnull().any():
+            why = resolution["failure"].values.flat[0]
+            yield Text(f"warning: no cutoff and method gives mu: {why}", style="bold yellow")
 
     def record() -> dict[str, Any]:
         return summary(analysis) | ({} if solved is None else {"contact": summary_of_contact(solved)})

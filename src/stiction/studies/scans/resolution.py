@@ -14,12 +14,14 @@ from stiction.quantities.errors import InputError
 from stiction.quantities.progress import Steps
 from stiction.quantities.units import to_si
 from stiction.records.registry import RoughSurface, find
-from stiction.solving.candidates import with_interface
+from stiction.solving.candidates import choice_of, with_interface
 from stiction.solving.choice import Choice
 from stiction.solving.method_spread import METHOD
 from stiction.solving.problem import takes_surface_moments
 from stiction.solving.solve import solve
 from stiction.studies.case_results import require_choice
+from stiction.studies.prediction.predict import case_given, predict
+from stiction.studies.prediction.unused import refusal_of
 from stiction.surfaces.finding import Asperities, asperities, method_of_moments, methods_for
 from stiction.surfaces.height_model import HeightModel, height_model, roughness
 from stiction.surfaces.heightmap import HeightMap, in_metres
@@ -67,15 +69,15 @@ def default_cutoffs(surface: HeightMap, shortest: float = 0.0) -> np.ndarray:
 class _Friction:
     """Store the contact, load and model with which friction is computed; without friction, contact and load are None.
 
-    load: above 0, in N or as text with a unit. Raises InputError if contact, load or model are invalid for every surface.
+    load: above 0, in N or as text with a unit. choice: the model and its laws, or None for a prediction. Raises InputError if
+    contact, load or model are invalid for every surface.
     """
 
     contact: Contact | None
     load: Any
-    choice: Choice
+    choice: Choice | None
 
     def __post_init__(self) -> None:
-        require_choice(self.choice)
         if (self.contact is None) != (self.load is None):
             missing, given = ("load", "contact") if self.load is None else ("contact", "load")
             raise InputError(missing, None, f"both contact and load, or neither; {given} is given")
@@ -83,32 +85,41 @@ class _Friction:
             return
         if not isinstance(self.contact, Contact):
             raise InputError("contact", type(self.contact).__name__, "a stiction.Contact")
-        groups, _ = Groups.of(self.contact.indices())
-        tangential = with_interface(self.choice, groups).tangential or find(self.choice.model_key, RoughSurface).tangential
-        if tangential == "none":
-            raise InputError("model", self.choice.model_key, "a model with friction")
         for name, array in self.contact.arrays():
             raise InputError(f"contact.{name}", f"array of shape {array.shape}", "one number")
         asked = to_si(self.load, "load")
         if np.ndim(asked) or not asked > 0.0:
-            raise InputError("load", self.load, "one load > 0 N")
+            raise InputError("load", self.load, "one load above 0 N")
+        if self.choice is None:
+            if (refusal := refusal_of(case_given(self.contact, self.load))) is not None:
+                raise refusal
+            return
+        groups, _ = Groups.of(self.contact.indices())
+        tangential = with_interface(self.choice, groups).tangential or find(self.choice.model_key, RoughSurface).tangential
+        if tangential == "none":
+            raise InputError("model", self.choice.model_key, "a model with friction")
 
     @property
     def of_map(self) -> bool:
-        """Return whether the model solves the height map itself, instead of using asperities."""
-        return find(self.choice.model_key, RoughSurface).of_map is not None
+        """Return whether a model that solves the height map itself, instead of using asperities, was chosen."""
+        return self.choice is not None and find(self.choice.model_key, RoughSurface).of_map is not None
+
+    @property
+    def arguments(self) -> Mapping[str, Any]:
+        """Return the chosen model, laws and options as arguments of `solve`; {} for a prediction."""
+        return {} if self.choice is None else self.choice.arguments()
 
     def coefficient(
         self, seen: HeightMap, to_solve: HeightMap, found: Asperities, heights: HeightModel, options: Mapping[str, Any]
     ) -> float:
-        """Return the static friction coefficient of the contact with this surface.
+        """Return the static friction coefficient of the contact with this surface, for a prediction its median.
 
         seen: filtered map; theories of the whole surface use its spectral moments. to_solve: map for models that solve a map.
         found, heights: asperities of the surface and their height distribution, for all other models. options: options of
         asperity methods, by method.
         """
         assert self.contact is not None
-        if takes_surface_moments(self.choice.model_key):
+        if self.choice is not None and takes_surface_moments(self.choice.model_key):
             key = method_of_moments()
             found = asperities(seen, key, **options.get(key, {}))
             heights = height_model(found)
@@ -116,7 +127,8 @@ class _Friction:
         if self.of_map:
             one = one.attached(measured=of_one_map(one, found, to_solve))
         other = self.contact.model_copy(update={"roughness": one})
-        return float(solve(other, load=self.load, **self.choice.arguments())["friction_coefficient"])
+        result = predict(other, load=self.load) if self.choice is None else solve(other, load=self.load, **self.arguments)
+        return float(result["friction_coefficient"])
 
 
 def resolution_study(
@@ -152,7 +164,7 @@ def resolution_study(
     load : float [N] or str with a unit, optional
         Load of the contact, above 0.
     choice : Choice, optional
-        Model and laws; by default those of `solve`.
+        Model and laws that compute mu; by default mu is the median of the prediction.
 
     Returns
     -------
@@ -182,7 +194,7 @@ def resolution_study(
     surface = as_height_map(surface, "surface")
     wanted = _cutoffs(default_cutoffs(surface) if cutoffs is None else cutoffs)
     keys = _methods(surface, methods)
-    asked = _Friction(contact, load, Choice() if choice is None else choice)
+    asked = _Friction(contact, load, None if choice is None else _resolved(choice, contact))
     given = options or {}
     if set(given) - set(keys):
         raise InputError("options", tuple(given), f"options of these methods only: {', '.join(keys)}")
@@ -202,10 +214,20 @@ def resolution_study(
                 if contact is not None:
                     numbers[_FRICTION][i, j] = asked.coefficient(seen, to_solve, found, heights, given)
             except InputError as error:
-                if error.field in (*given.get(key, {}), *asked.choice.arguments()):
+                if error.field in (*given.get(key, {}), *asked.arguments):
                     raise  # an argument is wrong, not the asperities at this cutoff
                 words["failure"][i, j] = str(error)
-    return _labelled(surface, keys, wanted, numbers, words)
+    data = _labelled(surface, keys, wanted, numbers, words)
+    if contact is not None and choice is None:
+        data[_FRICTION].attrs["long_name"] += ", median of the prediction"
+    return data
+
+
+def _resolved(choice: Choice, contact: Contact | None) -> Choice:
+    """Return the choice with a name that `compare` shows replaced by its model and laws. Raises InputError."""
+    require_choice(choice)
+    laws = {law: key for law, key in choice.laws().items() if law != "model"}
+    return choice if contact is None else choice_of(choice.model, laws | dict(choice.options), contact)
 
 
 def _cutoffs(cutoffs: Iterable[float | str]) -> np.ndarray:
