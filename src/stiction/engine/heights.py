@@ -206,7 +206,7 @@ DISTRIBUTIONS: dict[str, Callable[..., Heights]] = {
 
 
 class HeightParameters(TypedDict, total=False):
-    """Name the parameters of the height distributions and their types.
+    """Define the parameters of the height distributions and their types.
 
     exponent: of "weibull". samples: heights for "empirical" and "discrete". cells: number of histogram cells of "empirical".
     """

@@ -124,7 +124,7 @@ class Placing:
 
     @classmethod
     def of(cls, regime: Regime, window: Callable, widest: float, rows: int, specialised: bool) -> "Placing":
-        """Return the description of how the nodes of a regime are placed.
+        """Return the `Placing` for the nodes of a regime.
 
         window: window formula of the height distribution, as in `Heights`. widest: largest range of displacements, in units of
         sigma, in which nodes are placed. rows: number of summed values: 1, 3 or 5. specialised: whether to use a loop compiled

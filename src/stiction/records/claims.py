@@ -91,10 +91,10 @@ FILM_LIMITS = {
 
 @dataclass(frozen=True)
 class Departure:
-    """State by how much a published film law is wrong in a limit that every film law should satisfy.
+    """Describe the error of a published film law in a limit that every film law should satisfy.
 
     - limit: a key of FILM_LIMITS, such as "thin"
-    - quantity: name of the result with the error
+    - quantity: name of the result that has the error
     - least, most: smallest and largest relative error over soft and hard films, at plasticity indices of 0.5 and more; inf if
       unbounded
 

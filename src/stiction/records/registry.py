@@ -101,8 +101,8 @@ class FilmLaw(Record):
     - bares_substrate: whether the substrate can be exposed. A tangential law of the interface then shears only the part of the
       contact with a film; the exposed part has the shear strength of the substrate
     - confined: whether the film can carry more than its own hardness, up to the hardness of the substrate
-    - tangential: which tangential laws suit it: "" all, "interface" those that describe the interface, or the key of a single
-      law
+    - tangential: tangential laws that suit it: "" for all, "interface" for those that describe the interface, or the key of a
+      single law
     - asperity: key of the asperity law in its source; another asperity law with the traits in `wants` may replace it
     - interchangeable: whether it can be combined with other models; False if it belongs to one variant of one model
     - departures: its errors for a thin film, for a thick film, and for a film equal to its substrate

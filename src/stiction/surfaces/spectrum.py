@@ -281,7 +281,7 @@ def _average_over_directions(spectrum: PowerSpectrum, edges: np.ndarray, block: 
 
 
 def _binned(waves, power, magnitudes, **settings) -> BinnedSpectrum:
-    """Return the averaged spectrum from the sums over each bin; empty bins are omitted.
+    """Return the averaged spectrum from the sums in each bin; empty bins are omitted.
 
     waves, power, magnitudes: number of waves, sum of the power spectral density C and sum of |q|, (bins,) each. settings: the
     other fields of BinnedSpectrum.

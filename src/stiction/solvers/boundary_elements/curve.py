@@ -20,9 +20,9 @@ from stiction.surfaces.heightmap import HeightMap
 class MapCurve:
     """Store the contacts of one map at a list of nominal pressures.
 
-    contacts: in the order of the pressures; None for a load that an interruption left unsolved. every: sampling step; 2 means
-    that every second point of each row and column was solved. of_map: quantities of the map that do not depend on load, by
-    name. more: further quantities, by name, each an array over the contacts.
+    contacts: in the order of the pressures; None for a load not solved because of an interruption. every: sampling step; 2
+    means that every second point of each row and column was solved. of_map: quantities of the map that do not depend on load,
+    by name. more: arrays (contacts,) of further quantities, by name.
     """
 
     contacts: tuple[MapContact | None, ...]

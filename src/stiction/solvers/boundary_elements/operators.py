@@ -221,7 +221,7 @@ def _of_pixels(shape, pitch, depth=0.0):
 
 
 def _corner(x, y, depth):
-    """Return the function whose differences over the corners of a pixel give the displacement, at one corner of each pixel.
+    """Evaluate, at one corner of each pixel, the function whose differences over all four corners give the displacement.
 
     x, y: coordinates of the corners [m]. depth: 0 for f of equation (1) of this module, or the length c [m] of f of (3). No
     corner lies on an axis, where f would be singular.

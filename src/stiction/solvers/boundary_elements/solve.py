@@ -289,7 +289,7 @@ def _from_coarser(request, compliance, boundary, mean, heights) -> np.ndarray:
 
 
 def _between(coarse: np.ndarray, axis: int, periodic: bool) -> np.ndarray:
-    """Return a map with twice as many rows (axis 0) or columns (axis 1); each new one is the mean of its two neighbours.
+    """Return a map with twice as many rows (axis 0) or columns (axis 1); added ones are means of their two neighbours.
 
     The last row or column has the first as its second neighbour if the map is periodic; otherwise the last one is repeated.
     """

@@ -66,7 +66,7 @@ class Waves:
         return np.stack([along, 1.0 + 2.0 * self.across * np.exp(-self.x)])
 
     def surface_coupling(self, nu: float) -> np.ndarray:
-        """Return the tangential surface displacement (m,) under m waves of unit pressure, positive towards the pressure.
+        """Return the tangential surface displacement (m,) under m waves of unit pressure, positive towards their crests.
 
         It is multiplied by the wavenumber and the shear modulus of the film. On a half-space it is 1/2 - nu. nu: Poisson's
         ratio of the film.

@@ -188,8 +188,8 @@ class _Strengths:
         """Return the strengths to use in this turn [Pa] (rows, columns).
 
         wanted: strengths that the pressure of this turn gives [Pa], (rows, columns). The result equals them, except at points
-        that have begun or ceased to touch after the third turn: there the strength makes only 30 % of its change, and none once
-        a point has done so twice.
+        that have begun or ceased to touch after the third turn: there the strength changes by only 30 % of the difference, and
+        not at all once a point has done so twice.
         """
         self._turn += 1
         touching = wanted > 0.0
@@ -235,7 +235,7 @@ def slide_coupled(
 def force_when_all_slide(
     coupling: Coupling, pressing: Pressing, strength: Strength, pressure: np.ndarray
 ) -> tuple[float, bool]:  # fmt: skip
-    """Return the sum over points of the strengths [Pa] when every point slides along x, and whether the iteration converged.
+    """Return the strength summed over points [Pa] when every point slides along x, and whether the iteration converged.
 
     Pressure and strength are computed alternately, because shear changes the pressure. strength: returns the shear strength for
     a given pressure. pressure: first guess (rows, columns) [Pa].

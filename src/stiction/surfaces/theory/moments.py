@@ -143,7 +143,7 @@ def slope_over_sharpness(density):
 
 
 def reduced_pressure(load, density):
-    """Return the reduced pressure p / (E* h') of a contact: load per nominal area over contact modulus and rms gradient.
+    """Return the reduced pressure p / (E* h') of a contact: load per nominal area divided by contact modulus and rms gradient.
 
     load: load per asperity divided by K R^(1/2) sigma^(3/2), with K = (4/3) E*. density: N R sigma, same shape. The result is
     (4/3) N R sigma sqrt(sigma/R) load / h'. sigma/R cancels, because h' is proportional to sqrt(sigma/R).
