@@ -38,12 +38,12 @@ class Candidate:
 
 
 def candidates(subject: Subject) -> list[Candidate]:
-    """Return every rough-surface model that a comparison tries, and the Greenwood-Williamson sum over each other asperity law.
+    """Return every rough-surface model that a comparison tries, and the Greenwood-Williamson sum with each other asperity law.
 
-    subject: the contact. Without a film and without a pressure coefficient, laws of junction growth are added, combined with an
-    asperity law that has plastic flow. On a coated contact each model is combined with its own film law or "sequential", and
-    each other film law is a candidate of its own. The model that solves the map uses every point of a small map, and a sample
-    of the points of a large one.
+    subject: the contact. Without a film and without a pressure coefficient, laws of junction growth are added, combined
+    with an asperity law that has plastic flow. On a coated contact each model is combined with its own film law or
+    "sequential", and each other film law is a separate candidate. The model that solves the map uses all points of a small
+    map, and a sample of the points of a large map.
     """
     models = of_kind(RoughSurface)
     taken = {model.asperity for model in models.values()}
@@ -103,7 +103,7 @@ def _as_one(candidate: Candidate, model: RoughSurface, film: FilmLaw) -> Candida
 def _alone(film: FilmLaw) -> Candidate:
     """Return a candidate that combines a film law with the asperity law of its source.
 
-    Its rough-surface model is the one with the same tangential law as the film law, or else the Greenwood-Williamson sum.
+    Its rough-surface model is the model with the same tangential law as the film law, or else the Greenwood-Williamson sum.
     """
     model = next(
         (key for key, one in of_kind(RoughSurface).items() if one.asperity and one.tangential == film.tangential), _SUM
@@ -112,7 +112,7 @@ def _alone(film: FilmLaw) -> Candidate:
 
 
 def choice_of(name: str | None, given: Mapping[str, Any], subject: Subject) -> Choice:
-    """Return the `Choice` that a model name and keyword arguments of the user select.
+    """Return the `Choice` that corresponds to a model name and keyword arguments of the user.
 
     name: the key of a rough-surface model, or a name that a comparison shows for this contact; None for the default model.
     given: keys of laws and values of options by keyword. subject: the contact. Raises InputError for an unknown name.

@@ -1,4 +1,4 @@
-"""Represent the selected model and laws by their keys, without importing the registry."""
+"""Represent a choice of model and laws by their keys, without importing the registry."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -53,8 +53,9 @@ class Choice:
     """Name a model with its laws and options, by their keys.
 
     model: key of the model; None for the default model. asperity, tangential, film: keys of laws that replace those of the
-    model; None keeps the law of the model, and tangential = "none" omits friction. options: values by name, None for a default.
-    beside: keys of additional laws (menisci, ageing ...) by keyword, "none" to omit a law that the contact would need.
+    model; None keeps the law of the model, and tangential = "none" omits friction. options: values by name; None stands for
+    the default. beside: keys of additional laws (menisci, ageing ...) by keyword; "none" omits a law that would be added by
+    default.
     """
 
     model: str | None = None
@@ -73,7 +74,7 @@ class Choice:
     def of(cls, model: str | None, given: Mapping[str, Any]) -> "Choice":
         """Build the choice of a model from keyword arguments.
 
-        model: its key, or None for the default model. given: keys of laws and values of options, by keyword.
+        model: key of the model, or None for the default model. given: keys of laws and values of options, by keyword.
         """
         words = dict(given)
         laws = {name: words.pop(name) for name in _OF_MODEL[1:] if name in words}
@@ -81,12 +82,12 @@ class Choice:
         return cls(model, options=words, beside=beside, **laws)
 
     def laws(self) -> dict[str, str | None]:
-        """Return the keys of the model and of all laws, by keyword of `solve`; None for a default."""
+        """Return the keys of the model and of all laws, by keyword of `solve`; None stands for a default."""
         return {name: getattr(self, name) if name in _OF_MODEL else self.beside.get(name) for name in LAWS}
 
     @property
     def model_key(self) -> str:
-        """Return the key of the model, which is the default model if none is named."""
+        """Return the key of the model, or of the default model if none is named."""
         return DEFAULT_MODEL if self.model is None else self.model
 
     @property
@@ -101,7 +102,7 @@ class Choice:
         return " + ".join([self.model_key, *laws, *options])
 
     def with_changes(self, laws: Mapping[str, str | None], options: Mapping[str, str | None]) -> "Choice":
-        """Return the choice with other laws and options, given by keyword; a value of None changes nothing."""
+        """Return a copy with the given laws and options replaced, by keyword; a value of None changes nothing."""
         changed = {name: value for name, value in {**laws, **options}.items() if value is not None}
         words = {**self.laws(), **self.options, **changed}
         return Choice.of(words.pop("model"), words)

@@ -29,10 +29,10 @@ from stiction.solving.choice import Choice
 class ResolvedLaws:
     """Store a model with its laws and all their options.
 
-    model: the rough-surface model. asperity: None for a theory in closed form or a solution of a map. tangential: None for
-    contact without friction. film: None for a bare contact. options: values by name. ignored: selected laws that have no effect
-    on this contact, as texts. additions: additional laws (menisci, ageing ...) by keyword. dry: whether the user switched
-    menisci off with meniscus = "none".
+    model: the rough-surface model. asperity: asperity law; None for a closed-form theory or a model that solves a map.
+    tangential: tangential law; None for a contact without friction. film: film law; None for a bare contact. options:
+    values by name. ignored: selected laws that have no effect on this contact, as texts. additions: additional laws
+    (menisci, ageing ...) by keyword. dry: whether the user switched menisci off with meniscus = "none".
     """
 
     model: RoughSurface
@@ -52,9 +52,9 @@ class ResolvedLaws:
 
     @property
     def yielded(self) -> str:
-        """Return what limits the friction of junctions that have yielded, one of registry.YIELDED.
+        """Return what limits the friction of yielded junctions, as one of registry.YIELDED.
 
-        The result is "" without friction, or if the tangential law does not state it.
+        The result is "" if there is no friction or the tangential law does not state the limit.
         """
         if self.tangential is None:
             return ""
@@ -66,7 +66,7 @@ class ResolvedLaws:
         return replace(self, options={**self.options, name: value})
 
     def without(self, keyword: str, **changes: Any) -> "ResolvedLaws":
-        """Return the same laws without the additional law (menisci, ageing ...) that this keyword of `solve` selects.
+        """Return the same laws without the additional law (menisci, ageing ...) that the given keyword of `solve` selects.
 
         changes: other fields to replace.
         """
@@ -114,10 +114,10 @@ def resolve_laws(choice: Choice, coated: bool, groups: Groups | None = None) -> 
 def _additions(
     choice: Choice, groups: Groups | None, model: RoughSurface, tangential: TangentialLaw | None, film: FilmLaw | None
 ) -> dict[str, Addition]:
-    """Return the additional laws (menisci, ageing ...) by keyword: those named, and the defaults for stated quantities.
+    """Return the additional laws (menisci, ageing ...) by keyword: laws that the choice names, and default laws.
 
-    A default law that cannot be combined with the other laws is omitted. A named law that cannot be combined, or an unknown
-    key, raises InputError.
+    A default law is added if the contact states the quantities that it needs; it is omitted if it cannot be combined with
+    the other laws. A named law that cannot be combined, or an unknown key, raises InputError.
     """
     additions: dict[str, Addition] = {}
     for keyword, kind in kinds_of_additions().items():
@@ -144,7 +144,7 @@ def _refuse_junctions(film: FilmLaw | None, tangential: TangentialLaw | None, op
 
 
 def _ignored(choice: Choice, coated: bool) -> tuple[str, ...]:
-    """Return the name of a film law selected for a contact without a film, as a tuple of one text, or ().
+    """Return the name of a film law that has no effect because the contact has no film, as a tuple of one text, or ().
 
     Raises InputError for an unknown key.
     """
@@ -171,7 +171,7 @@ def _film(choice: Choice, model: RoughSurface) -> FilmLaw:
 
 
 def _refuse_parts(choice: Choice, model: RoughSurface, tangential: TangentialLaw | None, coated: bool) -> None:
-    """Raise InputError for laws and options that do not suit a model that does not sum over asperities.
+    """Raise InputError for laws and options that a model without a sum over asperities does not support.
 
     coated: whether the contact has a film; False for a model that solves a map.
     """

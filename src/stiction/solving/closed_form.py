@@ -1,4 +1,4 @@
-"""Solve contact theories in closed form, which do not sum over asperities."""
+"""Solve closed-form contact theories, which do not sum over asperities."""
 
 from dataclasses import dataclass
 from typing import Any
@@ -14,7 +14,7 @@ from stiction.solving.problem_base import Problem, with_coefficient
 
 @dataclass(frozen=True)
 class ClosedFormProblem(Problem):
-    """Represent contacts under a theory in closed form, which does not sum over asperities.
+    """Represent contacts under a closed-form theory, which does not sum over asperities.
 
     Friction, if any, is computed by a law of the interface from load and contact area.
     """
@@ -28,7 +28,7 @@ class ClosedFormProblem(Problem):
         return self.record.adheres
 
     def near(self, load: np.ndarray) -> np.ndarray:
-        """Return an estimate of the separations (n, m), over sigma, at which n contacts carry the normalised loads (n, m)."""
+        """Estimate the separations (n, m), in units of sigma, at which n contacts carry the normalised loads (n, m)."""
         assert self.record.separation_near is not None
         return self.record.separation_near(load, self.groups, **select_options(self.record, self.options))
 
@@ -66,7 +66,7 @@ class ClosedFormProblem(Problem):
 
     @property
     def way(self) -> str:
-        """Return the name of the method that computes the area, for theories with more than one method; otherwise ""."""
+        """Return the name of the method that computes the area, or "" for a theory with only one method."""
         return "" if self.record.way is None else self.record.way(self.map)
 
     def _area(self, load: np.ndarray) -> np.ndarray:

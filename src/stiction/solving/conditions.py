@@ -1,8 +1,8 @@
-"""Check validity conditions that apply to the results of every model, besides the ranges that authors claim.
+"""Check validity conditions for the results of every model, in addition to the ranges that the authors claim.
 
-A rule limits one quantity: a number of `solving.state`, a result, or a property of the contact. Each rule comes with a function
-that returns whether the rule applies to a problem. The bounds are round numbers. The text of each rule states what fails beyond
-them. A model with an "impossible" result is never recommended.
+A rule limits one quantity: a number from `solving.state`, a result, or a property of the contact. Each rule has a function
+that returns whether the rule applies to a problem. Bounds are round numbers. The text of each rule states what fails beyond
+its bounds. A model with an "impossible" result is never recommended.
 """
 
 from collections.abc import Callable, Iterable, Mapping
@@ -37,7 +37,7 @@ def _by_numbers(problem: Problem) -> bool:
 
 
 def _at_random(problem: Problem) -> bool:
-    """Return whether the model uses roughness numbers that are statistics.
+    """Return whether the model uses roughness numbers that are statistics of random heights.
 
     The result is False for a model that solves a height map, and for asperities whose heights are listed one by one.
     """
@@ -45,7 +45,7 @@ def _at_random(problem: Problem) -> bool:
 
 
 def _of_asperities(problem: Problem) -> bool:
-    """Return whether the theory is limited to small contact areas, because it leaves out interaction of contact spots."""
+    """Return whether the theory is limited to small contact areas because it neglects the interaction of contact spots."""
     return not problem.record.up_to_full_contact
 
 
@@ -80,10 +80,10 @@ def _does_not_grow(problem: Problem) -> bool:
 
 
 def _elastic_on_a_film(problem: Problem) -> bool:
-    """Return whether elastic results of a contact with a film have to be checked with the plasticity index of the film.
+    """Return whether elastic results of a coated contact must be checked with the plasticity index of the film.
 
-    That is so if film and body are solved as one elastic solid and the asperity law is valid in a range of the plasticity
-    index, because the usual index is computed without the film.
+    This is the case if film and body are solved as one elastic solid and the asperity law is valid in a range of the
+    plasticity index. The usual index is computed without the film.
     """
     film, asperity = problem.chosen.film, problem.chosen.asperity
     if film is None or asperity is None or not film.solved_as_one:
@@ -126,7 +126,7 @@ RULES: tuple[tuple[Validity, Callable[[Problem], bool]], ...] = (
 
 
 def warnings_of_results(problem: Problem, results: Mapping[str, np.ndarray]) -> list[ValidityWarning]:
-    """Return every validity warning about normalised results, from the ranges of the laws in use and from RULES.
+    """Return all validity warnings about normalised results, based on the ranges of the laws in use and on RULES.
 
     results: arrays by name.
     """
@@ -136,7 +136,7 @@ def warnings_of_results(problem: Problem, results: Mapping[str, np.ndarray]) -> 
 def warnings_of_rounding(carried: np.ndarray, asked: np.ndarray) -> list[ValidityWarning]:
     """Return one validity warning, in a list, if requested loads were lost in round-off; otherwise an empty list.
 
-    carried, asked: computed and requested normalised loads, arrays of one shape.
+    carried, asked: computed and requested normalised loads, arrays of the same shape.
     """
     lost = lost_in_rounding(carried, asked)
     if not lost.any():
@@ -153,7 +153,7 @@ WITHIN, OUTSIDE, IMPOSSIBLE = range(3)
 
 
 def points_outside(problem: Problem, curve: Mapping[str, np.ndarray]) -> np.ndarray:
-    """Return for each point (m,) of a curve whether it is WITHIN all validity ranges, OUTSIDE one, or physically IMPOSSIBLE.
+    """Classify each point (m,) of a curve as WITHIN all validity ranges, OUTSIDE at least one, or physically IMPOSSIBLE.
 
     curve: normalised results (1, m) of a single contact, by name.
     """
@@ -164,7 +164,7 @@ def points_outside(problem: Problem, curve: Mapping[str, np.ndarray]) -> np.ndar
 
 
 def rules_of(problem: Problem) -> list[Validity]:
-    """Return every validity range that results of this problem can leave, each once.
+    """Return every validity range that results of this problem can violate, each once.
 
     The list depends on the laws and the problem, not on the values of its results.
     """
@@ -174,9 +174,10 @@ def rules_of(problem: Problem) -> list[Validity]:
 
 
 def excludes(rule: Validity) -> bool:
-    """Return whether a sample of uncertain inputs is excluded if its results leave this range.
+    """Return whether a sample of uncertain inputs is excluded if its results violate this range.
 
-    This holds for ranges beyond which results are impossible, and for the mean contact pressure above the hardness.
+    This holds for ranges beyond which results are impossible, and for the limit of the mean contact pressure at the
+    hardness.
     """
     return rule.kind == "impossible" or rule.quantity == "mean_pressure_over_hardness"
 
@@ -184,8 +185,8 @@ def excludes(rule: Validity) -> bool:
 def rules_left(problem: Problem, results: Mapping[str, np.ndarray]) -> list[np.ndarray]:
     """Return one mask for each range of `rules_of`, True where results lie outside the range.
 
-    Masks are (n, m) over n contacts and m points, or (n, 1) for ranges that do not depend on points. results: normalised arrays
-    by name, with the dimensions of the contacts first.
+    Masks are (n, m) for n contacts and m points, or (n, 1) for ranges that do not depend on points. results: normalised
+    arrays by name, with the dimensions of the contacts first.
     """
     known, contacts = _known(problem, results), len(problem.groups)
     found = []
@@ -219,7 +220,7 @@ def _known(problem: Problem, results: Mapping[str, np.ndarray]) -> dict[str, Any
 def _of_groups(problem: Problem) -> dict[str, Any]:
     """Return the dimensionless groups of the contacts (n, 1), and quantities derived from them, by name; None if unknown.
 
-    They are read from the groups of the problem, because the contact would recompute all of them at each access.
+    The values are read from the groups of the problem, because the contact would recompute all groups at each access.
     """
     groups = problem.groups
     names = [
@@ -253,7 +254,7 @@ def _hardens(problem: Problem) -> bool:
 
 
 def without_repeats(warnings: Iterable[ValidityWarning]) -> list[ValidityWarning]:
-    """Drop each validity warning whose quantity also has a warning of kind "impossible"; return all others.
+    """Drop validity warnings whose quantity also has a warning of kind "impossible", and return all others.
 
     For example, a value above 1, which is impossible, is also above 0.1. Warnings of kind "impossible" stay.
     """

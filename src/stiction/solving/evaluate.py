@@ -1,4 +1,4 @@
-"""Evaluate the model of the 2015 paper quickly, with NumPy arrays as arguments and results, without labels or units."""
+"""Evaluate the model of the 2015 paper quickly, from and to NumPy arrays without labels or units."""
 
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -30,9 +30,9 @@ class Evaluation(NamedTuple):
     Parameters
     ----------
     load, friction_force : ndarray (...)
-        Over K R^(1/2) sigma^(3/2).
+        In units of K R^(1/2) sigma^(3/2).
     contact_area : ndarray (...)
-        Over pi R sigma.
+        In units of pi R sigma.
 
     Examples
     --------
@@ -63,22 +63,23 @@ def evaluate(
     Parameters
     ----------
     h : array_like (...)
-        Mean separation over sigma, the standard deviation of the asperity heights.
+        Mean separation in units of sigma, the standard deviation of the asperity heights.
     theta, lam : array_like (...)
         Elastic and plastic adhesion index, above 0.
     nu : array_like (...)
         Poisson's ratio, 0 or more and below 0.5.
     hardness_to_yield : array_like (...)
-        Hardness over yield stress, 1 or more.
+        Hardness divided by yield stress, 1 or more.
     n_E, n_H : array_like (...), optional
-        Modulus and hardness of a film over those of the substrate, above 0; n_E, n_H and tau together, or none of them.
+        Modulus and hardness of a film, divided by those of the substrate, above 0. Give n_E, n_H and tau together, or none
+        of them.
     tau : array_like (...), optional
-        Film thickness over sigma, 0 or more.
+        Film thickness in units of sigma, 0 or more.
     variant : str
         "corrected", or "published" for the equations as printed: friction then has exp(-(h+x)^2/2) in place of the normal
         density, and the contact area, which is not printed, follows eq. 1.
     threads : int
-        Number of threads, 1 or more; it changes no digit of the results.
+        Number of threads, 1 or more; it does not affect the results.
 
     Returns
     -------
@@ -93,7 +94,7 @@ def evaluate(
 
     Notes
     -----
-    Equations: docs/explanation/theory.md, sections 2 to 4. The computation is fastest if h varies along axes of its own.
+    Equations: docs/explanation/theory.md, sections 2 to 4. The computation is fastest if h varies along separate axes.
 
     Examples
     --------
@@ -130,8 +131,8 @@ def evaluate(
 def _array(value, name: str, allowed: str) -> np.ndarray:
     """Return a value as an array of floats; raise InputError for anything else.
 
-    name, allowed: field and allowed values, for the error. A value with a unit also raises InputError, because NumPy would drop
-    the unit silently.
+    name, allowed: field and allowed values, for the error message. A value with a unit also raises InputError, because
+    NumPy would drop the unit silently.
     """
     if has_unit(value):
         raise InputError(name, str(value), f"{allowed}, without a unit")
@@ -139,7 +140,7 @@ def _array(value, name: str, allowed: str) -> np.ndarray:
 
 
 def _checked(name: str, value) -> np.ndarray:
-    """Return the value as an array of floats; raise InputError if it leaves the bounds of the quantity `name`."""
+    """Return the value as an array of floats; raise InputError if it is outside the bounds of the quantity `name`."""
     quantity = QUANTITIES[name]
     array = _array(value, name, quantity.allowed)
     if array.size == 0:
@@ -161,7 +162,7 @@ def _separations(h) -> np.ndarray:
 
 
 def _regimes(laws: dict[str, np.ndarray], choice: Choice) -> list[Regime]:
-    """Return the regimes (smooth parts) of the 2015 asperity law for many sets of dimensionless groups.
+    """Return the regimes of the 2015 asperity law (smooth parts of it) for many sets of dimensionless groups.
 
     laws: flat arrays of the groups, by name. A film has the Poisson ratio and the work of adhesion of the substrate, and is
     treated as a half-space.
@@ -176,7 +177,7 @@ def _regimes(laws: dict[str, np.ndarray], choice: Choice) -> list[Regime]:
 def _chunks(columns: list[np.ndarray], size: int) -> Iterator[tuple[slice, list[np.ndarray]]]:
     """Yield the columns, broadcast against each other, in flat chunks of at most `size` elements in C order.
 
-    Each chunk is yielded as (slice of the flat result, columns of the chunk). Only one chunk is copied at a time.
+    Each chunk is yielded as (slice of the flat result, columns of the chunk), so that only one chunk at a time is copied.
     """
     start = 0
     pieces_of: Any = np.nditer(columns, flags=["external_loop", "buffered", "zerosize_ok"], order="C", buffersize=size)

@@ -1,6 +1,6 @@
-"""Find the mean separation at which a contact carries a given load, and the largest tension that it carries.
+"""Find the mean separation at which a contact carries a given load, and the largest tension that the contact carries.
 
-Separations are over sigma, the standard deviation of the heights. Loads are per asperity and normalised.
+Separations are in units of sigma, the standard deviation of the heights. Loads are per asperity and normalised.
 """
 
 import math
@@ -32,8 +32,8 @@ _RATIO, _MOST = 1.01, 7
 class Unreachable(Exception):
     """Report a load that a contact does not carry at any separation.
 
-    law: index of the contact. at: index of the load. low, high: smallest and largest load that the contact carries, normalised;
-    tension is negative. If the contact carries no tension, low is 0, and the load 0 itself is not carried.
+    law: index of the contact. at: index of the load. low, high: smallest and largest load that the contact carries,
+    normalised; tension is negative. If the contact carries no tension, low is 0, but the load 0 itself is not carried.
     """
 
     def __init__(self, law: int, at: int, low: float, high: float):
@@ -45,10 +45,10 @@ class Unreachable(Exception):
 class Inversion:
     """Store the separations at which n contacts carry m loads each.
 
-    h (n, m): separations over sigma, NaN for loads that are not carried. residual (n, m): load error over the load, or over the
-    largest tension if the load is negligible. tension (n,): largest tension on the branch of the problem (loading or
-    unloading), normalised; 0 if the contact carries none. where (n,): separation of the largest tension, NaN if there is none.
-    evaluations: largest number of evaluations for one root.
+    h (n, m): separations in units of sigma, NaN for loads that are not carried. residual (n, m): load error divided by the
+    load, or by the largest tension if the load is negligible. tension (n,): largest tension on the branch of the problem
+    (loading or unloading), normalised; 0 if the contact carries no tension. where (n,): separation of the largest tension,
+    NaN if there is no tension. evaluations: largest number of evaluations for one root.
     """
 
     h: np.ndarray
@@ -71,10 +71,11 @@ _ARRAYS = ("h", "residual", "tension", "where")
 
 
 def pull_off(problem: Problem) -> tuple[np.ndarray, np.ndarray]:
-    """Return the largest tension per asperity (n,), normalised, and its separation (n,), over sigma.
+    """Return the largest tension per asperity (n,), normalised, and its separation (n,), in units of sigma.
 
     The tension is 0, and the separation NaN, for contacts that carry no tension. Only the branch of the problem (loading or
-    unloading) is searched. Source: the largest tension is minus the minimum of the load over separation (Fuller & Tabor 1975).
+    unloading) is searched. Source: the largest tension is minus the minimum of the load as a function of separation (Fuller
+    & Tabor 1975).
     """
     if isinstance(problem, AsperitySum) and problem.heights.density is gaussian_density and len(problem.groups) == 1:
         tension, where, holds = problem.largest_tension
@@ -87,10 +88,10 @@ def pull_off(problem: Problem) -> tuple[np.ndarray, np.ndarray]:
 def separations_at(problem: Problem, targets: np.ndarray, refuse: bool = True) -> Inversion:
     """Find the separations at which n contacts carry the normalised loads `targets` (n, m).
 
-    Several separations may carry one load. The function returns the one that is stable under a given load: on approach from
-    afar, the first one after the largest tension. For smooth laws and Gaussian heights a fast method finds starting values,
-    which are refined with the sums over asperities. Otherwise the root is bracketed on a grid and found by Chandrupatla's
-    method. Raises Unreachable for a load that cannot be carried; with refuse=False its separation is NaN.
+    A load may be carried at several separations. The function returns the one that is stable under a given load: the first
+    that approaching surfaces reach after the largest tension. For smooth laws and Gaussian heights a fast method finds
+    starting values, which are refined with the sums over asperities. Otherwise the root is bracketed on a grid and found by
+    Chandrupatla's method. Raises Unreachable for a load that cannot be carried; with refuse=False its separation is NaN.
     """
     return _whole([inversion for inversion, _, _ in _by_blocks(problem, targets, refuse)])
 
@@ -112,8 +113,8 @@ def solved_at(problem: Problem, targets: np.ndarray, refuse: bool = True) -> tup
 def _by_blocks(problem: Problem, targets: np.ndarray, refuse: bool) -> Iterator[tuple[Inversion, np.ndarray | None, Any]]:
     """Find separations as `separations_at` does, and yield (inversion, sums, problem) for each block of contacts.
 
-    sums (regimes, n, m, 5): sums over asperities at the separations, NaN where the search did not compute them; None if it
-    computed none. problem: the problem of this block alone.
+    sums (regimes, n, m, 5): sums over asperities at the separations, NaN where the search did not compute them, or None if
+    it computed none. problem: the problem of this block alone.
     """
     for rows in blocks(len(problem.groups), max(targets.shape[1], _WAY_POINTS)):
         some = problem.with_groups(rows)
@@ -180,7 +181,7 @@ def _quickly(problem: AsperitySum, targets: np.ndarray) -> tuple[Inversion, np.n
 
 
 def _polished(problem: AsperitySum, law, h, sums, target, slope, enough) -> tuple[np.ndarray, np.ndarray, int]:
-    """Refine the separations h (k,), over sigma, by Newton's method with a known slope of the load.
+    """Refine the separations h (k,), in units of sigma, by Newton's method with a known derivative of the load.
 
     law, target, slope, enough (k,): index of the contact, requested load, derivative of the load by the separation, and load
     error at which no further step is needed. sums (regimes, k, 5): sums over asperities at the separations h; they are
@@ -201,7 +202,7 @@ def _polished(problem: AsperitySum, law, h, sums, target, slope, enough) -> tupl
 
 
 def _from_tables(problem: ClosedFormProblem, targets: np.ndarray) -> tuple[Inversion, np.ndarray]:
-    """Find the separations at the loads `targets` (n, m) for a theory in closed form that provides an estimate of them.
+    """Find the separations at the loads `targets` (n, m) for a closed-form theory that provides an estimate of them.
 
     The theory has no adhesion. The secant method on the logarithm of the load starts from the estimate. Returns the inversion,
     and a mask (n,) of the contacts for which the method succeeded.
@@ -269,8 +270,8 @@ def _robustly(problem: Problem, targets: np.ndarray, refuse: bool) -> Inversion:
 def _tension_past(problem: Problem, h: np.ndarray, loads: np.ndarray, size: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Find the largest tension (n,) and its separation (n,) from loads on a grid; 0 and NaN for contacts without tension.
 
-    h (H,): descending separations over sigma. loads (n, H): loads there. size (n,): scale of the loads; a tension that is tiny
-    in comparison is a round-off error.
+    h (H,): descending separations in units of sigma. loads (n, H): loads at these separations. size (n,): scale of the
+    loads; a tension that is tiny in comparison is treated as a round-off error.
     """
     tension, where = largest_tension(problem.load_at, np.broadcast_to(h, loads.shape), loads)
     if problem.heights.tops.size and (problem.groups.theta is not None or problem.groups.meniscus_height is not None):
@@ -284,7 +285,7 @@ def _tension_past(problem: Problem, h: np.ndarray, loads: np.ndarray, size: np.n
 
 
 def _below_tops(problem: Problem) -> np.ndarray:
-    """Return descending separations (n, m), over sigma, around the highest asperities, where the largest tension may lie.
+    """Return descending separations (n, m) in units of sigma, near the highest asperities, where the largest tension may lie.
 
     At these separations a few asperities adhere before many are compressed. The separations span multiples of theta^(-2/3)
     (theta: adhesion index). With menisci they also span multiples of the meniscus height and of the distance at which
@@ -305,7 +306,7 @@ def largest_tension(load: Callable, h: np.ndarray, loads: np.ndarray) -> tuple[n
     """Find the largest tension (n,) and its separation (n,) from loads on a grid; 0 and NaN if no load is negative.
 
     load(h, law): function that returns the loads of the contacts with the indices `law` at the separations h, element by
-    element. h, loads (n, H): ordered separations and the loads there. The minimum of the load is located between the two
+    element. h, loads (n, H): ordered separations and the loads at them. The minimum of the load is searched between the two
     neighbours of the lowest load.
     """
     laws = np.arange(len(loads))
@@ -324,11 +325,11 @@ def largest_tension(load: Callable, h: np.ndarray, loads: np.ndarray) -> tuple[n
 
 
 def _loads_past(problem: Problem, targets: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return descending separations (H,), over sigma, the loads (n, H) there, and the scale (n,) of the loads.
+    """Return descending separations (H,) in units of sigma, the loads (n, H) at them, and the scale (n,) of the loads.
 
-    The separations start where the load is below the smallest of `targets` (n, m) and almost nothing touches. They end at -10,
-    or where compression exceeds all tension. Sparse asperities of nearly equal heights are pressed further, until they carry
-    the largest target or would fill the nominal area. The scale does not depend on this range.
+    The separations start where the load is below the smallest of `targets` (n, m) and almost nothing touches. They end at
+    -10, or where compression exceeds all tension. For sparse asperities of nearly equal heights they extend further, until
+    the largest target is carried or the asperities would fill the nominal area. The scale does not depend on this range.
     """
     h, loads = _FIRST, problem.loads_on_grid(_FIRST)
     size = np.abs(loads).max(axis=1)
@@ -354,11 +355,11 @@ def _loads_past(problem: Problem, targets: np.ndarray) -> tuple[np.ndarray, np.n
 
 
 def _deepest(problem: Problem) -> np.ndarray | float:
-    """Return the largest depth -h of the search for a load, over sigma, (n,) or a number.
+    """Return the largest depth -h of the search for a load, in units of sigma, (n,) or a number.
 
     An asperity pressed by delta touches the area pi R delta/2 or more, so that N asperities per area fill the plane when
-    pressed by 2/(pi N R) (R: asperity radius). For listed heights, which may be nearly equal, it is FARTHEST. It is 0 if
-    the asperity density is unknown or the model is no sum over asperities.
+    pressed by 2/(pi N R) (R: asperity radius). For listed heights, which may be nearly equal, the result is FARTHEST. It is
+    0 if the asperity density is unknown or the model does not sum over asperities.
     """
     density = problem.groups.roughness_parameter  # N R sigma
     if problem.heights.listed.size:
@@ -367,10 +368,10 @@ def _deepest(problem: Problem) -> np.ndarray | float:
 
 
 def _touches(loads: np.ndarray, size: np.ndarray, smallest: np.ndarray) -> np.ndarray:
-    """Return a mask (n,) of contacts that still touch at the largest separation, the first column of `loads` (n, H).
+    """Return a mask (n,) of contacts that still touch at the largest separation, which is the first column of `loads` (n, H).
 
-    Their load there is not yet negligible or not below the smallest target, or their largest tension may lie at larger
-    separations. size: scale (n,) of the loads. smallest: smallest target (n,).
+    Either their load at this separation is not negligible or not below the smallest target, or their largest tension may
+    lie at larger separations. size: scale (n,) of the loads. smallest: smallest target (n,).
     """
     farthest = loads[:, 0]
     tension = (farthest < -NO_TENSION * size) & (np.argmin(loads, axis=1) == 0)

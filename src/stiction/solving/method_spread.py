@@ -1,4 +1,4 @@
-"""Compute how much the friction coefficient depends on the method that finds asperities in a scan."""
+"""Compute how much the friction coefficient depends on the method of finding asperities in a scan."""
 
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
@@ -66,7 +66,8 @@ def _over(array: Any, like: "xarray.DataArray") -> np.ndarray:
 def _read_off(results: Mapping, contact: Contact, like: "xarray.DataArray") -> np.ndarray:
     """Return friction coefficient and fraction of touching asperities as one array (2, *shape of `like`).
 
-    results: arrays by name. The values are NaN where the load is not compressive, and for results that the model does not have.
+    results: arrays by name. The values are NaN where the load is not compressive, and for results that the model does not
+    compute.
     """
     asperities = contact.roughness.asperity_density * contact.nominal_area
     touching = _over(results["touching_asperities"], like) if "touching_asperities" in results else np.nan
@@ -83,12 +84,12 @@ def with_method_spread(
 ) -> "xarray.Dataset":
     """Add the friction coefficients of all asperity methods to a result of `solve`, and return it.
 
-    contacts: the same bodies with the roughness from each method, by the name of the method. counts: number of asperities that
+    contacts: contacts with the roughness from each method, by the name of the method. counts: number of asperities that
     each method found, 0 for methods that compute averages without finding single asperities. Adds
     friction_coefficient_by_method (asperity_method, points), its range over the methods as friction_coefficient_low and
-    friction_coefficient_high, and found_touching_by_method, the number of found asperities that touch (NaN for averages). If
-    fewer than ten of them touch, friction depends on the assumed tail of the height distribution, and a validity warning states
-    this. A result without friction is returned unchanged.
+    friction_coefficient_high, and found_touching_by_method, the number of found asperities that touch (NaN for averages).
+    If fewer than ten of them touch, friction depends on the assumed tail of the height distribution, and a validity warning
+    says so. A result without friction is returned unchanged.
     """
     if _MU not in data:
         return data
@@ -132,7 +133,7 @@ def _on_the_tail(data: "xarray.Dataset") -> str:
 def with_range_over_methods(
     data: "xarray.Dataset", methods: list[str], each: np.ndarray, points, name: str
 ) -> "xarray.Dataset":
-    """Add a quantity by asperity method to a dataset, with its lowest and highest value over the methods; return the dataset.
+    """Add a quantity by asperity method, and its lowest and highest value, to a dataset; return the dataset.
 
     methods: names of the methods. each: values (methods, points). points: names of the other dimensions. name: name of the
     quantity; the three new variables are name_by_method, name_low and name_high.

@@ -1,4 +1,4 @@
-"""Displace an adhesive map tangentially; a law of mode mixity may let shear lower its adhesion."""
+"""Displace an adhesive map tangentially; with a law of mode mixity, shear lowers its adhesion."""
 
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
@@ -50,7 +50,7 @@ class AdhesiveMap(MovingMap):
 
 @dataclass(frozen=True)
 class PeelingMap(AdhesiveMap):
-    """Represent an adhesive map at one load that is displaced; shear lowers its adhesion by a law of mode mixity."""
+    """Represent an adhesive map at one load that is displaced tangentially; shear lowers its adhesion by a mode-mixity law."""
 
     def path(self, index: int, shifts: np.ndarray, weakening: "Weakening | None") -> "SlidingPath":
         from stiction.solvers.shear.peeling import slide_and_peel
@@ -72,7 +72,7 @@ class PeelingMap(AdhesiveMap):
 
 
 def _remark(problem: MapProblem) -> str:
-    """Return a remark for the user on the grade and evidence of the selected law of mode mixity; "" if there is no such law."""
+    """Return a remark for the user on the grade and evidence of the selected law of mode mixity; "" without such a law."""
     name = problem.options["mode_mixity"]
     if name == "none":
         return ""

@@ -19,12 +19,12 @@ __all__ = ["MovingMap"]
 
 @dataclass(frozen=True)
 class MovingMap:
-    """Represent a map, solved at one or more loads, that is displaced tangentially; shear does not change its pressure.
+    """Represent a solved map that is displaced tangentially at one or more loads; shear does not change its pressure.
 
     problem: contact and laws. contacts: solution without shear at each load. strengths: shear strength [Pa] of the points
-    (rows, columns) at each load. operator: computes shear displacements. remark: what the solution neglects, for the user; ""
-    if nothing. farther: largest displacement to solve by default, divided by the displacement at which every point slips if
-    shear does not change the pressure.
+    (rows, columns) at each load. operator: computes shear displacements. remark: text for the user on what the solution
+    neglects, or "". farther: largest displacement to solve by default, divided by the displacement at which every point
+    slips if shear does not change the pressure.
     """
 
     farther: ClassVar[float] = 1.0
@@ -39,7 +39,7 @@ class MovingMap:
     def of(cls, problem: MapProblem, contacts: "tuple[MapContact, ...]") -> "MovingMap":
         """Build the moving map from contacts solved without shear, one for each load.
 
-        Raises InputError if the shear strength of the points is not known.
+        Raises InputError if the shear strength of the points is unknown.
         """
         strengths = tuple(problem.strengths(one) for one in contacts)
         return cls(problem, contacts, strengths, operator_of(problem, problem.surface()))
@@ -50,11 +50,11 @@ class MovingMap:
         return self.contacts[0].nominal_area
 
     def pixel(self, index: int) -> float:
-        """Return the area of a point [m2] of the map at the load of this index."""
+        """Return the area [m2] of a map point at the load with this index."""
         return self.nominal_area / self.strengths[index].size
 
     def path(self, index: int, shifts: np.ndarray, weakening: "Weakening | None") -> "SlidingPath":
-        """Solve the map at all rigid tangential displacements `shifts` [m], in their order, at the load of this index.
+        """Solve the map at the rigid tangential displacements `shifts` [m], in the given order, at the load with this index.
 
         weakening: how strength falls with slip; None for constant strength.
         """
@@ -82,7 +82,7 @@ class MovingMap:
 def operator_of(problem: MapProblem, surface: "HeightMap") -> "ShearOperator":
     """Return the operator that computes shear displacements of a map with the bodies of this problem.
 
-    surface: the map, which is one period of an endless surface, or a window that its mirror images continue.
+    surface: the map, either one period of an endless surface, or a window that is continued by its mirror images.
     """
     from stiction.solvers.shear.operators import MirroredShear, PeriodicShear
 

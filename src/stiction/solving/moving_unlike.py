@@ -1,6 +1,6 @@
-"""Displace a map of two bodies with unlike elastic constants tangentially: pressure and shear are coupled.
+"""Tangentially displace a map of two bodies with unlike elastic constants, which couple pressure and shear.
 
-A window that is not periodic is completed to one period with its mirror images, because the coupled tractions are not symmetric
+A window that is not periodic is completed to one period by its mirror images, because the coupled tractions are not symmetric
 about its sides.
 """
 
@@ -33,9 +33,9 @@ def are_unlike(problem: MapProblem) -> bool:
 
 @dataclass(frozen=True)
 class UnlikeBodies(MovingMap):
-    """Represent a map of bodies with unlike elastic constants, whose pressure and shear are coupled.
+    """Represent a map of two bodies with unlike elastic constants, which couple pressure and shear.
 
-    The contacts are those of one period of the map, which for a window includes its mirror images.
+    Contacts are stored for one period of the map; for a window this includes its mirror images.
     """
 
     farther: ClassVar[float] = 1.5
@@ -68,7 +68,7 @@ class UnlikeBodies(MovingMap):
         return path if pressing.converged else replace(path, states=tuple(replace(s, converged=False) for s in path.states))
 
     def pressing(self, index: int) -> "Pressing":
-        """Return the solver of the pressure under shear at the load of this index; it starts from the unsheared contact."""
+        """Return the solver for the pressure under shear at the load with this index; it starts from the unsheared contact."""
         from stiction.solvers.boundary_elements.compliance import Compliance
         from stiction.solvers.boundary_elements.measures import rms_step
         from stiction.solvers.boundary_elements.minimise import Problem
@@ -90,7 +90,7 @@ class UnlikeBodies(MovingMap):
         return math.inf if hardness is None or self.problem.options["yielding"] == "none" else float(hardness)
 
     def strength_at(self, index: int, pressure: np.ndarray) -> np.ndarray:
-        """Return the shear strength of every point [Pa] from a pressure of every point [Pa], both (rows, columns).
+        """Return the shear strength of every point [Pa] from its pressure [Pa], both (rows, columns).
 
         index: index of the load.
         """
@@ -119,10 +119,10 @@ class UnlikeBodies(MovingMap):
 
 
 def effect_of_coupling(problem: MapProblem, contacts: "tuple[MapContact, ...]") -> float:
-    """Return the largest relative change of friction due to the coupling of pressure and shear, over all loads.
+    """Return the largest relative change of friction due to the coupling of pressure and shear, among all loads.
 
-    contacts: solved without shear, one for each load. Friction is computed with all points sliding, each at the strength that
-    its pressure gives. The pull of menisci is included in the load.
+    contacts: solved without shear, one for each load. Friction is computed with all points sliding, each with the strength
+    for its pressure. The pull of menisci is included in the load.
     """
     from stiction.solvers.shear.coupled import force_when_all_slide
 
@@ -159,7 +159,7 @@ def _period(surface: "HeightMap") -> "HeightMap":
 
 
 def _contact_of_period(one: "MapContact") -> "MapContact":
-    """Return the contact of a whole period, a window with its mirror images, from the contact of the window.
+    """Extend the contact of a window to a whole period, the window with its mirror images.
 
     Only the attributes that `slide` needs are changed.
     """

@@ -54,7 +54,7 @@ class MapProblem(Problem):
 
     @property
     def menisci(self) -> bool:
-        """Return whether menisci between the surfaces are solved; False without a liquid, or if the liquid is neglected."""
+        """Return whether the model solves menisci between the surfaces; False without a liquid or if it is neglected."""
         liquid = self.groups.meniscus_index is not None
         return liquid and not self.chosen.dry and not self.adheres
 
@@ -77,7 +77,7 @@ class MapProblem(Problem):
 
     @cached_property
     def factors(self) -> dict[str, Any]:
-        """Return the number by which normalised results are multiplied, for each unit ("N", "m^2" ...)."""
+        """Return, for each unit ("N", "m^2" ...), the number by which normalised results are multiplied."""
         return self.contact.scales().factors()
 
     @property
@@ -142,8 +142,8 @@ class MapProblem(Problem):
     def few_of(self, load: np.ndarray) -> np.ndarray:
         """Return five normalised loads (1, k), from light contact up to a third of the nominal area.
 
-        At the heaviest load about a third of the nominal area touches (nominal pressure 0.2 E* h'), or the nominal pressure is
-        0.3 times the hardness if that is less. `load` is not used: a map is slow to solve, so its own few loads replace it.
+        At the highest load about a third of the nominal area touches (nominal pressure 0.2 E* h'), or the nominal pressure
+        is 0.3 times the hardness if this is less. `load` is not used, because a map is too slow to solve at many loads.
         Raises InputError for a map with too many points.
         """
         from stiction.solvers.boundary_elements.measures import waves
@@ -169,7 +169,7 @@ class MapProblem(Problem):
     def _friction(self, map_contact: "MapContact") -> float:
         """Return the normalised tangential force of the whole contact with all points at full strength.
 
-        map_contact: solved map, whose force is scaled to the nominal area of the contact. Raises InputError for adhesive
+        map_contact: solved map; its force is scaled to the nominal area of the contact. Raises InputError for adhesive
         contact if the option `shear` needs the pressure of each point.
         """
         assert self.chosen.tangential is not None

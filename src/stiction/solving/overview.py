@@ -14,9 +14,9 @@ if TYPE_CHECKING:
 
 
 class ModelRow(TypedDict):
-    """Define the keys of the dictionaries that `models` returns, one for each model, law or method.
+    """Define the keys of the dictionaries that `models` returns for each model, law or method.
 
-    Keys that only some kinds of laws have come last.
+    Keys that exist only for some kinds of laws come last.
     """
 
     key: str
@@ -68,7 +68,7 @@ def models(keys: Iterable[str] | None = None) -> list[ModelRow]:
     Returns
     -------
     list of ModelRow
-        One dict for each of them. Its value `text`, in Markdown, holds assumptions, equations and check numbers.
+        One dict for each model, law or method. Its value `text` holds assumptions, equations and check numbers in Markdown.
 
     Raises
     ------
@@ -209,7 +209,7 @@ def cite(what: "xarray.Dataset | str | Iterable[str] | None" = None) -> str:
 def _texts(values: Any, field: str, allowed: str) -> list[str]:
     """Return an iterable of texts as a list; raise InputError for anything else.
 
-    field, allowed: texts of the error.
+    field, allowed: field and allowed values, for the error message.
     """
     with suppress(TypeError):
         texts = list(values)

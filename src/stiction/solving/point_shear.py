@@ -6,8 +6,8 @@
 p is the pressure, H the hardness, tau_0 the shear strength of the interface and alpha its pressure coefficient. (1): friction
 cannot exceed the strength of the sheared material (Orowan 1943, Proc. Inst. Mech. Eng. 150, 140). (2): Tabor (1959, Proc. R.
 Soc. A 251, 378), with his value of 9 for the factor of tau_0^2. Spots with a pressure above (H^2 - 9 tau_0^2)^(1/2) flow under
-the shear and grow until their pressure has this value. For spots that flow mu = tau_0/(H^2 - 9 tau_0^2)^(1/2), which is his
-1/[9 (c^-2 - 1)]^(1/2) for c = 3 tau_0/H. Both are reconstructed and were not compared with print (grade C).
+the shear and grow until their pressure has this value. For spots that flow, mu = tau_0/(H^2 - 9 tau_0^2)^(1/2), which equals
+Tabor's 1/[9 (c^-2 - 1)]^(1/2) with c = 3 tau_0/H. Both are reconstructed and were not compared with the papers (grade C).
 """
 
 import math
@@ -31,10 +31,10 @@ _TABOR = 9.0  # factor of tau_0^2 in (2), from Tabor's measurements
 def points_of(map_contact: "MapContact") -> Iterator[tuple[str, np.ndarray, float, float]]:
     """Yield each group of points of a solved map: state, pressures [Pa], area of a pixel [m2], contact area of each point [m2].
 
-    The group "elastic" holds the points below the hardness, the group "plastic" those at the hardness; a group without points
-    is not yielded. Pixels at contact edges touch only in part, so that all pixels together are larger than the contact area.
-    The excess is subtracted from the elastic points, each by the same factor. If their area does not suffice, all points are
-    reduced by one factor.
+    The group "elastic" holds the points with a pressure below the hardness, the group "plastic" those at the hardness; a
+    group without points is not yielded. Pixels at contact edges touch only in part, so that the sum of all pixels exceeds
+    the contact area. To remove the excess, the areas of the elastic points are reduced by a common factor. If they are too
+    small for this, all points are reduced by a common factor.
     """
     assert map_contact.pressure is not None
     pixel = map_contact.nominal_area / map_contact.pressure.size
@@ -52,8 +52,8 @@ def points_of(map_contact: "MapContact") -> Iterator[tuple[str, np.ndarray, floa
 def _lesser(contact: Contact, law: str, map_contact: "MapContact") -> OfPoints:
     """Yield the state, "elastic" or "plastic", and the tangential forces [N] of each group of points.
 
-    The force on a point is the smaller of two: pressure coefficient times load, and strength times contact area. law: not used.
-    Raises InputError without a pressure coefficient or a strength.
+    The force on a point is pressure coefficient times load, or strength times contact area if this is smaller. law: not
+    used. Raises InputError without a pressure coefficient or a strength.
     """
     strength, (_, coefficient) = _strength(contact), contact.interface_at()
     if coefficient is None:

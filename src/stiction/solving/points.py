@@ -26,10 +26,10 @@ from stiction.solving.problem import Problem, with_requested_load
 class Points:
     """Store the loads or mean separations at which the contacts of a problem are solved.
 
-    name: "load" or "mean_separation". value: the requested number or array with named dimensions, in the units of the contact.
-    factors: for each unit ("N", "m") the number by which normalised values are multiplied. dims: dimensions of the results with
-    their sizes, those of the contacts first. wanted: normalised values in the shape of dims. narrow: the same values, with
-    length 1 along dimensions on which they do not depend.
+    name: "load" or "mean_separation". value: the requested number or array with named dimensions, in the units of the
+    contact. factors: by unit ("N", "m"), the number by which normalised values are multiplied. dims: dimensions of the
+    results with their sizes, those of the contacts first. wanted: normalised values in the shape of dims. narrow: the same
+    values, with length 1 along dimensions on which they do not depend.
     """
 
     problem: Problem
@@ -58,9 +58,9 @@ class Points:
 
 
 def points_of(problem: Problem, load: Any = None, separation: Any = None) -> Points:
-    """Return the points at which a user asks for results, from either a load or a separation in the units of the contact.
+    """Return the points at which results are requested, from either a load or a separation in the units of the contact.
 
-    Raises InputError if both or neither are stated, and for a separation if the model does not compute separations.
+    Raises InputError if both or neither are given, and for a separation if the model does not compute separations.
     """
     if (separation is None) == (load is None):
         given = InWords("both given") if load is not None else None
@@ -112,7 +112,7 @@ def requested_points(subject: Subject, name: str, value: Any) -> Any:
 def coordinates_of(*values: Any) -> dict[str, Any]:
     """Return the coordinates of arrays with named dimensions, by name; load and mean_separation only if they are dimensions.
 
-    The values of a Variable of one dimension are the coordinate of that dimension.
+    The values of a one-dimensional Variable are the coordinate of its dimension.
     """
     named = coordinates((str(value.name or ""), value) for value in values if hasattr(value, "coords"))
     rows = [value for value in values if hasattr(value, "dims") and not hasattr(value, "coords")]
@@ -125,8 +125,8 @@ def coordinates_of(*values: Any) -> dict[str, Any]:
 class Solved:
     """Store normalised results at points.
 
-    tables: arrays by name, in the shape of the points. found, carried: for requested loads, the separations that were found,
-    and the loads computed at these separations; None for requested separations.
+    tables: arrays by name, in the shape of the points. found: for requested loads, the `Inversion` with the separations.
+    carried: loads computed at these separations. Both are None for requested separations.
     """
 
     tables: dict[str, np.ndarray]
@@ -154,9 +154,9 @@ def solve_points(points: Points, refuse: bool = True) -> Solved:
 
 
 def check_reach(separation: np.ndarray, name: str = "separation") -> None:
-    """Raise InputError for separations (over sigma) whose magnitude exceeds the largest one that can be computed.
+    """Raise InputError for separations, in units of sigma, whose magnitude exceeds the largest value that can be computed.
 
-    name: field of the error.
+    name: field named in the error message.
     """
     farthest = float(np.abs(separation).max(initial=0.0))
     if not farthest <= FARTHEST:
@@ -165,9 +165,9 @@ def check_reach(separation: np.ndarray, name: str = "separation") -> None:
 
 @contextmanager
 def in_words(points: Points) -> Iterator[None]:
-    """Convert the exception Unreachable, inside a with-block, to an InputError that states which loads can be carried.
+    """Convert the exception Unreachable, raised inside a with-block, to an InputError that states which loads can be carried.
 
-    points: the requested points, with the units in which loads are shown.
+    points: the requested points, which also give the units in which loads are shown.
     """
     try:
         yield
@@ -206,7 +206,7 @@ def _at_loads(points: Points) -> dict[str, np.ndarray]:
 def _summed(points: Points) -> dict[str, np.ndarray]:
     """Return the results at the requested separations, by name, in the shape of the points.
 
-    Separations common to all contacts use the faster sums on a grid.
+    If all contacts have the same separations, the faster sums on a grid are used.
     """
     problem, shape = points.problem, points.wanted.shape
     contacts, own = len(problem.groups), len(problem.shape)

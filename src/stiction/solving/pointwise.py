@@ -1,6 +1,6 @@
 """Solve many contacts at once.
 
-A contact that the model does not accept, or that cannot carry the load, gets NaN and a code for the reason.
+A contact that the model does not accept, or that cannot carry the load, gets NaN and a reason code.
 """
 
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
@@ -40,10 +40,10 @@ NOT_COMPUTED = np.uint32(1 << 31)
 class BatchResult:
     """Store the results of many contacts.
 
-    variables: (dimensions, values in the units of the contact, attributes) by name. validity_warnings: dimensions, and an array
-    of bits (uint32): first one bit for each reason of WHY_NOT, then one for each range in `rules`. rules: validity ranges that
-    results can leave. subject: the contacts in the form that the model uses. attributes: models and sources as in `solve`; {}
-    if only some results are requested.
+    variables: (dimensions, values in the units of the contact, attributes) by name. validity_warnings: dimensions, and an
+    array of bits (uint32): first one bit for each reason in WHY_NOT, then one for each range in `rules`. rules: validity
+    ranges that results can violate. subject: the contacts in the form that the model uses. attributes: attributes as in
+    `solve`; {} if only some results are requested.
     """
 
     variables: dict[str, tuple]
@@ -86,7 +86,7 @@ def solve_batch(
 
 
 def meanings_of(rules: Sequence[Validity]) -> list[str]:
-    """Return the meaning of each bit of `BatchResult.validity_warnings`, as texts, starting with bit 0."""
+    """Return the meaning of each bit of `BatchResult.validity_warnings` as text, starting with bit 0."""
     return [*WHY_NOT, *(f"{rule.quantity} is not {rule.range}: {rule.why}" for rule in rules)]
 
 
@@ -104,9 +104,10 @@ def _solve(points: Points) -> tuple[Solved, np.ndarray]:
 
 
 def _solve_in_parts(points: Points) -> tuple[Solved, np.ndarray]:
-    """Solve contacts in parts: contacts that the model does not accept get NaN, and all others get results.
+    """Solve contacts in parts, so that contacts that the model does not accept get NaN and all others get results.
 
-    Returns the results and the bits of WHY_NOT (contacts, points). Raises the last error if no contact is accepted.
+    Returns the results and the reason bits (contacts, points), see WHY_NOT. Raises the last error if no contact is
+    accepted.
     """
     shape, every = points.table.shape, np.arange(len(points.problem.groups))
     tables: dict[str, np.ndarray] = {}
@@ -130,7 +131,7 @@ def _solve_in_parts(points: Points) -> tuple[Solved, np.ndarray]:
 
 
 def bisected(region: Region, solve: Callable[[Region], T]) -> Iterator[tuple[Region, T | Exception]]:
-    """Solve a region of contacts in parts as large as possible, and yield (part, result) for each part.
+    """Solve a region of contacts in parts that are as large as possible, and yield (part, result) for each part.
 
     A part for which `solve` raises InputError or ArithmeticError is bisected along its longest dimension. A single contact that
     raises an error yields this error as its result.
@@ -150,9 +151,9 @@ def bisected(region: Region, solve: Callable[[Region], T]) -> Iterator[tuple[Reg
 
 
 def tiles(sizes: Mapping[str, int], room: int) -> dict[str, int]:
-    """Return the length of a tile along each dimension, so that it holds at most `room` contacts.
+    """Return the length of a tile along each dimension, chosen so that a tile holds at most `room` contacts.
 
-    sizes: lengths of the dimensions. The last dimensions are filled first.
+    sizes: lengths of the dimensions. Tiles extend along the last dimensions first.
     """
     lengths: dict[str, int] = {}
     for dim in reversed(list(sizes)):
@@ -181,7 +182,7 @@ def _halves(region: Region) -> list[Region]:
 def _solve_together(points: Points) -> tuple[Solved, np.ndarray]:
     """Return the results at the points, NaN where a load cannot be carried, and the bits of WHY_NOT (contacts, points).
 
-    For a model that computes no separations, tensile loads count as not carried.
+    For a model that computes no separations, tensile loads are treated as loads that cannot be carried.
     """
     lost = rounded = np.zeros(points.wanted.shape, dtype=bool)
     if points.problem.needs_load:
@@ -197,7 +198,7 @@ def _solve_together(points: Points) -> tuple[Solved, np.ndarray]:
 
 
 def _without(tables: Mapping[str, np.ndarray], lost: np.ndarray) -> dict[str, np.ndarray]:
-    """Return the result tables with NaN where the mask `lost` is True; the requested load stays."""
+    """Return the result tables with NaN where the mask `lost` is True; the requested load is kept."""
     if not lost.any():
         return dict(tables)
     return {name: np.where(lost, np.nan, table) if name != "load" else table for name, table in tables.items()}

@@ -41,7 +41,7 @@ _COUNT, LOAD, _AREA, SLIP_LIMITED, _YIELD_LIMITED = range(5)  # in the order of 
 class AsperitySum(Problem):
     """Represent contacts under a sum over asperities.
 
-    The engine integrates the regimes (smooth parts) of the asperity law over the distribution of asperity heights.
+    The engine integrates the regimes of the asperity law (smooth parts of it) over the distribution of asperity heights.
     """
 
     @property
@@ -58,7 +58,7 @@ class AsperitySum(Problem):
 
     @cached_property
     def regimes(self) -> list[Regime]:
-        """Return the regimes (smooth segments) of the laws of the solids, then those of additional laws such as menisci."""
+        """Return the regimes of the laws of the solids, followed by those of additional laws such as menisci."""
         return [*self._solids(), *(regime for law in self.chosen.additions.values() for regime in law.regimes(self.groups))]
 
     def _solids(self) -> list[Regime]:
@@ -99,16 +99,16 @@ class AsperitySum(Problem):
 
     @cached_property
     def approach(self) -> Approach:
-        """Return the solver that finds the separations at given loads quickly; it holds for Gaussian heights only."""
+        """Return the fast solver for the separations at given loads; it is valid for Gaussian heights only."""
         return Approach(self.load_alone.regimes)
 
     @cached_property
     def largest_tension(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Return the largest tension (n,) on approach, its separation (n,), and a mask (n,) of contacts with valid values.
 
-        Heights are Gaussian. Tensions are per asperity and normalised, separations over sigma. The values are invalid where the
-        pull of menisci reaches its upper bound, which the fast method neglects, or where the searched separations do not cover
-        the whole approach.
+        Heights are Gaussian. Tensions are per asperity and normalised, separations in units of sigma. The values are
+        invalid where the pull of menisci reaches its upper bound, which this fast method neglects, or where the searched
+        separations do not cover the whole approach.
         """
         estimate, where, plain = self.approach.lowest
         tension, holds, adheres = np.zeros_like(estimate), plain.copy(), np.flatnonzero(estimate > 0.0)
@@ -126,12 +126,12 @@ class AsperitySum(Problem):
     def forces(self, h: np.ndarray, law: np.ndarray) -> np.ndarray:
         """Return the slip-limited and yield-limited tangential force per asperity (2, k), normalised.
 
-        h, law (k,): separations over sigma, and indices of the contacts.
+        h, law (k,): separations in units of sigma, and indices of the contacts.
         """
         return self.sums(h, law)[..., [SLIP_LIMITED, _YIELD_LIMITED]].sum(axis=0).T
 
     def sums_at(self, h: np.ndarray) -> np.ndarray:
-        """Return the sums over asperities (regimes, n, m, 5) of n contacts at the separations h (n, m), over sigma.
+        """Return the sums over asperities (regimes, n, m, 5) of n contacts at the separations h (n, m) in units of sigma.
 
         The five values, per asperity: number touching, load, area, slip-limited and yield-limited tangential force.
         """
@@ -178,11 +178,11 @@ class AsperitySum(Problem):
 
     @cached_property
     def most_pull(self) -> np.ndarray | None:
-        """Return two factors (2, n) that define the upper bound of meniscus pull; None without menisci, or if it is unknown."""
+        """Return two factors (2, n) that determine the upper bound of the meniscus pull; None without menisci or if unknown."""
         return most_pull(self.groups) if "meniscus" in self.chosen.additions else None
 
     def sums(self, h: np.ndarray, law: np.ndarray) -> np.ndarray:
-        """Return the sums over asperities (regimes, k, 5) at k pairs of a separation h, over sigma, and a contact.
+        """Return the sums over asperities (regimes, k, 5) for k pairs of a separation h, in units of sigma, and a contact.
 
         law (k,): indices of the contacts. The five values, per asperity: number touching, load, area, slip-limited and
         yield-limited tangential force. The pull of menisci is limited to its upper bound.
@@ -195,12 +195,12 @@ class AsperitySum(Problem):
         return Scattered(self.regimes, self.heights)
 
     def _on_grid(self, h: np.ndarray) -> np.ndarray:
-        """Return the sums over asperities (regimes, n, H, 5) at the separations h (H,), over sigma, common to all contacts."""
+        """Return the sums over asperities (regimes, n, H, 5), all at the same separations h (H,), in units of sigma."""
         sums = np.moveaxis(on_grid(self.regimes, h, self.heights, self.threads), 2, -1)
         return sums if self.most_pull is None else bounded(sums, self.regimes, self.most_pull[..., None])
 
     def _as_published(self) -> "AsperitySum | None":
-        """Return the problem with its tangential law as published; None if it uses the published law already.
+        """Return the problem with its tangential law as published; None if it already uses the published law.
 
         The option `plastic_junctions` can give yielded junctions the resistance of another law.
         """
@@ -259,9 +259,9 @@ class AsperitySum(Problem):
 
 
 def _wanted(name: str) -> str:
-    """Return a text for errors that states which values of a required quantity are allowed.
+    """Return a text for error messages that states which values of a required quantity are allowed.
 
-    If `name` is not a quantity but a part of a contact, the text asks for that part. A work of adhesion has to be above 0.
+    If `name` is not a quantity but a part of a contact, the text asks for that part. A work of adhesion must be above 0.
     """
     if name not in QUANTITIES:
         return f"a {name}"
@@ -270,9 +270,9 @@ def _wanted(name: str) -> str:
 
 
 def _others(model: str) -> str:
-    """Return advice to name another model if the default model lacks an input; "" for every other model.
+    """Return advice to name another model, if `model` is the default model and lacks an input; "" for any other model.
 
-    The user may not have chosen the default model.
+    The user may not be aware of the default model.
     """
     if model != DEFAULT_MODEL:
         return ""
@@ -283,8 +283,8 @@ def with_requested_load(results: dict[str, np.ndarray], load: np.ndarray) -> dic
     """Replace the computed load by the requested one, recompute the friction coefficient, and return all results.
 
     results: normalised arrays by name. load: requested loads. Where round-off makes the requested load unattainable, the
-    computed load stays. At a requested load of 0, the replacement prevents a friction coefficient that is computed from a load
-    of round-off size.
+    computed load is kept. At a requested load of 0, the replacement prevents a friction coefficient based on a load of
+    round-off size.
     """
     exact = results | {"load": np.where(lost_in_rounding(results["load"], load), results["load"], load)}
     return exact | with_coefficient(exact["load"], results["friction_force"]) if "friction_force" in results else exact
@@ -362,8 +362,8 @@ def _prepared(subject: Subject, choice: Choice, heights: Heights | str | None, t
 def number_of_asperities(groups: Groups) -> np.ndarray | None:
     """Return the number of asperities on the nominal area (n, 1), or None if unknown.
 
-    It is N A_n = N R sigma (A_n/sigma^2) (sigma/R), with asperity density N, nominal area A_n, asperity radius R and rms height
-    sigma.
+    The number is N A_n = N R sigma (A_n/sigma^2) (sigma/R), with asperity density N, nominal area A_n, asperity radius R
+    and rms height sigma.
     """
     if groups.nominal_width is None or groups.sharpness is None or groups.roughness_parameter is None:
         return None
@@ -371,7 +371,7 @@ def number_of_asperities(groups: Groups) -> np.ndarray | None:
 
 
 def problem_of(groups: Groups, choice: Choice, heights: Heights | None = None, subject: Subject | None = None) -> Problem:
-    """Build the problem of contacts that are given by dimensionless groups, with the only dimension "contact".
+    """Build the problem of contacts given by dimensionless groups; its only dimension is "contact".
 
     heights: distribution; None for Gaussian heights. subject: the Contact or Indices of the user, or None. Raises InputError
     for a quantity that the laws need and the groups do not contain.

@@ -1,4 +1,4 @@
-"""Define the base class of all problems: sums over asperities, theories in closed form, and contacts of a map."""
+"""Define the base class of all problems: sums over asperities, closed-form theories, and contacts of a map."""
 
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
@@ -22,9 +22,9 @@ class Problem(ABC):
 
     chosen: model and laws. groups: dimensionless groups of the contacts, in one dimension. heights: distribution of the
     asperity heights. dims: named dimensions of the contacts with their sizes; n is the product. coords: coordinates of the
-    dimensions. subject: the Contact or Indices in the form that the model uses; None if only groups are known. threads: number
-    of threads of the sums, which does not change results. Results are normalised, in a dictionary by name; separations are over
-    sigma. Models without separations implement only `at_load`.
+    dimensions. subject: the Contact or Indices in the form that the model uses; None if only groups are known. threads:
+    number of threads of the sums, which does not change results. Results are normalised, in a dictionary by name;
+    separations are in units of sigma. Models without separations implement only `at_load`.
     """
 
     chosen: ResolvedLaws
@@ -64,7 +64,7 @@ class Problem(ABC):
 
     @property
     def way(self) -> str:
-        """Return the name of the method that computes the contact area, for models with more than one method; else ""."""
+        """Return the name of the method that computes the contact area, or "" for a model with only one method."""
         return ""
 
     def records(self) -> list[Record]:
@@ -72,7 +72,7 @@ class Problem(ABC):
         return self.chosen.records()
 
     def with_groups(self, rows: slice | np.ndarray) -> "Problem":
-        """Return the problem of some contacts only; the same object if a slice selects all.
+        """Return the problem restricted to some of its contacts, or the same object if a slice selects all of them.
 
         rows: indices of the contacts, or a slice.
         """
@@ -82,7 +82,7 @@ class Problem(ABC):
     @property
     @abstractmethod
     def needs_load(self) -> bool:
-        """Return whether the model is solved at loads only, because it computes no separation."""
+        """Return whether the model can be solved only at loads, because it computes no separation."""
 
     @property
     @abstractmethod
@@ -90,15 +90,15 @@ class Problem(ABC):
         """Return whether the model includes adhesion between the two surfaces."""
 
     def few_of(self, load: np.ndarray) -> np.ndarray:
-        """Return the normalised loads (n, m) at which a curve is solved: `load`, or a few others if each solution is slow."""
+        """Return the normalised loads (n, m) at which a curve is solved: `load`, or a few others if solving is slow."""
         return load
 
     def on_branch(self, branch: str) -> "Problem":
-        """Return the problem on a branch, "loading" or "unloading"; the problem itself if its law has no branches."""
+        """Return the problem on a branch, "loading" or "unloading", or the problem itself if its law has no branches."""
         return self
 
     def loads(self, h: np.ndarray, law: np.ndarray) -> np.ndarray:
-        """Return the net load per asperity (k,), normalised, at the separations h (k,), over sigma.
+        """Return the net load per asperity (k,), normalised, at the separations h (k,), in units of sigma.
 
         law (k,): index of the contact of each separation.
         """
@@ -112,15 +112,15 @@ class Problem(ABC):
         return self.loads(h.ravel(), np.broadcast_to(law.astype(int), h.shape).ravel()).reshape(h.shape)
 
     def loads_on_grid(self, h: np.ndarray) -> np.ndarray:
-        """Return the normalised net load per asperity (n, H) at the separations h (H,), over sigma, common to all contacts."""
+        """Return the normalised net load per asperity (n, H), all at the same separations h (H,), in units of sigma."""
         self.refuse_separation()
 
     def on_grid(self, h: np.ndarray) -> dict[str, np.ndarray]:
-        """Return the results at the separations h (H,), over sigma, common to all contacts, as arrays (n, H) by name."""
+        """Return the results of all contacts at the same separations h (H,), in units of sigma, as arrays (n, H) by name."""
         self.refuse_separation()
 
     def at(self, h: np.ndarray) -> dict[str, np.ndarray]:
-        """Return the results at the separations h (n, m), over sigma, as arrays (n, m) by name."""
+        """Return the results at the separations h (n, m), in units of sigma, as arrays (n, m) by name."""
         self.refuse_separation()
 
     def at_load(self, load: np.ndarray) -> dict[str, np.ndarray]:

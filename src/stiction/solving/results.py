@@ -32,7 +32,7 @@ def labelled(
 ) -> "xarray.Dataset":
     """Convert normalised arrays to a dataset in the units of the contact.
 
-    tables: arrays by name, in the shape of dims or broadcasting to it. factors: for each unit ("N", "m^2", "count") the number
+    tables: arrays by name, in the shape of dims or broadcasting to it. factors: by unit ("N", "m^2", "count"), the number
     by which arrays in this unit are multiplied. dims, coords: dimensions with their sizes, and coordinates.
     """
     return as_dataset(as_variables(subject, tables, factors, dims), coords)
@@ -59,7 +59,7 @@ def variables_of(
     keep: Collection[str] | None = None,
     refused: np.ndarray | None = None,
 ) -> dict[str, tuple]:
-    """Return the results at points as variables, with the load residual and the largest tension added.
+    """Return the results at points as variables, including the load residual and the largest tension.
 
     tables: normalised results by name. keep: names of the requested results, by default all. refused: mask (n,) of contacts
     without results. A variable is (dimensions, values in the units of the contact, attributes).
@@ -83,8 +83,8 @@ _RESIDUAL = {
 def _pull_off(points: Points, inversion: Inversion | None, refused: np.ndarray | None) -> dict[str, tuple]:
     """Return the pull-off force and its separation for each contact, as variables.
 
-    inversion: separations found for the problem, which contain both if the problem is on the unloading branch; None if there
-    are none. refused: mask (n,) of contacts without results, or None.
+    inversion: separations found for the problem, or None. It contains both results if the problem is on the unloading
+    branch. refused: mask (n,) of contacts without results, or None.
     """
     problem, apart = points.problem, points.problem.on_branch("unloading")
     if inversion is not None and apart is problem:
@@ -102,7 +102,7 @@ def _pull_off(points: Points, inversion: Inversion | None, refused: np.ndarray |
 def as_dataset(variables: Mapping[str, tuple], coords: Mapping[str, Any]) -> "xarray.Dataset":
     """Build a dataset from variables and coordinates in one step.
 
-    variables: (dimensions, values, attributes) by name. Assigning variables one by one would align all of them each time.
+    variables: (dimensions, values, attributes) by name. Assigning variables one by one would align all variables each time.
     """
     import xarray
 
@@ -127,7 +127,7 @@ def with_shares(problem: Problem, tables: Mapping[str, np.ndarray]) -> dict[str,
 
 
 def _change_by_junctions(problem: Problem, tables: Mapping[str, np.ndarray]) -> dict[str, str]:
-    """Return an attribute that states in words how mu differs from mu by the published law; {} if the published law is in use.
+    """Return an attribute that describes how mu differs from mu by the published law; {} if the published law is in use.
 
     They differ if an option gives yielded junctions the resistance of another law.
     """
@@ -163,7 +163,7 @@ def summary_of(subject: Subject, problem: Problem, tables: Mapping[str, np.ndarr
 
 
 def _description(subject: Subject, problem: Problem) -> dict[str, str]:
-    """Return the attributes of results that depend only on the problem: title, laws, sources, inputs."""
+    """Return those attributes of a result that depend only on the problem: title, laws, sources, inputs."""
     records = problem.records()
     used = dict.fromkeys(source.key for record in records for source in record.sources)
     laws = {

@@ -1,8 +1,8 @@
 """Compute the tangential force of a rough surface from rest to sliding, asperity by asperity.
 
 Each asperity first sticks, then slips from its rim inwards, and slides at its own displacement. The sum over asperities
-therefore shows how many have reached their strength at the same time. The mean separation is that of the normal load. At each
-displacement, a separate tangential law is summed over the heights (equations: `laws/presliding/mindlin_1949.py`).
+therefore shows how many of them bear their full strength at the same time. The mean separation stays that of the normal load.
+For each displacement, a separate tangential law is summed over the heights (equations: `laws/presliding/mindlin_1949.py`).
 """
 
 import math
@@ -62,27 +62,27 @@ def slide(
     heights: Heights | str | None = None,
     **laws: Unpack[LawKeywords],
 ) -> "xarray.Dataset":
-    """Compute tangential force against displacement, from rest to sliding.
+    """Compute the tangential force as a function of displacement, from rest to sliding.
 
     Parameters
     ----------
     contact : Contact or Indices
-        As in `solve`; with a film only if "boundary_elements" solves a height map.
+        As in `solve`. A film is allowed only if "boundary_elements" solves a height map.
     separation, load : float, str with a unit, or array, optional
         Exactly one of them, as in `solve`: mean separation [m] or normal load [N].
     displacement : float [m], str with a unit, or array, optional
-        Tangential displacements from rest, 0 or more; over sigma for Indices. By default 61 of them, up to 1.5 times the
-        largest sliding displacement.
+        Tangential displacements from rest, 0 or more; in units of sigma for Indices. By default 61 values up to 1.5 times
+        the largest sliding displacement.
     tangential_force : float [N], str with a unit, or array, optional
-        For a map at one load: forces from rest, below the sum of strengths, in place of displacements. Points then have to
-        keep their strength.
+        For a map at one load: forces below the sum of strengths, in place of displacements. Points must then keep their
+        strength.
     residual_strength : float, optional
         Fraction of its strength, 0 to 1, that an asperity retains once it slides, or a point of a map after `weakening_slip`;
         1 is Coulomb's law. By default the value of the contact, or 1.
     weakening_slip : float [m] or str with a unit, optional
         For a map: slip over which a point loses the rest of its strength, linearly. By default the value of the contact.
     spring_stiffness : float [N/m] or str with a unit, optional
-        For a map: stiffness of the machine through which a slow drive moves it. By default the machine is rigid.
+        For a map: stiffness of the machine, through which a slow drive moves the map. By default the machine is rigid.
     model : str, optional
         As in `solve`: a sum over an asperity law, or "boundary_elements", which moves the points of a map. For a contact
         without stated adhesion the default is "greenwood_williamson_1966" with the asperities of Zhao, Maietta and Chang.
@@ -94,13 +94,14 @@ def slide(
     Returns
     -------
     xarray.Dataset
-        friction_force [N], the sum of all strengths, and friction_coefficient, this force over the load;
+        friction_force [N], the sum of all strengths, and friction_coefficient, this force divided by the load;
         tangential_stiffness [N/m] at rest; largest_tangential_force [N], largest_friction_coefficient and
-        sliding_displacement [m], where the force is largest. Over `displacement`: tangential_force [N]; sticking_share, the
-        part of the contact area that has not slipped; for a residual strength of 1, energy_loss [J], the energy lost in one
-        cycle of that amplitude. For a map also friction_efficiency, the largest force over the sum of strengths; with a spring,
-        drive_displacement [m] and state_is_met, 0 at displacements past which the map jumps. If shear changes the contact of
-        a map, also sheared_contact_area [m2] over `displacement`; for unlike bodies, coupling_residual.
+        sliding_displacement [m], where the force is largest. Along `displacement`: tangential_force [N]; sticking_share,
+        the fraction of the contact area that has not slipped; for a residual strength of 1, energy_loss [J], the energy
+        lost in one cycle of this amplitude. For a map also friction_efficiency, the largest force divided by the sum of
+        strengths; with a spring, drive_displacement [m] and state_is_met, 0 at displacements past which the map jumps. If
+        shear changes the contact of a map, also sheared_contact_area [m2] along `displacement`; for unlike bodies,
+        coupling_residual.
 
     Raises
     ------
@@ -110,11 +111,12 @@ def slide(
 
     Notes
     -----
-    Partial slip of an asperity after Mindlin (1949). All asperities are displaced together; plastic ones stick like elastic
-    ones. On a map displacements are relative to its mean plane. Pressure and shear of unlike bodies are coupled. The body with
-    the larger (1 - 2 nu)/G then slides towards higher columns, whichever is the first; mirror the map to reverse this. For like
-    bodies traction across the direction of sliding is neglected. The option mode_mixity lets shear lower the adhesion of a map;
-    none of its laws is recommended. The input `peeling` of the contact is the fraction of the shear energy that opens the edge.
+    An asperity slips partially as in Mindlin (1949). All asperities are displaced together; plastic asperities stick like
+    elastic ones. On a map, displacements are relative to its mean plane. For unlike bodies pressure and shear are coupled.
+    The body with the larger (1 - 2 nu)/G then slides towards higher columns, whether it is the first or the second; mirror
+    the map to reverse this. For like bodies, traction perpendicular to the direction of sliding is neglected. With the
+    option mode_mixity, shear lowers the adhesion of a map; none of its laws is recommended. The input `peeling` of the
+    contact is the fraction of the shear energy that opens the edge.
 
     Examples
     --------
@@ -164,8 +166,8 @@ def slide(
 def _residual(subject: Subject, given: Any) -> float:
     """Return the fraction of its strength that an asperity retains once it slides.
 
-    given: the argument of the user. If it is None, the value of the contact is used, or 1 if the contact states none. Raises
-    InputError for anything but a number from 0 to 1.
+    given: the argument of the user. If it is None, the value of the contact is used, or 1 if the contact has no value.
+    Raises InputError for anything but a number from 0 to 1.
     """
     stated = getattr(subject, "residual_strength", None) if given is None else given
     value = floats(1.0 if stated is None else stated, "residual_strength", "a number from 0 to 1")
@@ -190,8 +192,9 @@ def _checked(problem: Problem) -> AsperitySum:
 def _displacements(subject: Subject, given: Any, slides_at: np.ndarray) -> Any:
     """Return the displacements to compute, as a number or an array with named dimensions, in the units of the contact.
 
-    given: displacements of the user; None for 61 of them, up to 1.5 times the largest value of slides_at. slides_at: sliding
-    displacement of each point. Raises InputError for negative displacements, and for None if the contact has no friction.
+    given: displacements of the user, or None for 61 values up to 1.5 times the largest value of slides_at. slides_at:
+    sliding displacement of each point. Raises InputError for a negative displacement, and for None if the contact has no
+    friction.
     """
     if given is None:
         farthest = float(np.nanmax(slides_at)) if np.isfinite(slides_at).any() else math.nan
@@ -217,18 +220,18 @@ class Sliding:
     residual: float
 
     def at(self, h: np.ndarray, displacement: np.ndarray) -> np.ndarray:
-        """Return the tangential force, and the energy lost in one cycle of this amplitude, normalised (2, *shape).
+        """Return the tangential force and the energy lost in one cycle of this amplitude, both normalised, (2, *shape).
 
-        h, displacement: mean separation and tangential displacement over sigma, of one shape with the contacts' dimensions
-        first.
+        h, displacement: mean separation and tangential displacement in units of sigma, arrays of the same shape, with the
+        contacts' dimensions first.
         """
         return self._summed(h, displacement, lambda tangential, moved: slipping_law(tangential, moved, self.residual))
 
     def _summed(self, h: np.ndarray, displacement: np.ndarray, law_of: Callable) -> np.ndarray:
         """Sum a tangential law that depends on displacement; return the slip-limited and yield-limited sums (2, *shape of h).
 
-        law_of: function (tangential law of the problem, displacements) -> law that is summed. h, displacement: over sigma, of
-        one shape.
+        law_of: function (tangential law of the problem, displacements) -> law that is summed. h, displacement: in units of
+        sigma, arrays of the same shape.
         """
         laws = len(self.problem.groups)
         row = np.repeat(np.arange(laws), math.prod(h.shape) // laws)
@@ -237,9 +240,9 @@ class Sliding:
         return np.concatenate(parts, axis=1).reshape(2, *h.shape)
 
     def stiffness(self, h: np.ndarray) -> np.ndarray:
-        """Return the tangential stiffness at rest, normalised, in the shape of the separations h (over sigma).
+        """Return the normalised tangential stiffness at rest, in the shape of the separations h (in units of sigma).
 
-        It is the slope of force against displacement, summed over all asperities that have a strength.
+        It is the slope of the curve of force against displacement, summed over all asperities that have strength.
         """
         chosen = self.problem.chosen
         assert chosen.tangential is not None
@@ -254,10 +257,10 @@ class Sliding:
         return moved.forces(h, np.arange(h.size))
 
     def curve(self, static: dict[str, np.ndarray], displacement: np.ndarray) -> dict[str, np.ndarray]:
-        """Return tangential force, sticking fraction of the area and energy lost in a cycle, normalised, by name.
+        """Return tangential force, sticking fraction of the area and energy lost per cycle, normalised, by name.
 
-        static: normalised results at rest. displacement: tangential displacements over sigma, with the dimensions of static
-        first. The energy is omitted unless asperities keep their strength.
+        static: normalised results at rest. displacement: tangential displacements in units of sigma, with the dimensions of
+        `static` first. The energy is omitted unless asperities keep their full strength.
         """
         h, area = (
             np.broadcast_to(table.reshape(table.shape + (1,) * (displacement.ndim - table.ndim)), displacement.shape)
@@ -270,7 +273,7 @@ class Sliding:
         return {"tangential_force": force, "sticking_share": sticking} | lost
 
     def ends(self, static: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
-        """Return the largest tangential force, its ratio to the load and its displacement, normalised, by name.
+        """Return the largest tangential force, its ratio to the load and the displacement at it, normalised, by name.
 
         static: normalised results at rest. With constant strength (Coulomb's law) the force only approaches its largest value;
         the displacement is then where it reaches 99 % of the sum of strengths.
@@ -292,7 +295,7 @@ class Sliding:
     def _nearly(self, h: np.ndarray, unit: np.ndarray, force: np.ndarray) -> np.ndarray:
         """Find the displacement at which the tangential force reaches `force`, by bisection; NaN beyond the searched range.
 
-        h: separations over sigma. unit: scale of the searched displacements, over sigma.
+        h: separations in units of sigma. unit: scale of the searched displacements in units of sigma.
         """
         low, high = np.log(unit * _WAY[0]), np.log(unit * _WAY[-1])
         reached = self.at(h, np.exp(high))[0] >= force
@@ -303,10 +306,10 @@ class Sliding:
         return np.where(reached, np.exp(high), np.nan)
 
     def _peak(self, h: np.ndarray, unit: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Find the displacement, over sigma, at which the tangential force is largest; return it with that force, normalised.
+        """Find the displacement, in units of sigma, at the largest tangential force; return it with the normalised force.
 
-        h: separations over sigma. unit: scale of the searched displacements. The best of many displacements is refined by
-        golden-section search.
+        h: separations in units of sigma. unit: scale of the searched displacements. The best of many displacements is
+        refined by golden-section search.
         """
         found = np.stack([self.at(h, unit * one)[0] for one in _WAY])
         best = np.clip(found.argmax(axis=0), 1, len(_WAY) - 2)

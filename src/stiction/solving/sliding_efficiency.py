@@ -1,25 +1,25 @@
-"""Estimate what fraction of its summed strength a contact bears at once, if strength falls with slip.
+"""Estimate which fraction of its summed strength a contact bears at the same time, if strength falls with slip.
 
 Contact spots do not reach their strength at the same displacement, because elastic bodies move their points by different
-amounts. With s the standard deviation, over the contact, of the displacement that the strengths tau_p cause, and D_c the slip
-over which strength falls to r tau_p, the largest force over the sum of strengths, e, is
+amounts. Let s be the standard deviation of the displacement that the strengths tau_p cause, and D_c the slip over which
+strength falls to r tau_p. The largest force divided by the sum of strengths, e, is
 
     V = (1 - r) s/D_c,    e_0 = [1 + (b V)^m]^(-1/(2 m)),                                                                  (1)
     e = r + 1/2 {e_0 - r + [(e_0 - r)^2 + w^2 r (1 - r)(1 - e_0) e_0]^(1/2)}                                               (2)
 
-e is 1 for small or weak spots, follows Griffith's V^(-1/2) for large ones without residual strength, and is at least r. b, m, w
-are fitted to maps that were displaced tangentially (truth/slides.py): the error is 1.6 % rms there, 1.5 % on 306 other results
-of such maps. Without a map, s follows from the radius a of the spots and the fraction c of the nominal area that is in contact.
-The nominal area is a square of side L with free edges. With S = sum (2 - nu_i)/(2 G_i) (nu: Poisson's ratio, G: shear modulus),
+e is 1 for small or weak spots, follows Griffith's V^(-1/2) for large ones without residual strength, and is at least r. b, m,
+w are fitted to maps that were displaced tangentially (truth/slides.py): the rms error is 1.6 % for these, and 1.5 % for 306
+other results of such maps. Without a map, s follows from the radius a of the spots and the fraction c of the nominal area that
+is in contact. The nominal area is a square of side L with free edges. With S = sum (2 - nu_i)/(2 G_i) (nu: Poisson's ratio, G:
+shear modulus),
 
     s^2 = (tau_p S)^2 {[k_a a (eta R sigma)^d (1 - c)^q]^2 + [k_L c L]^2},                                                 (3)
     a^2 = sigma R F_1(t)/F_0(t),    c = pi eta R sigma F_1(t),
 
 F_0 is the fraction of Gaussian heights above t, F_1 their mean excess; eta, R and sigma are density, radius and rms height of
-the asperities (Greenwood & Williamson 1966). k_a, d and q are fitted to the same maps, whose s follows from the numbers of
-their asperities with a standard error of 11 %; k_L is the value of a uniform square. For single discs with radii of 0.3 to 12
-weakening lengths, which were not fitted, e is within 1.1 %. The formulas are this project's own (grade C); no published law was
-found.
+the asperities (Greenwood & Williamson 1966). k_a, d and q are fitted to the same maps, for which equation (3) predicts s with
+a standard error of 11 %; k_L is the value of a uniform square. For single discs with radii of 0.3 to 12 weakening lengths,
+which were not fitted, e is accurate to 1.1 %. These formulas are this project's own (grade C); no published law was found.
 """
 
 import math
@@ -45,7 +45,7 @@ _DEEPEST, _HIGHEST, _NODES = -8.0, 8.0, 4001
 
 
 def efficiency(spread, residual, constants=FITTED):
-    """Return the largest tangential force of a contact over the sum of the strengths of its spots.
+    """Return the largest tangential force of a contact, divided by the sum of the strengths of its spots.
 
     spread: standard deviation of the spots' shear displacement, divided by the slip in which strength is lost, >= 0. residual:
     fraction of the strength that remains after slip, 0 to 1. The shapes broadcast. constants: b, m and w of equations (1) and

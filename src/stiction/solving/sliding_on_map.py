@@ -36,8 +36,8 @@ _KNOWN = "a length > 0: 0.3 to 3 nm for monolayers and oxides, 0.1 to 10 um for 
 class Move:
     """Store the arguments of `slide` that describe how a map is displaced tangentially.
 
-    displacement, tangential_force, weakening_slip, spring_stiffness: as the user states them, or None. residual: fraction of
-    its strength that a point retains after the weakening slip.
+    displacement, tangential_force, weakening_slip, spring_stiffness: values as given by the user, or None. residual:
+    fraction of its strength that a point retains after the weakening slip.
     """
 
     displacement: Any
@@ -48,7 +48,7 @@ class Move:
 
 
 def slide_on_map(problem: MapProblem, points: Points, move: Move) -> "xarray.Dataset":
-    """Compute tangential force against displacement of a solved map; return the dataset that `slide` describes.
+    """Compute the tangential force of a solved map as a function of displacement; return the dataset that `slide` describes.
 
     points: requested loads. move: how the map is displaced. Raises InputError for arguments that a map does not support.
     """
@@ -122,9 +122,10 @@ def _contacts(problem: MapProblem, loads: np.ndarray) -> "tuple[MapContact, ...]
 
 
 def _uncoupled(problem: MapProblem, moving: MovingMap, loads: np.ndarray, why: str) -> MovingMap:
-    """Return the map with a remark that pressure and shear are not coupled, and how wrong friction may be because of this.
+    """Add to the map a remark that the coupling of pressure and shear is neglected, with the resulting error of friction.
 
-    The error is computed for the dry contact without adhesion at the normalised loads (m,). why: reason for the neglect.
+    The error is computed for the dry contact without adhesion at the normalised loads (m,). why: reason why the coupling is
+    neglected.
     """
     remark = f"pressure and shear are not coupled, because {why}"
     if (loads > 0.0).all():
@@ -135,7 +136,7 @@ def _uncoupled(problem: MapProblem, moving: MovingMap, loads: np.ndarray, why: s
 
 
 def _displacements(problem: MapProblem, moving: MovingMap, weakening: "Weakening | None", move: Move) -> Any:
-    """Return the displacements to solve: those given, those at given forces, or by default those up to full sliding.
+    """Return the displacements to solve: given displacements, those at given forces, or by default a range up to full sliding.
 
     Raises InputError for forces that the map does not support.
     """
@@ -156,7 +157,7 @@ def _thinned(table: np.ndarray) -> np.ndarray:
 
 
 def _point_states(paths: "list[SlidingPath]") -> np.ndarray:
-    """Return the state of every point: 0 apart, 1 sticking, 2 sliding; (loads, displacements, rows, columns).
+    """Return the state of every point (loads, displacements, rows, columns): 0 apart, 1 sticking, 2 sliding.
 
     Large maps are reduced to an evenly spaced selection of points.
     """
@@ -165,7 +166,7 @@ def _point_states(paths: "list[SlidingPath]") -> np.ndarray:
 
 
 def used_by_sliding(problem: Problem, names: tuple[str, ...]) -> dict[str, str]:
-    """Return the attributes that list the unused inputs of a problem, except inputs that only sliding uses.
+    """Return the attributes that list the unused inputs of a problem, except those that only sliding uses.
 
     names: names of the inputs that sliding uses.
     """
@@ -175,7 +176,7 @@ def used_by_sliding(problem: Problem, names: tuple[str, ...]) -> dict[str, str]:
 def _default_displacements(elastic: float, weakening: "Weakening | None") -> np.ndarray:
     """Return the displacements [m] to solve: evenly spaced up to `elastic`, then until all points have weakened.
 
-    elastic: displacement at which all points slide. weakening: None if strength is constant.
+    elastic: displacement at which all points slide. weakening: how strength falls with slip, or None if it is constant.
     """
     if weakening is None:
         return np.linspace(0.0, elastic, _STEPS + 1)
@@ -186,7 +187,7 @@ def _default_displacements(elastic: float, weakening: "Weakening | None") -> np.
 def _weakening(problem: MapProblem, residual: float, slip: Any) -> "Weakening | None":
     """Return how strength falls with slip; None if it stays constant.
 
-    residual: fraction of its strength that a point retains. slip: slip over which it loses the rest, as the user states it.
+    residual: fraction of its strength that a point retains. slip: slip over which it loses the rest, as given by the user.
     Raises InputError for a residual strength below 1 without a slip, and for a slip with a residual strength of 1.
     """
     from stiction.solvers.shear.path import Weakening
@@ -203,10 +204,10 @@ def _weakening(problem: MapProblem, residual: float, slip: Any) -> "Weakening | 
 
 
 def _at_forces(problem: MapProblem, moving: MovingMap, move: Move) -> np.ndarray:
-    """Return the displacements [m] at which the whole contact has the tangential forces that `move` states.
+    """Return the displacements [m] at which the whole contact bears the tangential forces stated in `move`.
 
-    Raises InputError if the strength or the contact changes with shear, for more than one load, and for forces that are too
-    large.
+    Raises InputError if `move` also states a displacement, if strength falls with slip, if shear changes the contact, if
+    there is more than one load, or if a force is negative or too large.
     """
     from stiction.solvers.shear.path import at_force
 
@@ -235,8 +236,8 @@ def _at_forces(problem: MapProblem, moving: MovingMap, move: Move) -> np.ndarray
 def _through_spring(problem: MapProblem, paths: "list[SlidingPath]", whole: float, stiffness: Any) -> dict[str, np.ndarray]:
     """Return the displacement of the drive, normalised, and a mask of the states that are reached, by name.
 
-    paths: states of the map, for each load. whole: nominal area of the contact over the area of the map. stiffness: stiffness
-    of the spring, as the user states it.
+    paths: states of the map, for each load. whole: nominal area of the contact divided by the area of the map. stiffness:
+    stiffness of the spring, as given by the user.
     """
     from stiction.solvers.shear.path import through_spring
 
@@ -249,11 +250,11 @@ def _through_spring(problem: MapProblem, paths: "list[SlidingPath]", whole: floa
 
 
 def _ends(moving: MovingMap, paths: "list[SlidingPath]", whole: float, factors: dict[str, Any]) -> dict[str, np.ndarray]:
-    """Return stiffness at rest, largest force, its displacement, and efficiency for each load (m,), by name.
+    """Return stiffness at rest, largest force, displacement at this force, and efficiency for each load (m,), by name.
 
-    The first three are normalised. The efficiency is the largest force over the sum of strengths. If the strength stays
-    constant, the displacement is where 99 % of the largest force is reached, and NaN if it is not reached. whole: nominal area
-    of the contact over the area of the map. factors: units by which results are divided.
+    The first three are normalised. The efficiency is the largest force divided by the sum of strengths. If strength is
+    constant, the displacement is the one at which the force reaches 99 % of its largest value, or NaN if it does not.
+    whole: nominal area of the contact divided by the area of the map. factors: units by which results are divided.
     """
     from stiction.solvers.shear.path import stuck_stiffness
 
@@ -281,9 +282,10 @@ def _nearly(path: "SlidingPath") -> float:
 
 
 def _points_in_loss(problem: MapProblem, moving: MovingMap, weakening: "Weakening") -> np.ndarray:
-    """Return the number of map points (m,) within the length of the weakening zone, at each of m loads.
+    """Return the length of the weakening zone in map points (m,), at each of m loads.
 
-    The zone lies behind the tip of a slipping region; strength is lost in it. Its length is computed with the largest strength.
+    Strength is lost in this zone, which lies behind the tip of a slipping region. Its length is computed from the largest
+    strength.
     """
     from stiction.solvers.shear.path import weakening_length
 

@@ -43,32 +43,34 @@ def solve(
     Parameters
     ----------
     contact : Contact or Indices
-        Contact of bodies: all values are in SI units. Indices: all values are normalised, per asperity (theory.md). Any
-        of its numbers may be an array with a named dimension (`st.axis`); the result then has that dimension.
+        For a Contact of bodies all values are in SI units, for Indices all are normalised, per asperity (theory.md). Any
+        number in it may be an array with a named dimension (`st.axis`); the result then has that dimension.
     separation : float [m], str with a unit, or array, optional
-        Mean separation; over sigma for Indices. Scalar, one-dimensional, or an xarray.DataArray with named dimensions.
+        Mean separation, for Indices in units of sigma. Scalar, one-dimensional, or an xarray.DataArray with named
+        dimensions.
     load : float [N], str with a unit, or array, optional
-        Net normal load, in place of a separation; normalised for Indices. Shapes as for `separation`.
+        Net normal load, in place of a separation; normalised for Indices. Shape as for `separation`.
     model : str, optional
         Key of a rough-surface model (`st.models()`), or a name that `st.compare` shows for this contact. By default
         "soft_coating_2015", which raises an error if the contact states an interfacial shear strength.
     heights : Heights or str, optional
-        Height distribution, or its name; by default the one of the contact, or Gaussian.
+        Height distribution, or its name; by default that of the contact, or Gaussian.
     threads : int
-        Number of threads; it changes no digit of the results.
+        Number of threads; it does not affect the results.
     **laws : str, optional
-        Keys of other laws than those of the model (`asperity`, `tangential`, `film`, `meniscus`, `ageing`, `contamination`,
-        `presliding`), or options of the model and its laws, e.g. `variant="published"`. "none" omits a law: with
-        `tangential="none"` only the contact is solved.
+        Keys of laws that replace those of the model or add to them (`asperity`, `tangential`, `film`, `meniscus`, `ageing`,
+        `contamination`, `presliding`), or options of the model and its laws, e.g. `variant="published"`. "none" omits a
+        law: with `tangential="none"` only the contact is solved.
 
     Returns
     -------
     xarray.Dataset
         With units and long names, over the dimensions of contact and points: load, contact_area, friction_force,
-        friction_coefficient (NaN where the net load is not compressive), mean_separation, touching_asperities, pull_off_force
-        and their parts by state, body and limit; results that a model does not give are missing. Attributes: model, options,
-        sources, and `outside_validity` in words, `validity_warnings` as JSON. With a measured surface also
-        friction_coefficient_by_method (asperity_method, points), friction_coefficient_low and friction_coefficient_high.
+        friction_coefficient (NaN where the net load is not compressive), mean_separation, touching_asperities,
+        pull_off_force and their parts by state, body and limit. Results that a model does not compute are missing.
+        Attributes: model, options, sources, and `outside_validity` in words, `validity_warnings` as JSON. With a measured
+        surface also friction_coefficient_by_method (asperity_method, points), friction_coefficient_low and
+        friction_coefficient_high.
 
     Raises
     ------
@@ -113,7 +115,7 @@ def solve(
 def _at_points(
     contact: Subject, separation: Any, load: Any, choice: Choice, heights: Heights | str | None, threads: int
 ) -> "xarray.Dataset":
-    """Return the result of `solve` for one set of roughness numbers, without the range over asperity methods."""
+    """Return the result of `solve` for one set of roughness numbers, without the range between asperity methods."""
     points = points_of(make_problem(contact, choice, heights, threads), load, separation)
     problem, given = points.problem, points.name
     with in_words(points):
@@ -143,8 +145,8 @@ def _with_interruption(data: "xarray.Dataset") -> "xarray.Dataset":
 def _with_carried(data: "xarray.Dataset", points: Points, carried: np.ndarray) -> "xarray.Dataset":
     """Return the dataset with a validity warning if requested loads were lost in round-off.
 
-    carried: normalised loads that were computed. If there is a warning and loads are a coordinate, the computed loads are added
-    as `load_carried`.
+    carried: normalised loads that were computed. If a warning is added and the load is a coordinate, the computed loads are
+    added as `load_carried`.
     """
     validity_warnings = warnings_of_rounding(carried, points.wanted)
     if not validity_warnings:

@@ -1,6 +1,6 @@
-"""Compute how far shear moves the contact spots of a solved map.
+"""Compute by how much shear displaces the contact spots of a solved map.
 
-The formula in `sliding_efficiency` uses the result.
+`sliding_efficiency` uses the result.
 """
 
 import math
@@ -20,20 +20,20 @@ _HEAVIEST, _OF_HARDNESS = 0.5, 0.5  # largest pressure over modulus times gradie
 
 
 def spread_on_map(problem: MapProblem, loads: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return a table of the standard deviation of the shear displacement of contact spots, against contact area.
+    """Return the standard deviation of the shear displacement of contact spots as a function of contact area.
 
     Parameters
     ----------
     problem : MapProblem
-        A contact with a map. A large map is solved on only as many of its points as its area needs.
+        A contact with a map. A large map is solved only on as many points as the contact area needs.
     loads : numpy.ndarray
-        Loads [N] near which the spots have to be known.
+        Loads [N] near which the result is needed.
 
     Returns
     -------
     tuple of numpy.ndarray
-        Real over nominal area (k,), rising to 1, and s/tau_p (k,) [m/Pa]: the standard deviation s of the displacement if
-        every spot bears the stress tau_p.
+        Ratio of real to nominal area (k,), rising to 1, and s/tau_p (k,) [m/Pa], where s is the standard deviation of the
+        displacement if every spot bears the stress tau_p.
 
     Raises
     ------
@@ -66,7 +66,7 @@ def _spread(operator: "ShearOperator", state: "MapContact") -> float:
     """Return the standard deviation of the shear displacement of the points in contact, divided by the shear stress [m/Pa].
 
     operator: computes shear displacements. state: contact at one load. All points in contact bear the same stress. It is
-    multiplied by the corrected contact area over the area of all pixels in contact.
+    multiplied by the corrected contact area divided by the area of all pixels in contact.
     """
     assert state.pressure is not None
     spots = state.pressure > 0.0

@@ -1,8 +1,9 @@
-"""Compute dimensionless numbers that describe how hard a contact is pressed.
+"""Compute dimensionless numbers that describe the state of a loaded contact.
 
-The validity conditions of all models use them. All follow from results per asperity and the dimensionless groups. Per asperity,
-with the units of section 1 of theory.md, K = 4 E*/3 and eta = pi H sqrt(R/sigma)/K, the load is P = K R^(1/2) sigma^(3/2) p and
-the area A = pi R sigma a (E*: contact modulus, H: hardness, R: asperity radius, sigma: rms height), so that
+The validity conditions of all models use these numbers. They are computed from results per asperity and the dimensionless
+groups. With the units of section 1 of theory.md, K = 4 E*/3 and eta = pi H sqrt(R/sigma)/K, the load of an asperity is P = K
+R^(1/2) sigma^(3/2) p and its area A = pi R sigma a (E*: contact modulus, H: hardness, R: asperity radius, sigma: rms height),
+so that
 
     A/A_n       = pi N R sigma a
     P/(A_n H)   = pi N R sigma p / eta
@@ -37,10 +38,10 @@ _MOST_GROWN = 100.0  # largest growth factor
 
 
 def state_of(problem: Problem, results: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
-    """Return dimensionless numbers of contacts at normalised results, by name, e.g. the mean pressure over the hardness.
+    """Return dimensionless numbers for normalised results, by name, e.g. the mean pressure divided by the hardness.
 
-    results: arrays with the dimensions of the contacts first. Each number is an array (n, m) over contacts and points; it is
-    absent if a group is unknown, and NaN where the net load is not compressive.
+    results: arrays with the dimensions of the contacts first. Each number is an array (n, m) for n contacts and m points. A
+    number is absent if a group is unknown, and NaN where the net load is not compressive.
     """
     groups = problem.groups
     n = len(groups)
@@ -76,7 +77,7 @@ def area_fraction(groups: Groups, area: np.ndarray) -> np.ndarray:
 
 
 def _of_the_surface(groups: Groups) -> dict[str, np.ndarray]:
-    """Return the numbers (n,) of rough surface and film that do not depend on load, by name; absent if unknown.
+    """Return the numbers (n,) of rough surface and film that do not depend on load, by name; unknown ones are absent.
 
     The rms slope is sqrt(2 m2). The spectral moments m2 and m4 of a Gaussian surface follow from asperity radius R and density
     N by m4 = (3/8)^2 pi/R^2 and N = m4/(6 pi sqrt(3) m2) (Nayak 1971; McCool 1986).
@@ -96,10 +97,10 @@ def _of_the_surface(groups: Groups) -> dict[str, np.ndarray]:
 
 
 def of_the_map(subject: Subject) -> dict[str, float]:
-    """Return how well a contact's map resolves and samples its surface, by name; {} without a map.
+    """Return two numbers that describe how well a contact's map resolves and samples its surface, by name; {} without a map.
 
-    The two numbers are points per shortest wavelength, and longest wavelengths per side. If the scans of both bodies cannot be
-    combined to one map, each number is the smaller one of both scans.
+    They are points per shortest wavelength, and longest wavelengths per side. If the scans of both bodies cannot be
+    combined into one map, each number is the smaller value of both scans.
     """
     surface = subject.with_surface_moments().map
     maps = [surface] if surface is not None else [] if subject.measured is None else subject.measured.solvable.filled()
@@ -112,7 +113,7 @@ def of_the_map(subject: Subject) -> dict[str, float]:
 
 
 def _of_attraction(groups: Groups, surface: "HeightMap | None") -> dict[str, np.ndarray]:
-    """Return numbers (n,) that describe the adhesion of n surfaces, by name, for theories of the whole surface.
+    """Return numbers (n,) that describe the adhesion of n surfaces in theories of the whole surface, by name.
 
     surface: the height map that the theory uses, or None.
     """
@@ -136,9 +137,9 @@ def _by_asperity(
 ) -> dict[str, np.ndarray]:
     """Return the dimensionless numbers (n, m) that follow from results per asperity, by name.
 
-    load, area: normalised, per asperity. share: fraction of asperities that touch, None if the model has none. touching: this
-    fraction or an estimate of it. hardness: hardness of the material that bears the load, over the hardness of the bodies.
-    pull_of_menisci: normalised pull, or None.
+    load, area: normalised, per asperity. share: fraction of asperities that touch, None if the model does not compute it.
+    touching: this fraction or an estimate of it. hardness: hardness of the material that bears the load, divided by the
+    hardness of the bodies. pull_of_menisci: normalised pull, or None.
     """
     groups = problem.groups
     compressed = np.where(load > 0.0, load, np.nan)
@@ -163,9 +164,9 @@ def _by_asperity(
 def _grown(groups: Groups, pressure: np.ndarray) -> dict[str, np.ndarray]:
     """Return {"grown_area_ratio": factor (n, m) by which junctions grow under shear until the interface fails}, or {}.
 
-    The dict is empty if the strength of the bodies is unknown. The factor is (p/H)/sqrt(1 - c^2), at least 1, with c the
-    strength of the interface over the strength of the bodies (Tabor 1959); the root is limited. pressure: mean contact pressure
-    p over the hardness H; counts as at most 1.
+    The dict is empty if the strength of the bodies is unknown. The factor is (p/H)/sqrt(1 - c^2), at least 1, with the
+    ratio c of interface strength to body strength (Tabor 1959); the root has a lower limit. pressure: mean contact pressure
+    divided by hardness, p/H; values above 1 count as 1.
     """
     ratio = groups.strength_over_bodies
     if ratio is None:
@@ -175,7 +176,7 @@ def _grown(groups: Groups, pressure: np.ndarray) -> dict[str, np.ndarray]:
 
 
 def _below_film(groups: Groups, load: np.ndarray, area: np.ndarray, touching: np.ndarray) -> dict[str, np.ndarray]:
-    """Return the mean contact pressure (n, m) on hard films over each of two limits, by name; {} without a hard film.
+    """Return the mean contact pressure (n, m) on hard films, divided by each of two limits, by name; {} without a hard film.
 
     load, area, touching: normalised load and area, and fraction of touching asperities. One limit is the pressure at which the
     body below the film yields. The other is the pressure that punches the film, at most H_b + 2 (t/a) tau_f for a plug of
@@ -196,30 +197,30 @@ def _below_film(groups: Groups, load: np.ndarray, area: np.ndarray, touching: np
 
 
 def _held_by_menisci(touching: np.ndarray, height: np.ndarray) -> np.ndarray:
-    """Return the fraction of asperities (n, m) that, if each touched, would pull as much as all menisci together.
+    """Return the fraction of asperities (n, m) that would pull as much as all menisci together if each of them touched.
 
-    An asperity with a gap below the height of the menisci pulls in proportion to (height - gap)/height. touching: fraction of
-    asperities that would touch without liquid. height: height of a meniscus, over sigma. Heights are Gaussian.
+    An asperity with a gap below the height of the menisci pulls in proportion to (height - gap)/height. touching: fraction
+    of asperities that would touch without liquid. height: height of a meniscus, in units of sigma. Heights are Gaussian.
     """
     from scipy.special import ndtr, ndtri  # only contacts with a liquid need this
 
     contact = -ndtri(np.clip(touching, np.finfo(float).tiny, 1.0 - 1e-16))
 
     def above(z: np.ndarray) -> np.ndarray:
-        """Return the antiderivative of the fraction of asperities whose height exceeds z (over sigma)."""
+        """Return the antiderivative of the fraction of asperities with heights above z, in units of sigma."""
         return z * ndtr(-z) - np.exp(-0.5 * z * z) / math.sqrt(2.0 * math.pi)
 
     return (above(contact) - above(contact - height)) / height
 
 
 def _of_menisci(groups: Groups, area: np.ndarray, share: np.ndarray | None, pull: np.ndarray | None) -> dict[str, np.ndarray]:
-    """Return the wetted fraction of the surface, and the indentation of asperities over the meniscus height (n, m), by name.
+    """Return wetted fraction of the surface and ratio of asperity indentation to meniscus height, (n, m), by name.
 
-    area, share: normalised contact area and fraction of touching asperities. pull: meniscus pull, normalised (n, m). The pull
-    is the Laplace pressure times the wetted area, so that this area includes menisci that bridge a gap. Around elastic
-    asperities the pull is less, and each touching one counts with its ring 2 pi R 2 r c (asperity radius R, Kelvin radius r,
-    mean cosine c of the contact angles). A pull at its upper limit, the Laplace pressure on the whole area without contact,
-    does not determine the bridged area; Gaussian heights determine it instead.
+    area, share: normalised contact area and fraction of touching asperities. pull: meniscus pull, normalised (n, m). The
+    pull is the Laplace pressure times the wetted area, so that this area includes menisci that bridge a gap. Around elastic
+    asperities the pull is smaller; each touching asperity then adds the ring 2 pi R 2 r c (asperity radius R, Kelvin radius
+    r, mean cosine c of the contact angles). If the pull is at its upper limit, the Laplace pressure on the whole area
+    without contact, it does not determine the bridged area; the area is then computed from Gaussian heights.
     """
     if groups.meniscus_height is None or groups.meniscus_index is None or share is None or pull is None:
         return {}
@@ -242,10 +243,10 @@ def _softest(groups: Groups) -> np.ndarray | float:
 
 
 def _bearing(problem: Problem, load: np.ndarray, results: Mapping[str, np.ndarray]) -> np.ndarray:
-    """Return the hardness (n, m) of the material that bears the load, over the hardness of the bodies.
+    """Return the hardness (n, m) of the material that bears the load, divided by the hardness of the bodies.
 
     If a film law separates film and substrate, the hardness is averaged over both by their loads. Otherwise, or where the
-    substrate confines the film, it is the larger of both, which no mean pressure exceeds.
+    substrate confines the film, it is the larger of both, an upper bound of the mean pressure.
     """
     groups, film = problem.groups, problem.chosen.film
     if groups.n_H is None:

@@ -1,8 +1,8 @@
-"""Solve a rough surface that was pressed against another and is drawn apart again.
+"""Solve the unloading of rough surfaces: two surfaces were pressed together and are drawn apart again.
 
-An asperity that has yielded unloads along a different curve than the loading curve. An adhesive asperity stays in contact until
-it tears off. Both effects depend on the smallest separation h_0 that was reached: an asperity of height z was compressed by z -
-h_0, and at the separation h its interference is z - h. At each increase h - h_0 of the separation, a separate asperity law is
+A yielded asperity unloads along a curve that differs from the loading curve. An adhesive asperity stays in contact until it
+pulls off. Both effects depend on the smallest separation h_0 that was reached: an asperity of height z was compressed by z -
+h_0, and at the separation h its interference is z - h. For each increase h - h_0 of the separation, a separate asperity law is
 summed over the heights.
 """
 
@@ -75,19 +75,19 @@ def unload(
     contact : Contact or Indices
         As in `solve`, without film and liquid.
     min_separation : float [m], str with a unit, or array, optional
-        Smallest mean separation that was reached; over sigma for Indices.
+        Smallest mean separation that was reached; in units of sigma for Indices.
     max_load : float [N], str with a unit, or array, optional
         Load at the smallest separation, in place of `min_separation`.
     separation : float [m], str with a unit, or array, optional
-        Mean separations during unloading, none below the smallest one.
+        Mean separations during unloading, not below the smallest one.
     separation_increase : float [m], str with a unit, or array, optional
         Increase of the mean separation above the smallest one, in place of `separation`.
     model : str
-        A sum over an asperity law.
+        Key of a model that sums over an asperity law.
     heights : Heights or str, optional
         As in `solve`.
     **laws : str, optional
-        As in `solve`: `asperity`, and `tangential`, a law of the interface; by default no friction is computed.
+        As in `solve`: `asperity`, or `tangential` for a law of the interface; by default no friction is computed.
 
     Returns
     -------
@@ -98,13 +98,13 @@ def unload(
     Raises
     ------
     InputError
-        A value is out of bounds, or the sources of these laws do not describe unloading.
+        A value is out of bounds, or the laws do not describe unloading.
 
     Notes
     -----
-    Elastic asperities follow the loading curve backwards; adhesive ones stay in contact below zero displacement once they have
-    touched. Yielded ones unload by their own law (thornton_ning_1998) or, without adhesion, as flattened elastic spheres with a
-    residual interference. Parts by state count asperities by their state at the smallest separation.
+    Elastic asperities follow the loading curve backwards; adhesive asperities that have touched stay in contact below zero
+    displacement. Yielded asperities unload by their own law (thornton_ning_1998) or, without adhesion, as flattened elastic
+    spheres with a residual interference. Results by state refer to the state of asperities at the smallest separation.
 
     Examples
     --------
@@ -168,9 +168,9 @@ def _described(subject: Subject, name: str) -> dict[str, str]:
 class _Unloading:
     """Represent the unloading of n contacts.
 
-    pressed: the problem at loading. released: function of (groups, distance, **own options of the asperity law) that returns
-    the segments after the separation has grown by `distance`, over sigma, since the turning point. how: the assumption about
-    the asperities, in words.
+    pressed: the problem at loading. released: function of (groups, distance, **own options of the asperity law) that
+    returns the segments after the separation has grown by `distance`, in units of sigma, since the turning point. how: text
+    on the assumption about the asperities.
     """
 
     pressed: AsperitySum
@@ -178,7 +178,7 @@ class _Unloading:
     how: str
 
     def apart(self, rows: np.ndarray, distance: np.ndarray) -> AsperitySum:
-        """Return the problem of contacts after each was drawn apart by its own distance (m,), over sigma.
+        """Return the problem of contacts after each was drawn apart by its own distance (m,), in units of sigma.
 
         rows (m,): index of the contact for each distance.
         """
@@ -195,10 +195,10 @@ class _Unloading:
         return np.repeat(np.arange(laws), math.prod(shape) // laws).reshape(shape)
 
     def at(self, rows: np.ndarray, nearest: np.ndarray, distance: np.ndarray, only: str | None = None) -> dict[str, np.ndarray]:
-        """Return normalised results during unloading by name, or only the one named `only`, as arrays of one shape.
+        """Return normalised results during unloading by name, or only the result named `only`, as arrays of the same shape.
 
-        rows: index of the contact at each point. nearest: smallest separation. distance: increase of the separation above the
-        smallest one. All three have that shape; separations are over sigma.
+        rows: index of the contact at each point. nearest: smallest separation. distance: increase of the separation above
+        the smallest one. All three have the shape of the results; separations are in units of sigma.
         """
         row, apart, h = (table.reshape(-1) for table in (rows, distance, nearest + distance))
 
@@ -217,10 +217,10 @@ class _Unloading:
 
 
 def _one_of(subject: Subject, **either: Any) -> Any:
-    """Return the value of the one argument that is stated, of two alternative arguments.
+    """Return the value of whichever of two alternative arguments is given.
 
-    either: the two arguments by name; None if not stated. A sequence becomes an array with a named dimension. Raises InputError
-    unless exactly one is stated.
+    either: the two arguments by name; None if not given. A sequence becomes an array with a named dimension. Raises
+    InputError unless exactly one is given.
     """
     given = [name for name, value in either.items() if value is not None]
     if len(given) != 1:
@@ -263,10 +263,10 @@ def _make_unloading(contact: Subject, choice: Choice, heights) -> _Unloading:
 
 
 def _released(law: AsperityLaw, problem: AsperitySum) -> tuple[Callable, str]:
-    """Return the function that computes the segments of an asperity law during unloading, and its assumption in words.
+    """Return the function that computes the segments of an asperity law during unloading, and a text on its assumption.
 
-    The function takes (groups, increase of the separation over sigma, **options). Raises InputError if the law does not define
-    unloading.
+    The function takes (groups, increase of the separation in units of sigma, **options). Raises InputError if the law does
+    not define unloading.
     """
     if law.released is not None:
         return law.released, f"by the unloading law of {law.key}"
@@ -285,16 +285,17 @@ def _released(law: AsperityLaw, problem: AsperitySum) -> tuple[Callable, str]:
 def _held_on(law: AsperityLaw, groups: Groups, distance: np.ndarray, **options: str) -> list[NormalSegment]:
     """Return the segments of an elastic asperity law during unloading, for asperities that have touched.
 
-    distance: increase of the separation above the smallest one, over sigma. Asperities that never touched carry no load.
+    distance: increase of the separation above the smallest one, in units of sigma. Asperities that never touched carry no
+    load.
     """
     options = options | ({"branch": "unloading"} if "branch" in options else {})
     return [within(segment, coordinates(segment, -distance), np.inf) for segment in law.segments(groups, **options)]
 
 
 def _nearest(turn: Points) -> np.ndarray:
-    """Return the smallest mean separations reached during loading, over sigma, in the shape of the points.
+    """Return the smallest mean separations reached during loading, in units of sigma, in the shape of the points.
 
-    turn: the smallest separations or largest loads that the user states, as points.
+    turn: the smallest separations or largest loads given by the user, as points.
     """
     if turn.name == "mean_separation":
         check_reach(turn.wanted, "min_separation")
@@ -304,10 +305,11 @@ def _nearest(turn: Points) -> np.ndarray:
 
 
 def _apart(subject: Subject, nearest: np.ndarray, wanted: np.ndarray, unit: np.ndarray, is_increase: bool) -> np.ndarray:
-    """Return the increases of the separation above the smallest ones, over sigma.
+    """Return the increases of the separation above the smallest ones, in units of sigma.
 
-    nearest: smallest separations. wanted: requested increases (is_increase) or separations. unit: by which normalised
-    separations are multiplied. All have one shape. Raises InputError for a separation below the smallest one.
+    nearest: smallest separations. wanted: requested increases if `is_increase`, else separations. unit: factor by which
+    normalised separations are multiplied. All arrays have the same shape. Raises InputError for a separation below the
+    smallest one.
     """
     distance = wanted if is_increase else wanted - nearest
     short = distance < (0.0 if is_increase else -_ROUNDING * np.maximum(np.abs(nearest), 1.0))
@@ -331,8 +333,8 @@ def _apart(subject: Subject, nearest: np.ndarray, wanted: np.ndarray, unit: np.n
 def _ends(unloading: _Unloading, nearest: np.ndarray, factors: Mapping[str, Any], dims: dict[str, int]) -> "xarray.Dataset":
     """Return the smallest separation, the largest tension during unloading, and the separation of zero load, as a dataset.
 
-    nearest: smallest separations over sigma. For laws without adhesion the tension is 0, and the separations of largest tension
-    and of zero load are omitted.
+    nearest: smallest separations in units of sigma. Without adhesion the tension is 0, and the separations of largest
+    tension and of zero load are omitted.
     """
     tables = {"pull_off_force": np.zeros(nearest.shape)}
     if unloading.pressed.adheres:
@@ -353,7 +355,8 @@ def _ends(unloading: _Unloading, nearest: np.ndarray, factors: Mapping[str, Any]
 def _tension(unloading: _Unloading, rows: np.ndarray, nearest: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return the largest tension during unloading, its separation, and the separation of zero load, each (m,).
 
-    rows, nearest (m,): index of the contact and its smallest separation. Tensions are normalised, separations over sigma.
+    rows, nearest (m,): index of the contact and its smallest separation. Tensions are normalised, separations in units of
+    sigma.
     """
     from scipy.optimize.elementwise import find_root
 
@@ -379,7 +382,7 @@ def _tension(unloading: _Unloading, rows: np.ndarray, nearest: np.ndarray) -> tu
 
 
 def _reach(unloading: _Unloading, rows: np.ndarray, nearest: np.ndarray) -> np.ndarray:
-    """Return the increases of separation (m,), over sigma, at which almost no contact area is left.
+    """Return the increases of separation (m,), in units of sigma, at which almost no contact area is left.
 
     rows, nearest (m,): index of the contact and its smallest separation.
     """

@@ -1,4 +1,4 @@
-"""Find inputs on which none of the laws in use depends, and name laws that would use them."""
+"""Find inputs that none of the laws in use depends on, and name laws that would use them."""
 
 import json
 from collections.abc import Iterable, Mapping
@@ -27,8 +27,8 @@ _STRENGTH = ("shear_strength", "pressure_coefficient")
 class Unused:
     """Store an input that changes no result.
 
-    input: its name. laws: keys of laws that would use it, by keyword of `solve`. why: another reason why it is not used, in
-    words.
+    input: its name. laws: keys of laws that would use it, by keyword of `solve`. why: text on another reason why it is not
+    used.
     """
 
     input: str
@@ -36,10 +36,9 @@ class Unused:
     why: str = ""
 
     def say(self, before: str = "", between: str = " ") -> str:
-        """Describe the unused input in one line, and name laws that would use it.
+        """Describe the unused input in one line of text, and name laws that would use it.
 
-        before, between: text before the keyword of a law, and between keyword and key, for example "--tangential KEY" in the
-        terminal.
+        before: text before the keyword of a law, for example "--" in the terminal. between: text between keyword and key.
         """
         others = "; ".join(f"{before}{kind}{between}{' or '.join(keys)} uses it" for kind, keys in self.laws.items())
         return (
@@ -137,9 +136,9 @@ def _uses(record: Record, group: str, known: Groups) -> bool:
 
 
 def as_attributes(listed: Iterable[Unused]) -> dict[str, str]:
-    """Return attributes of a result that list unused inputs, in words and as JSON.
+    """Return attributes of a result that list unused inputs, as plain text and as JSON.
 
-    They are texts, because a netCDF file can store these.
+    The values are texts, which a netCDF file can store.
     """
     listed = list(listed)
     data = json.dumps([asdict(unused) for unused in listed], ensure_ascii=False)

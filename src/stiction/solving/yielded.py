@@ -12,7 +12,7 @@ YIELDED = ("load_share_yielded", "load_share_substrate_yielded")
 
 
 def require_states(problem: Problem, name: str) -> AsperitySum:
-    """Return the problem if its model can compute the fraction of the load on yielded asperities; else raise InputError.
+    """Return the problem if its model can compute the fraction of the load on yielded asperities, else raise InputError.
 
     name: one of YIELDED, the fraction on all yielded asperities or on those where the substrate yields. The model must
     distinguish the states of asperities and, for the second, film and substrate.
@@ -27,11 +27,11 @@ def require_states(problem: Problem, name: str) -> AsperitySum:
 
 
 def yielded_shares(problem: Problem, h: np.ndarray, name: str) -> np.ndarray:
-    """Return the fraction (n, m) of the load on asperities that are not elastic, at separations h (n, m) over sigma.
+    """Return the fraction (n, m) of the load on asperities that are not elastic, at separations h (n, m), in units of sigma.
 
-    Absolute values of loads are summed, without menisci. name: one of YIELDED, which selects all yielded asperities or those
-    where the substrate yields; without a film the bodies are the substrate. Raises InputError for a model that does not
-    distinguish the states of its asperities, or does not separate film and substrate.
+    Absolute values of loads are summed, without menisci. name: one of YIELDED, which selects all yielded asperities or
+    those where the substrate yields. Without a film, the bodies count as the substrate. Raises InputError for a model that
+    does not distinguish the states of its asperities, or does not separate film and substrate.
     """
     sums, film = require_states(problem, name), problem.chosen.film
     regimes, of_all = sums.regimes, name == YIELDED[0]

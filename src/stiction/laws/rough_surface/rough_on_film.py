@@ -78,8 +78,8 @@ STIFF = 5.0  # film modulus over the bodies' from which on this law is inaccurat
 class Waves(NamedTuple):
     """Hold a spectrum: the wavenumber of each wave and its fraction of the mean square gradient.
 
-    wavevector: wavenumbers, (n, m) for n surfaces, or (m,), in the inverse unit of the film thickness. share: fraction of
-    the mean square gradient in each wave, same shape; the fractions of a surface add up to 1.
+    wavevector: wavenumbers, (n, m) for n surfaces, or (m,), in the inverse unit of the film thickness. share: fraction of the
+    mean square gradient in each wave, same shape; the fractions of a surface add up to 1.
     """
 
     wavevector: np.ndarray
@@ -145,8 +145,7 @@ def area_of_waves(
 
     pressure (n, H): nominal pressure divided by E* h', >= 0, with the contact modulus E* of the bodies without film and the
     root mean square gradient h'. bare: function that returns the area without film at this pressure. waves: spectrum of the
-    surface. thickness (n,): thickness of one film, in the unit of the waves. groups: dimensionless groups with all defaults
-    filled in.
+    surface. thickness (n,): thickness of one film, in the unit of the waves. groups: groups with all defaults filled in.
     """
     curve, n_E = coefficients(groups)[:, 0], np.broadcast_to(groups.n_E, len(pressure))
     k = np.broadcast_to(waves.wavevector, (len(pressure), np.shape(waves.wavevector)[-1]))[:, None, :]
@@ -213,8 +212,7 @@ def _area(load: np.ndarray, groups: Groups) -> np.ndarray:
 def elastic_share(pressure: np.ndarray, groups: Groups) -> np.ndarray:
     """Return the ratio (n, H) of contact area to nominal area for elastic contacts on a film, at H pressures of n contacts.
 
-    pressure (n, H): nominal pressure divided by E* h', >= 0; E*: contact modulus without film, h': root mean square
-    gradient.
+    pressure (n, H): nominal pressure divided by E* h', >= 0; E*: contact modulus without film, h': root mean square gradient.
     """
     from stiction.surfaces.theory.widened_area import of_moments  # slow to import
 
@@ -226,9 +224,9 @@ def elastic_share(pressure: np.ndarray, groups: Groups) -> np.ndarray:
 def _flowing(elastic: np.ndarray, pressure: np.ndarray, groups: Groups) -> np.ndarray:
     """Return the ratio (n, H) of contact area to nominal area after plastic flow has limited the contact pressure.
 
-    elastic (n, H): the same ratio without this limit. pressure (n, H): nominal pressure divided by E* h'. The limit is the
-    film hardness, or the pressure that the body below carries through the film if that pressure is lower. It depends on the
-    mean size of a contact spot, which is computed from the number of asperities in contact.
+    elastic (n, H): the same ratio without this limit. pressure (n, H): nominal pressure divided by E* h'. The limit is the film
+    hardness, or the pressure that the body below carries through the film if that pressure is lower. It depends on the mean
+    size of a contact spot, which is computed from the number of asperities in contact.
     """
     from stiction.surfaces.theory.widened_area import with_hardness  # slow to import
 
@@ -284,8 +282,7 @@ def _unit(surface: "HeightMap", groups: Groups) -> float:
 def compliance_of(groups: Groups, surface: "HeightMap") -> "Compliance":
     """Return the compliance of film and bodies of one contact, for the boundary-element solver.
 
-    It is scaled so that the contact modulus of both bodies without film is 1. Lengths are in m, from the moments of the map
-    `surface`.
+    It is scaled so that the contact modulus of both bodies without film is 1. Lengths are in m.
     """
     from stiction.solvers.boundary_elements.compliance import Compliance, Film  # slow to import
 
@@ -305,10 +302,9 @@ def compliance_of(groups: Groups, surface: "HeightMap") -> "Compliance":
 def _elastic_on_map(pressure: np.ndarray, groups: Groups, surface: "HeightMap", slope: float) -> np.ndarray:
     """Return the ratio (H,) of elastic contact area to nominal area for one coated contact with a map.
 
-    pressure (H,): nominal pressure divided by E* h'. slope: root mean square gradient h'. The contact is solved with its
-    film at a few loads. The ratio of each solved area to the area law is interpolated in the logarithm of the pressure and
-    applied at all loads. If too few points touch at a load, the ratio at the lightest pressure 10^(k/4) with enough points
-    is used.
+    pressure (H,): nominal pressure divided by E* h'. slope: root mean square gradient h'. The contact is solved with its film
+    at a few loads. The ratio of each solved area to the area law is interpolated in the logarithm of the pressure and applied
+    at all loads. If too few points touch at a load, the ratio at the lightest pressure 10^(k/4) with enough points is used.
     """
     from scipy.interpolate import PchipInterpolator
 
@@ -340,8 +336,8 @@ def _bare_curve(surface: "HeightMap", pressure: np.ndarray, slope: float, n_E: f
     """Return a function that gives the ratio of contact area to nominal area for a map without film.
 
     Its argument is the nominal pressure divided by E* h'. It interpolates a formula based on the slopes of the map, for all
-    pressures that films with the modulus ratio n_E may need. pressure: pressures with the film, divided by E* h'. slope:
-    root mean square gradient h'.
+    pressures that films with the modulus ratio n_E may need. pressure: pressures with the film, divided by E* h'. slope: root
+    mean square gradient h'.
     """
     from scipy.interpolate import PchipInterpolator
 

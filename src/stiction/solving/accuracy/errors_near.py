@@ -1,7 +1,7 @@
 """Average the errors of a model over benchmark surfaces, weighted by their distance from a contact.
 
-A surface at distance d has the weight exp(-d^2/2). A surface loses weight gradually if its solution, or the result of the
-model, exists only on one side of the contact's pressure or hardness. The average therefore has no jumps.
+A surface at distance d has the weight exp(-d^2/2). To avoid jumps of the average, the weight of a surface decreases gradually
+where its solution, or the result of the model, exists only on one side of the contact's pressure or hardness.
 """
 
 import math
@@ -41,12 +41,12 @@ _COUNTED = 0.1  # weight over that of the nearest surface from which a surface c
 class ErrorsNear(NamedTuple):
     """Store the errors of a model's contact area at k points, averaged over similar benchmark surfaces.
 
-    A point is one contact at one load. The error is ln(A/A_ref), with A the area by the model and A_ref by the reference
+    A point is one contact at one load. The error is ln(A/A_ref), with the area A by the model and A_ref by the reference
     solution. levels (k, 5): quantiles of the error at the probabilities LEVELS. relative: root mean square of A/A_ref - 1.
     middle: mean of the error over surfaces of the stated kind, or over Gaussian surfaces if neither map nor kind is stated.
     distance: distance of the nearest surface. coverage: fraction of the total weight on surfaces for which the model has a
-    result. surfaces: number of surfaces with a noticeable weight. nearest: for each point a function that describes how the
-    nearest surface differs, or returns "" if it hardly does. All arrays but levels are (k,).
+    result. surfaces: number of surfaces with a noticeable weight. nearest: for each point a function that returns a text on
+    how the nearest surface differs, or "" if it hardly differs. All arrays but levels are (k,).
     """
 
     levels: np.ndarray
@@ -61,10 +61,10 @@ class ErrorsNear(NamedTuple):
 class _Table(NamedTuple):
     """Store values of s benchmark surfaces, for interpolation in ln(pressure) between p pressures.
 
-    The arrays start, rise, weight and fall have the shape (h, p - 1, s) for h hardnesses. start, rise: value of each surface at
-    the lower end of each pressure interval, and its change over the interval; a value known at one end only is used for the
-    whole interval. weight, fall: weight at the lower end, and its change over the interval; the weight is 1 at an end whose
-    value is known, else 0. hard (h,): the hardnesses, ascending.
+    The arrays start, rise, weight and fall have the shape (h, p - 1, s) for h hardnesses. start, rise: value of each
+    surface at the lower end of each pressure interval, and its change within the interval; a value known only at one end is
+    used for the whole interval. weight, fall: weight at the lower end, and its change within the interval; the weight is 1
+    at an end whose value is known, else 0. hard (h,): the hardnesses, ascending.
     """
 
     hard: np.ndarray
@@ -109,7 +109,7 @@ class _Table(NamedTuple):
 
 
 def _interval(grid: np.ndarray, numbers: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Find the interval of an ascending grid that contains each of k numbers: index of its upper end (k,), position (k, 1).
+    """Find the intervals of an ascending grid that contain k numbers; return index of the upper end (k,), position (k, 1).
 
     The position runs from 0 at the lower end to 1 at the upper end, linearly in the logarithm of the
     number. Numbers outside the grid are moved to its ends.
@@ -121,7 +121,7 @@ def _interval(grid: np.ndarray, numbers: np.ndarray) -> tuple[np.ndarray, np.nda
 
 @cache
 def _tables(known: SolvedSet, column: str) -> tuple[_Table, _Table]:
-    """Return two tables for a model: its errors, and the reference areas of the surfaces on which it has any result.
+    """Return two tables for a model: its errors, and the reference areas of the surfaces for which it has any result.
 
     known: the benchmark set. column: "model|asperity method", a column of the set.
     """
@@ -135,8 +135,8 @@ def bare_errors(known: SolvedSet, column: str, features: ContactFeatures, anywhe
     """Return the errors of a model at k points, averaged over similar benchmark surfaces without a film.
 
     The result is None if the set does not contain the model. known: the benchmark set. column: "model|asperity method", a
-    column of the set. features: features of the contact at k points. anywhere: True for a model that solves the map, which is
-    equally accurate on any surface; then only the pressure decides how near a benchmark surface is.
+    column of the set. features: features of the contact at k points. anywhere: True for a model that solves the map and is
+    therefore equally accurate on any surface; only the pressure then determines the distance of a benchmark surface.
     """
     errors = known.errors(column)
     if errors is None:
@@ -158,9 +158,9 @@ def _in_blocks(features: ContactFeatures, surfaces: int, errors_of: Callable[[sl
 def _bare_errors(known: SolvedSet, errors: _Table, areas: _Table, features: ContactFeatures, anywhere: bool) -> ErrorsNear:
     """Return the errors of a model at k points, averaged over similar benchmark surfaces without a film.
 
-    errors: table of the errors ln(A/A_ref) of the model's area A. areas: table of the reference areas A_ref of the surfaces on
-    which the model has any result. features: features of the contact at k points. anywhere: whether only the pressure decides
-    how near a benchmark surface is.
+    errors: table of the errors ln(A/A_ref) of the model's area A. areas: table of the reference areas A_ref of the surfaces
+    for which the model has any result. features: features of the contact at k points. anywhere: whether only the pressure
+    determines the distance of a benchmark surface.
     """
     positive = (features.pressure > 0.0) & (features.hardness > 0.0)
     pressure, hardness = np.where(positive, features.pressure, 1.0), np.where(positive, features.hardness, 1.0)
@@ -209,15 +209,15 @@ def _film_errors(known: SolvedSet, errors: np.ndarray, features: ContactFeatures
 def quantiles(values: np.ndarray, weights: np.ndarray) -> np.ndarray:
     """Return the weighted quantiles (k, 5) of each row of values (k, s), at the probabilities LEVELS.
 
-    weights (k, s): at least one in each row must be positive. Each quantile is averaged over probabilities within 0.03 of its
-    own. Without this average, a quantile of few values jumps from one value to the next when a weight changes a little.
+    weights (k, s): at least one in each row must be positive. Each quantile is averaged over probabilities within 0.03 of
+    its own. Without this average, a quantile of few values would jump when a weight changes slightly.
     """
     order = np.argsort(values, axis=1)
     values, weights = (np.take_along_axis(table, order, axis=1) for table in (values, weights))
     shares, integrals, rows = np.cumsum(weights, axis=1), np.cumsum(weights * values, axis=1), np.arange(len(values))
 
     def integral(level: float) -> np.ndarray:
-        """Return the integral (k,) of the sorted values over their weights, up to the fraction `level` of the total weight."""
+        """Integrate the sorted values with respect to their weights, up to the fraction `level` of the total weight; (k,)."""
         end = level * shares[:, -1]
         at = np.count_nonzero(shares < end[:, None], axis=1)
         return integrals[rows, at] - (shares[rows, at] - end) * values[rows, at]
@@ -234,14 +234,15 @@ def _at_lighter_load(
     lightest: np.ndarray,
     hardness: np.ndarray,
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Extrapolate errors (k, s) to loads lighter than all solved ones; return them with a weight (k, s) of each surface.
+    """Extrapolate errors (k, s) to loads below the lightest solved load; return them with weights (k, s) of the surfaces.
 
     errors: table of the errors. at_lightest (k, s): errors at the lightest solved pressures. pressure_ratio (k,): lightest
-    solved pressure over the pressure of the contact, 1 or more. lightest, hardness (k,): lightest solved pressure, and hardness
-    of the contact, both over E* h'. On elastic surfaces the error continues linearly in ln of the pressure. On surfaces that
-    flow plastically it decreases with the square root of the pressure, because the finest roughness of a plateau flows too. A
-    surface whose error changes fast has smooth plateaus, whereas real plateaus are rough; such a surface therefore loses weight
-    as the load decreases. Both rules are judgements of the authors (grade C).
+    solved pressure divided by the pressure of the contact, 1 or more. lightest, hardness (k,): lightest solved pressure,
+    and hardness of the contact, both divided by E* h'. On elastic surfaces the error continues linearly in ln of the
+    pressure. On surfaces that flow plastically it decreases with the square root of the pressure, because the finest
+    roughness of a plateau flows too. Surfaces whose error changes fast have smooth plateaus, whereas real plateaus are
+    rough; the weight of such surfaces therefore decreases with the load. Both rules are judgements of the authors (grade
+    C).
     """
     if not (pressure_ratio > 1.0).any():
         return at_lightest, np.ones(at_lightest.shape)
@@ -257,11 +258,12 @@ def _at_lighter_load(
 def _averaged(
     errors: np.ndarray, with_result: np.ndarray, all_surfaces: np.ndarray, apart: list[Difference], presumed: np.ndarray
 ) -> ErrorsNear:
-    """Return statistics of errors (k, s) over s surfaces, for each of k points (one contact at one load).
+    """Return statistics of the errors (k, s) on s surfaces, for each of k points (one contact at one load).
 
     with_result, all_surfaces: weights (k, s), 0 to 1, of the surfaces for which the model has a result, and of all
-    benchmark surfaces; all_surfaces is 0 in the rows of points that get no error. apart: differences that add up to the squared
-    distances. presumed: mask (s,) of the surfaces of the stated or assumed kind, over which `ErrorsNear.middle` is averaged.
+    benchmark surfaces; all_surfaces is 0 for points that get no error. apart: differences that add up to the squared
+    distances. presumed: mask (s,) of the surfaces of the stated or assumed kind, over which `ErrorsNear.middle` is
+    averaged.
     """
     distances = squared_distance(apart)
     squared = np.where(all_surfaces > 0.0, distances.reshape(len(distances), -1), np.inf)
@@ -289,14 +291,14 @@ def _averaged(
 
 
 def no_words() -> str:
-    """Return an empty text, for a point whose nearest benchmark surface hardly differs."""
+    """Return an empty text, used for a point whose nearest benchmark surface hardly differs."""
     return ""
 
 
 def _weights(squared: np.ndarray, some: np.ndarray) -> np.ndarray:
     """Return the weights exp(-d^2/2) (k, s) of benchmark surfaces, divided by the weight of the nearest one.
 
-    squared: squared distances d^2 (k, s). some: mask (k, s) of the surfaces that count; the others have weight 0.
+    squared: squared distances d^2 (k, s). some: mask (k, s) of the surfaces to include; the others have weight 0.
     """
     squared = np.where(some, squared, np.inf)
     least = squared.min(axis=1, keepdims=True)

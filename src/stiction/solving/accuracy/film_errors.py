@@ -1,8 +1,8 @@
-"""Look up the measured error of a film law for a contact; return it as data, as text, or as errors at points.
+"""Look up the measured error of a film law for a contact, as data, as text, or as errors at points.
 
 The errors were measured on elastic contacts without adhesion: on one sphere against the exact solution, and on rough surfaces
-against layered boundary elements (`solving/accuracy/film_tables`). They are looked up by two ratios: film modulus over
-substrate modulus, and mean contact radius, or shortest wavelength, over film thickness.
+against layered boundary elements (`solving/accuracy/film_tables`). They are looked up by two ratios: film modulus divided by
+substrate modulus, and mean contact radius, or shortest wavelength, divided by film thickness.
 """
 
 import json
@@ -68,8 +68,9 @@ def _of_maps(problem: Problem, law: str) -> dict[str, Any]:
 def _row(head: dict, ranges: Mapping, given: Mapping[str, np.ndarray], ratio: np.ndarray, nothing: str) -> dict[str, Any]:
     """Return one dictionary of `film_errors`.
 
-    head: the entries law and against. ranges: measured range of each parameter. given: values of these parameters, by name.
-    ratio: computed area over exact area. nothing: the reason to state if no error is known and no parameter is out of range.
+    head: the entries `law` and `against`. ranges: measured range of each parameter. given: values of these parameters, by
+    name. ratio: computed area divided by exact area. nothing: the reason to state if no error is known and no parameter is
+    out of range.
     """
     row, outside = head | {"near": {name: _ends(values) for name, values in given.items()}}, _outside(ranges, given)
     if np.isnan(ratio).all():
@@ -117,10 +118,10 @@ def _outside(ranges: Mapping[str, tuple[float, float]], given: Mapping[str, np.n
 def on_solved_maps(problem: Problem, points: int) -> ErrorsNear | None:
     """Return the errors of the area law for films, measured on rough surfaces with similar films; None for other models.
 
-    points: number of loads of each contact; all of them get the same errors. Source: truth/films.csv. A film thinner or thicker
-    than the measured ones gets the errors at the end of the measured range, because there the law approaches the law of the
-    bare body, or of the film alone. A film modulus outside the measured range gets these errors too, with a larger `distance`
-    of the result.
+    points: number of loads of each contact, which all get the same errors. Source: truth/films.csv. A film thinner or
+    thicker than the measured films gets the errors at the end of the measured range, because the law then approaches that
+    of the bare body or of the film alone. A film modulus outside the measured range also gets the errors at the end of the
+    range, but the result then has a larger `distance`.
     """
     groups = problem.groups.resolved()
     if not problem.record.on_film or groups.roughness_parameter is None or groups.film_aspect is None:
@@ -143,10 +144,10 @@ def on_solved_maps(problem: Problem, points: int) -> ErrorsNear | None:
 
 
 def on_other_kinds(problem: Problem, features: ContactFeatures, found: ErrorsNear, area: np.ndarray) -> ErrorsNear:
-    """Return the errors of the area law for films on a surface that may not be Gaussian, for a contact without a map.
+    """Return the errors of the area law for films on a surface that may be non-Gaussian, for a contact without a map.
 
     features: features of the contact at k points. found: errors of the law on Gaussian surfaces. area: normalised contact area.
-    Two further errors widen them. The first is the error of the law for bare surfaces on all kinds of surface. It is taken at
+    Two further errors widen these. The first is the error of the law for bare surfaces on all kinds of surface. It is taken at
     the pressure at which a bare surface has the same elastic area (Persson 2001), and at the hardness at which the same
     fraction of this area flows. The second is the additional error due to a film, from the benchmark surfaces with films; it is
     omitted for the kind "gaussian". If the kind is known, both also shift the mean.
@@ -179,7 +180,7 @@ def on_other_kinds(problem: Problem, features: ContactFeatures, found: ErrorsNea
 
 
 def _pressure_of(share: np.ndarray) -> np.ndarray:
-    """Return the pressure over E* h' at which a bare elastic surface has the area fraction `share` (Persson 2001).
+    """Return the pressure divided by E* h' at which a bare elastic surface has the area fraction `share` (Persson 2001).
 
     E*: contact modulus. h': rms slope. share: an array of any shape, as is the result.
     """
@@ -207,7 +208,7 @@ def _beyond_bare(known: SolvedSet) -> np.ndarray | None:
 
 
 def shares_on_film(problem: Problem, features: ContactFeatures, area: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return two fractions (k,): real over nominal area without plastic flow, and nominal pressure over flow pressure.
+    """Return two ratios (k,): real to nominal area without plastic flow, and nominal pressure to flow pressure.
 
     The film law computes the area fraction as a power mean of the two. features: features of the contact at k points. area:
     normalised contact area.
@@ -222,10 +223,10 @@ def shares_on_film(problem: Problem, features: ContactFeatures, area: np.ndarray
 
 
 def a_over_t(problem: Problem, results: Mapping[str, np.ndarray]) -> np.ndarray | None:
-    """Return the mean contact radius of an asperity over the thickness of one film (n, m), for n contacts at m points.
+    """Return the ratio (n, m) of an asperity's mean contact radius to the thickness of one film, for n contacts at m points.
 
-    results: normalised arrays by name. The result is None for a bare contact or a model without single asperities. It is 0 if
-    the film thickness over the asperity size is unknown, because such a film counts as infinitely thick.
+    results: normalised arrays by name. The result is None for a bare contact or a model without single asperities. It is 0
+    if the film thickness divided by the asperity size is unknown, because such a film counts as infinitely thick.
     """
     groups = problem.groups.resolved()
     if "touching_asperities" not in results or groups.film_aspect is None:
@@ -237,10 +238,10 @@ def a_over_t(problem: Problem, results: Mapping[str, np.ndarray]) -> np.ndarray 
 
 
 def _over_radius(problem: Problem) -> np.ndarray:
-    """Return the film thickness over the asperity radius (n, 1), computed from two other dimensionless groups.
+    """Return the ratio (n, 1) of film thickness to asperity radius, computed from two other dimensionless groups.
 
-    With thickness t, radius R and rms height sigma it is (t/sqrt(R sigma))^2 over t/sigma. If unknown, the value 1 is returned,
-    which is far outside the measured range.
+    With thickness t, radius R and rms height sigma it equals (t/sqrt(R sigma))^2/(t/sigma). If it is unknown, 1 is
+    returned, which is far outside the measured range.
     """
     found = quotient(problem.groups.film_aspect**2, problem.groups.tau)
     return np.where(np.isfinite(found) & (found > 0.0), found, 1.0)[:, None]
@@ -252,7 +253,7 @@ def _ends(values: np.ndarray) -> list[float]:
 
 
 def as_attributes(problem: Problem, results: Mapping[str, np.ndarray]) -> dict[str, str]:
-    """Return the measured errors of the film law as one attribute of a result, a JSON text that a netCDF file can store."""
+    """Return the measured errors of the film law as one attribute of a result, a JSON text, which a netCDF file can store."""
     return {"measured_film_error": json.dumps(film_errors(problem, results))}
 
 

@@ -2,8 +2,8 @@
 
 `python truth/film_laws.py` makes two tables. The first compares each law on a sphere with the exact solution of a sphere on a
 film. The second compares sums over asperities, and the area law of a film, with layered boundary elements on rough surfaces.
-Both tables hold ratios of a result to the reference. The first table is interpolated in double-logarithmic scale, the second is
-looked up by ranges of the parameters. Films that flow plastically are not included.
+Both tables hold ratios of a result to the reference. The first table is interpolated on double-logarithmic scales, the second
+is looked up by ranges of the parameters. Films that flow plastically are not included.
 """
 
 import csv
@@ -28,10 +28,10 @@ _MARGIN = 1.001  # factor by which parameters may leave the table, because of ro
 
 
 class SphereFilmErrors(NamedTuple):
-    """Store the errors of a film law on a sphere, as arrays of one shape.
+    """Store the errors of a film law on a sphere, as arrays of the same shape.
 
-    area: contact area over the exact area at the same load. load: load over the exact load at the same approach. Both are NaN
-    outside the measured range.
+    area: contact area divided by the exact area at the same load. load: load divided by the exact load at the same
+    approach. Both are NaN outside the measured range.
     """
 
     area: np.ndarray
@@ -39,10 +39,10 @@ class SphereFilmErrors(NamedTuple):
 
 
 class MapFilmErrors(NamedTuple):
-    """Store the errors of a film law on rough surfaces, as arrays of one shape.
+    """Store the errors of a film law on rough surfaces, as arrays of the same shape.
 
-    The error is the contact area over the reference area at the same load. mean: its geometric mean over the surfaces. rms:
-    root mean square of its logarithm. Both are NaN outside the measured range.
+    The error is the ratio of the contact area to the reference area at the same load. mean: geometric mean of this ratio
+    over the surfaces. rms: root mean square of its logarithm. Both are NaN outside the measured range.
     """
 
     mean: np.ndarray
@@ -54,8 +54,8 @@ def on_a_sphere(
 ) -> SphereFilmErrors | None:
     """Return the errors of a film law with its options on a sphere; None if the law was not measured.
 
-    law: key of the film law. n_E, a_over_t, thickness_over_radius: film modulus over substrate modulus, contact radius over
-    film thickness, and film thickness over sphere radius, as arrays of one shape.
+    law: key of the film law. n_E, a_over_t, thickness_over_radius: film modulus divided by substrate modulus, contact
+    radius divided by film thickness, and film thickness divided by sphere radius, as arrays of the same shape.
     """
     table = _of(_sphere(), law, options)
     if table is None:
@@ -71,8 +71,8 @@ def on_a_sphere(
 def on_maps(law: str, options: Mapping[str, str], n_E: np.ndarray, thickness: np.ndarray) -> MapFilmErrors | None:
     """Return the errors of a film law with its options on rough surfaces; None if the law was not measured.
 
-    law: key of the film law. n_E, thickness: film modulus over substrate modulus, and film thickness over the shortest
-    wavelength, as arrays of one shape.
+    law: key of the film law. n_E, thickness: film modulus divided by substrate modulus, and film thickness divided by the
+    shortest wavelength, as arrays of the same shape.
     """
     rows = _of(_maps(), law, options)
     if rows is None:
@@ -87,9 +87,9 @@ def on_maps(law: str, options: Mapping[str, str], n_E: np.ndarray, thickness: np
 def summary(law: str) -> list[dict[str, Any]]:
     """Return the errors of a film law on a sphere, as one dictionary for each set of options.
 
-    A dictionary holds the options, a few values of n_E and a_over_t (film modulus ratio, contact radius over thickness), and
-    two tables (n_E, a_over_t): relative error of the area at a given load, and of the load at a given approach. The list is
-    empty if the law was not measured.
+    A dictionary holds the options, a few values of n_E and a_over_t (film modulus ratio, contact radius divided by
+    thickness), and two tables (n_E, a_over_t): relative error of the area at a given load, and of the load at a given
+    approach. The list is empty if the law was not measured.
     """
     found = []
     for key, options in _sphere():
@@ -119,8 +119,8 @@ def _of(table: Mapping, law: str, options: Mapping[str, str]):
 def _sphere() -> dict[tuple[str, str], Any]:
     """Return an interpolator of the errors on a sphere for each (law, options).
 
-    It takes ln of n_E, a/t and t/R, and returns ln of the ratios to the exact area and load. n_E: film modulus over substrate
-    modulus. a: contact radius, t: film thickness, R: sphere radius.
+    It takes ln of n_E, a/t and t/R, and returns ln of the ratios to the exact area and load. n_E: film modulus divided by
+    substrate modulus. a: contact radius, t: film thickness, R: sphere radius.
     """
     from scipy.interpolate import RegularGridInterpolator
 

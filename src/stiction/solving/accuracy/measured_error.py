@@ -1,15 +1,16 @@
 """Estimate the error of a model at a contact from its errors on similar benchmark surfaces.
 
-For many surfaces, the benchmark set (docs/explanation/truth.md) holds the contact area by a reference solution and by every
-model and asperity method, at a range of mean pressures, hardnesses and films. The errors on each surface are interpolated to
-the pressure and hardness of the contact, both over E* h' (E*: contact modulus, h': rms slope). They are then averaged over the
-surfaces with the weight exp(-d^2/2). The distance d counts differences in Nayak's alpha and, for a map, in skewness, lay and
-the slope of its highest parts. For a contact given by numbers the kind of surface is unknown. Its mean error is then computed
-over Gaussian surfaces, for which models are ranked, and its interval over all kinds: skewed, worn, with a lay, with two wave
-bands. If the kind is stated, mean and interval are computed over surfaces of that kind.
+The benchmark set (docs/explanation/truth.md) holds, for many surfaces, the contact area by a reference solution and by every
+model and asperity method, for a range of mean pressures, hardnesses and films. The errors on each surface are interpolated to
+the pressure and hardness of the contact, both divided by E* h' (E*: contact modulus, h': rms slope). They are then averaged
+over the surfaces with the weight exp(-d^2/2). The distance d includes differences in Nayak's alpha and, for a map, in skewness,
+lay and the slope of its highest parts. For a contact given by numbers the kind of surface is unknown. Its mean error is then
+computed over Gaussian surfaces, for which models are ranked, and its interval over all kinds (skewed, worn, with a lay, with
+two wave bands). If the kind is stated, mean and interval are computed over surfaces of that kind.
 
-Friction of an interface is its shear strength times the area, so it has the error of the area. The error is smaller if the
-strength rises with pressure, and unknown if the stated strength exceeds the strength of the bodies. The set has no adhesion.
+Friction of an interface is its shear strength times the area, so its relative error is that of the area. The error is smaller
+if the strength rises with pressure, and unknown if the stated strength exceeds the strength of the bodies. Adhesion is not
+included.
 
 A solution on the map itself has a discretisation error, and a sampling error if the map is a window of a larger surface.
 """
@@ -59,13 +60,13 @@ class MeasuredErrors:
 
     The error is ln(A/A_ref), with A the area by the model and A_ref by the reference solution. column: model and asperity
     method. area: mean error over benchmark surfaces of the stated kind, or over Gaussian surfaces if neither map nor kind is
-    known. levels (k, 5): quantiles of the error at the probabilities errors_near.LEVELS over the nearest surfaces, however far
-    they are; NaN where nothing was measured. relative: root mean square of A/A_ref - 1 over these surfaces. friction: error of
-    ln(mu) due to the area, for laws of the interface. distance: distance of the nearest surface. surfaces: number of surfaces
-    with a noticeable weight. trust: 1 for a near surface, 0 where nothing was measured, continuous between. sample: standard
-    error of ln(A) because the map is one window of a larger surface, for models that solve the map. why_not: why no error is
-    known at some points, or "". nearest: for each point a function that describes how the nearest surface differs, or returns
-    "". kind_known: whether the map or the user gives the kind of surface. kind: the stated kind.
+    known. levels (k, 5): quantiles of the error on the nearest surfaces at the probabilities errors_near.LEVELS, even if these
+    surfaces are far away; NaN where nothing was measured. relative: root mean square of A/A_ref - 1 over these surfaces.
+    friction: error of ln(mu) due to the area, for laws of the interface. distance: distance of the nearest surface. surfaces:
+    number of surfaces with a noticeable weight. trust: weight from 1 for a near surface to 0 where nothing was measured.
+    sample: standard error of ln(A) because the map is only a window of a larger surface, for models that solve the map.
+    why_not: reason why no error is known at some points, or "". nearest: for each point a function that returns a text on how
+    the nearest surface differs, or "". kind_known: whether the kind of surface is known. kind: the stated kind.
     """
 
     column: str
@@ -168,10 +169,10 @@ def column_of(problem: Problem) -> str:
 
 
 def measured_errors(problem: Problem, results: Mapping[str, np.ndarray], most_points: float = _MOST_POINTS) -> MeasuredErrors:
-    """Return the measured errors of a model at the points of normalised results.
+    """Return the measured errors of a model for each point of normalised results.
 
-    results: arrays by name, with the dimensions of the contacts first. The errors are flat arrays over all contacts and points.
-    most_points: no errors are looked up if there are more points.
+    results: arrays by name, with the dimensions of the contacts first. The errors are flat arrays for all contacts and points.
+    most_points: with more points than this, no errors are looked up.
     """
     load, area = (np.asarray(results[name]).reshape(len(problem.groups), -1) for name in ("load", "contact_area"))
     column = column_of(problem)
@@ -205,7 +206,7 @@ def measured_errors(problem: Problem, results: Mapping[str, np.ndarray], most_po
 def _of_solution(problem: MapProblem, load: np.ndarray, area: np.ndarray, most_points: float) -> MeasuredErrors:
     """Return the errors of a solution on the map itself: the discretisation error and the sampling error.
 
-    load, area: normalised (1, m).
+    load, area: normalised load and contact area (1, m).
     """
     surface = problem.surface()
     features = ContactFeatures.of(problem, load, surface)
@@ -223,10 +224,10 @@ def _share(problem: Problem, area: np.ndarray) -> np.ndarray:
 
 
 def _own_error(surface: "HeightMap", share: np.ndarray, every_point: bool = False) -> np.ndarray:
-    """Return the standard deviation (k,) of ln of a contact area that was solved on a map, due to the point spacing.
+    """Return the standard deviation (k,) of ln(A) due to the point spacing, where the contact area A was solved on a map.
 
     It depends on the number of points in contact. For a map too large to be solved, it is the error of the formula used
-    instead. share: area fraction (k,). every_point: whether all points of the map are solved, or only a sample.
+    instead. share: area fraction (k,). every_point: whether all points of the map are solved.
     """
     area = _map_area(surface)
     if not area.solvable and not every_point:
@@ -237,7 +238,7 @@ def _own_error(surface: "HeightMap", share: np.ndarray, every_point: bool = Fals
 
 
 def _widened(middle: np.ndarray, levels: np.ndarray, more: np.ndarray) -> np.ndarray:
-    """Return the quantiles `levels` (k, 5) about `middle` (k,), with a normal error of deviation `more` (k,) in quadrature."""
+    """Widen the quantiles `levels` (k, 5) about `middle` (k,) by a normal error with standard deviation `more` (k,)."""
     if not more.any():
         return levels
     apart = levels - middle[:, None]
@@ -246,9 +247,9 @@ def _widened(middle: np.ndarray, levels: np.ndarray, more: np.ndarray) -> np.nda
 
 
 def _sample_error(surface: "HeightMap", features: ContactFeatures, most_points: float) -> np.ndarray:
-    """Return the standard error (k,) of ln of the area because the map is one window of a larger surface; 0 for a periodic map.
+    """Return the standard error (k,) of ln(A) because the map is only a window of a larger surface; 0 for a periodic map.
 
-    features: features of the contact at k points. The error is NaN if there are more than most_points points.
+    A: contact area. features: features of the contact at k points. The error is NaN if there are more than most_points points.
     """
     if features.pressure.size > most_points:
         return np.full(features.pressure.size, np.nan)
@@ -277,7 +278,7 @@ def _on_other_maps(problem: Problem, features: ContactFeatures, points: int, are
     """Return the errors of an area law for films, measured on rough surfaces with films; None if it was not measured.
 
     Source: truth/films.csv. If the law solves the contact's own map, the errors are 0, because the discretisation error is
-    added later. Without a map the errors are wider, as the surface may not be Gaussian; a stated kind shifts them. points:
+    added later. Without a map the intervals are wider, as the surface may be non-Gaussian; a stated kind shifts them. points:
     loads per contact.
     """
     found = on_solved_maps(problem, points)
@@ -310,9 +311,9 @@ def _unknown(column: str, points: int, why: str) -> MeasuredErrors:
 
 
 def _far(distance: np.ndarray, nearest: np.ndarray) -> str:
-    """Return the reason, as text, why no error is known at some points: the film, the nearest surface, or the load.
+    """Return a text on why no error is known at some points: the film, the nearest surface, or the load.
 
-    distance (k,): distance of the nearest benchmark surface at k points. nearest: for each point a function that describes it.
+    distance (k,): distance of the nearest benchmark surface at k points. nearest (k,): functions that describe it.
     """
     at = int(np.argmin(distance))
     if math.isinf(distance[at]):
@@ -331,7 +332,7 @@ def _why_not(problem: Problem, column: str, points: int, most_points: float) -> 
 
 
 def _adhesion(problem: Problem, results: Mapping[str, np.ndarray]) -> tuple[float, str]:
-    """Return how far errors measured without adhesion apply to the contact, from 1 (fully) to 0, and the reason if they do not.
+    """Return to what degree errors measured without adhesion apply to a contact, from 1 to 0, and the reason if they do not.
 
     The reason is "" if adhesion and the pull of menisci are small compared with the load.
     """
@@ -355,7 +356,7 @@ def _largest(values: np.ndarray | None) -> float:
 
 
 def _on_film(known: SolvedSet, column: str, features: ContactFeatures, problem: Problem) -> ErrorsNear | None:
-    """Return the errors of a model on benchmark surfaces with a film, at each point; None if it was not measured there.
+    """Return the errors of a model on benchmark surfaces with a film, at each point; None if it was not measured on them.
 
     On these surfaces one body has an elastic film and the other is rigid.
     """
@@ -396,5 +397,5 @@ def _of_friction(problem: Problem, results: Mapping[str, np.ndarray], error: np.
 
 
 def as_attributes(found: MeasuredErrors) -> dict[str, str]:
-    """Return the measured errors of a model as attributes of a result: in words, and as JSON."""
+    """Return the measured errors of a model as attributes of a result: as plain text, and as JSON."""
     return {"measured_error": json.dumps(found.as_data()), "measured_error_in_words": found.words}

@@ -1,4 +1,4 @@
-"""Measure how far a contact is from each surface of the benchmark set, and describe the nearest one.
+"""Measure how much a contact differs from each surface of the benchmark set, and describe the nearest surface.
 
 The distance is the square root of the sum of squared differences in features such as Nayak's alpha. Each difference is divided
 by a scale, for example 0.5 for ln(alpha). The scales are listed below.
@@ -44,13 +44,14 @@ _OVER_STIFFNESS, _OVER_HARDNESS = "nominal pressure over E* times rms slope", "n
 
 @dataclass(frozen=True)
 class ContactFeatures:
-    """Store the features of a contact that are compared with benchmark surfaces, at k points (one contact at one load).
+    """Store the features that are compared with benchmark surfaces, at k points (a point is one contact at one load).
 
-    pressure, hardness (k,): divided by E* h', with the contact modulus E* and the rms slope h'. alpha (k,): Nayak's parameter.
-    shape: skewness, lay (ratio of largest to smallest rms slope) and relative slope of the highest parts of the map; None
-    without a map. modulus (k,): film modulus over substrate modulus. thickness (k,): film thickness over sqrt(m2/m4), with the
-    spectral moments m2 and m4. Both are None without a film. kind: the stated kind of surface, for a contact without a map.
-    stated: stated statistics of the surface, by their names in surfaces.roughness.SHAPE, for a contact without a map.
+    pressure, hardness (k,): divided by E* h', with the contact modulus E* and the rms slope h'. alpha (k,): Nayak's
+    parameter. shape: skewness, lay (ratio of largest to smallest rms slope) and relative slope of the highest parts of the
+    map; None without a map. modulus (k,): film modulus divided by substrate modulus. thickness (k,): film thickness divided
+    by sqrt(m2/m4), with the spectral moments m2 and m4. Both are None without a film. kind: the stated kind of surface, for
+    a contact without a map. stated: stated statistics of the surface, by their names in surfaces.roughness.SHAPE, for a
+    contact without a map.
     """
 
     pressure: np.ndarray
@@ -97,10 +98,10 @@ class ContactFeatures:
 
 
 def _of_map(surface: "HeightMap", problem: Problem, load: np.ndarray):
-    """Return pressure/(E* h'), hardness/(E* h'), Nayak's alpha and the shape of a contact whose map is known.
+    """Return pressure/(E* h'), hardness/(E* h'), Nayak's alpha and the shape of a contact with a known map.
 
-    E* is the contact modulus and h' the rms gradient. load: normalised loads. The shape has three numbers: the skewness of the
-    heights, the lay (ratio of largest to smallest rms slope), and the rms gradient of the highest 5 % over h'.
+    E* is the contact modulus and h' the rms gradient. load: normalised loads. The shape has three numbers: the skewness of
+    the heights, the lay (ratio of largest to smallest rms slope), and the rms gradient of the highest 5 %, divided by h'.
     """
     from stiction.solvers.boundary_elements.map_area import map_area  # only contacts with a map need this
     from stiction.surfaces.asperity_set import skewness
@@ -118,10 +119,11 @@ def _of_map(surface: "HeightMap", problem: Problem, load: np.ndarray):
 
 
 def _film_of(groups: Groups, points: int) -> tuple[np.ndarray, np.ndarray]:
-    """Return film modulus over substrate modulus, and film thickness over sqrt(m2/m4), each (k,), for k = n m points.
+    """Return two ratios (k,) for k = n m points: film to substrate modulus, and film thickness to sqrt(m2/m4).
 
-    groups: of n contacts. points: number m of loads of each contact. The spectral moments follow from the asperity density N:
-    sqrt(m2/m4) = 1/sqrt(6 pi sqrt(3) N) (Nayak 1971). The group film_aspect is t/sqrt(R sigma), with film thickness t.
+    groups: dimensionless groups of n contacts. points: number m of loads of each contact. The spectral moments follow from
+    the asperity density N: sqrt(m2/m4) = 1/sqrt(6 pi sqrt(3) N) (Nayak 1971). The group film_aspect is t/sqrt(R sigma),
+    with film thickness t.
     """
     thickness = groups.film_aspect * np.sqrt(6.0 * math.pi * math.sqrt(3.0) * groups.roughness_parameter)
     return np.repeat(groups.film_modulus, points), np.repeat(thickness, points)
@@ -131,9 +133,9 @@ def _film_of(groups: Groups, points: int) -> tuple[np.ndarray, np.ndarray]:
 class Difference:
     """Store how k points of a contact differ from s benchmark surfaces in one feature.
 
-    Arrays have the length 1 in place of k if they are the same for all points. names (k,): name of the feature. ours (k,):
-    value at each point. theirs (k, s): value of each surface. squared (k, s): contribution to the squared distances. For films,
-    theirs and squared have a third dimension over the films.
+    Arrays have length 1 instead of k if they are the same for all points. names (k,): name of the feature. ours (k,): value
+    at each point. theirs (k, s): value of each surface. squared (k, s): contribution to the squared distances. For films,
+    `theirs` and `squared` have a third dimension, the films.
     """
 
     names: np.ndarray
@@ -154,8 +156,8 @@ def _difference(name: str, ours: float | np.ndarray, theirs: np.ndarray, squared
 def differences(known: SolvedSet, features: ContactFeatures) -> list[Difference]:
     """Return the differences between k points of a contact and every benchmark surface, one for each feature.
 
-    With a map the features are Nayak's alpha, skewness, lay and slope of the highest parts; otherwise alpha and the stated
-    statistics.
+    For a contact with a map the features are Nayak's alpha, skewness, lay and slope of the highest parts, otherwise alpha
+    and the stated statistics.
     """
     theirs = known.feature("alpha")
     apart = ((np.log(theirs) - np.log(features.alpha)[:, None]) / _SCALES["alpha"]) ** 2
@@ -168,8 +170,8 @@ def differences(known: SolvedSet, features: ContactFeatures) -> list[Difference]
 def _of_stated(known: SolvedSet, name: str, ours: float) -> Difference:
     """Return the difference between a stated statistic and the same statistic of every benchmark surface (s,).
 
-    name: name of the statistic. ours: its stated value. The texture aspect ratio (Str) of a stretched isotropic surface is one
-    over its lay.
+    name: name of the statistic. ours: its stated value. The texture aspect ratio (Str) of a stretched isotropic surface is
+    the reciprocal of its lay.
     """
     theirs = 1.0 / known.feature("lay") if name == "texture_aspect_ratio" else known.feature(name)
     apart = theirs - ours if name == "skewness" else np.log(theirs / ours)
@@ -192,7 +194,7 @@ def _of_shape(known: SolvedSet, shape: tuple[float, float, float]) -> list[Diffe
 
 
 def kind_of_map(surface: "HeightMap") -> str | None:
-    """Return the kind of surface (a key of OF_KIND) to which most of the similar benchmark surfaces belong.
+    """Return the kind of surface (a key of OF_KIND) that is most frequent among similar benchmark surfaces.
 
     Similar surfaces have about the same skewness, lay and slope of the highest parts; each is weighted by its similarity. The
     result is None for a profile, for a map with missing points or fewer than 8 points along a side, and if no benchmark surface
@@ -242,9 +244,9 @@ def pressure_difference(
 ) -> tuple[Difference, np.ndarray, np.ndarray]:
     """Compare pressures with those of the benchmark set; return the difference, and pressures and hardnesses within the set.
 
-    The errors of models are looked up at the returned pressures and hardnesses, (k,) each. pressure, hardness (k,): divided by
-    E* h', with the contact modulus E* and the rms slope h'. Below the smallest hardness of the set all points flow plastically,
-    so only pressure over hardness matters there.
+    The errors of models are looked up at the returned pressures and hardnesses, (k,) each. pressure, hardness (k,): divided
+    by E* h', with the contact modulus E* and the rms slope h'. Below the smallest hardness of the set all points flow
+    plastically, so that only the ratio of pressure to hardness matters.
     """
     low, high = float(known["loads"][0]), float(known["loads"][-1])
     softest = float(known["hardnesses"][1:].min())

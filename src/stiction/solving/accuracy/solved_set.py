@@ -1,8 +1,8 @@
-"""Read the benchmark set, which `make truth` writes into the package (docs/explanation/truth.md).
+"""Read the benchmark set that `make truth` writes into the package (docs/explanation/truth.md).
 
-The set holds surfaces whose contact was solved, and the errors of models on them. An error is the logarithm of a model's
-contact area over the solved area. Each error is stored in one byte, as its signed square root in steps of 1/60. The resolution
-is then 0.002 at an error of 1 %, and 0.03 at a factor of ten.
+The set holds surfaces whose contact was solved, and the errors of models on them. An error is the logarithm of the ratio of a
+model's contact area to the solved area. Each error is stored in one byte, as its signed square root in steps of 1/60. The
+resolution is then 0.002 at an error of 1 %, and 0.03 at a factor of ten.
 """
 
 import lzma
@@ -32,13 +32,13 @@ _NOTHING, _STEP = -128, 1.0 / 60.0
 
 
 def coded(errors: np.ndarray) -> np.ndarray:
-    """Encode logarithmic errors as bytes (int8), of the same shape; NaN has a code of its own."""
+    """Encode logarithmic errors as bytes (int8) of the same shape; NaN has its own code."""
     whole = np.clip(np.round(np.sign(errors) * np.sqrt(np.abs(errors)) / _STEP), -127, 127)
     return np.where(np.isfinite(errors), whole, _NOTHING).astype(np.int8)
 
 
 def decoded(codes: np.ndarray) -> np.ndarray:
-    """Decode errors stored as bytes (int8) to logarithmic errors, of the same shape; NaN where no error was stored."""
+    """Decode bytes (int8) to logarithmic errors of the same shape, NaN where no error was stored."""
     root = codes * _STEP
     return np.where(codes == _NOTHING, np.nan, np.sign(root) * root**2)
 
@@ -49,7 +49,7 @@ class SolvedSet:
 
     content: arrays by name, as in the file, for s surfaces, h hardnesses (the first is infinite) and p mean pressures.
     Pressures and hardnesses are divided by E* h', with the contact modulus E* and the rms slope h'. Films are listed by
-    plane-strain modulus over the substrate modulus, and by thickness over the shortest wavelength.
+    plane-strain modulus divided by the substrate modulus, and by thickness divided by the shortest wavelength.
     """
 
     content: dict[str, np.ndarray]
@@ -70,8 +70,8 @@ class SolvedSet:
     def of_kind(self, kind: str | None) -> np.ndarray:
         """Return a mask (s,) of the surfaces of a kind, a key of OF_KIND; True everywhere if the kind is None.
 
-        For a mixture of kinds the result is a weight from 0 to 1 instead of a mask. The total weights of the kinds are then in
-        proportion to their shares in the mixture.
+        For a mixture of kinds the result is an array of weights from 0 to 1 instead of a mask. The total weight of each
+        kind is then proportional to its fraction of the mixture.
         """
         if kind is None or kind in OF_KIND:
             return np.ones(len(self["kinds"]), dtype=bool) if kind is None else np.isin(self["kinds"], OF_KIND[kind])
@@ -81,7 +81,7 @@ class SolvedSet:
 
     @cached_property
     def areas(self) -> np.ndarray:
-        """Return the solved over the nominal contact area (surfaces, hardnesses, pressures); NaN where it was not solved."""
+        """Return the ratio of solved to nominal contact area (surfaces, hardnesses, pressures), NaN where it was not solved."""
         found = self["areas"]
         return np.where(found == 65535, np.nan, np.exp(-2e-4 * found.astype(float)))
 
@@ -113,7 +113,7 @@ class SolvedSet:
 
 @cache
 def solved_set() -> SolvedSet:
-    """Return the benchmark set that is part of the package."""
+    """Return the benchmark set of the package."""
     with np.load(FILE, allow_pickle=False) as file:
         content = {name: file[name] for name in file.files}
     for name in PACKED:
