@@ -40,9 +40,10 @@ class _Solve(Input):
     @model_validator(mode="before")
     @classmethod
     def _options_by_name(cls, table):
-        """Move model options that are stated directly in [solve] to its table `options`, and return [solve].
+        """Move options of models and laws stated directly in [solve] to its table `options`, and return [solve].
 
-        Any argument that is not a table is returned unchanged. Raises InputError if an option has no such value.
+        Any argument that is not a table is returned unchanged. Raises InputError for a value that an option does not allow, and
+        for a key of [solve] in `options`.
         """
         if not isinstance(table, Mapping):
             return table

@@ -92,9 +92,9 @@ class Distribution:
     """Describe the probability distribution of one uncertain input, in SI units.
 
     quantity: name of the quantity, e.g. "hardness". nominal: value used by computations that ignore the uncertainty. kind: type
-    of the distribution, e.g. "normal". parameters: its numbers, e.g. mean and standard deviation. words: text that describes
-    the distribution to users. law: object with `ppf` and `cdf` from scipy.stats; None for the named kinds. The distribution is
-    cut off at the bounds of the quantity.
+    of the distribution, e.g. "normal". parameters: its numbers, e.g. mean and standard deviation; of a scipy.stats
+    distribution, quantiles at nine levels. words: text that describes the distribution to users. law: object with `ppf` and
+    `cdf` from scipy.stats; None for the named kinds. The distribution is cut off at the bounds of the quantity.
     """
 
     quantity: str

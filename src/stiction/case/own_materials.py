@@ -17,7 +17,7 @@ def with_materials_of_file(content: Mapping, folder: Path, read: Callable[[Path]
     """Return the tables of a case with the path of a materials file replaced by the tables of that file.
 
     folder: folder of the case file. read: function that returns the tables of a TOML file and checks their units. A case
-    without such a path is returned unchanged. Raises InputError, whose field starts with the name of the materials file.
+    without such a path is returned unchanged. Raises InputError, whose field names the materials file.
     """
     materials = content.get("materials")
     if not isinstance(materials, str):

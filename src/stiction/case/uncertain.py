@@ -166,7 +166,7 @@ def read_distribution(entry: Any, quantity: str, where: str, folder: Path = Path
 
     entry: text such as "0.5 +/- 0.1 GPa", a table such as { low, high }, a Distribution, or a distribution of scipy.stats.
     quantity: name of the quantity. where: address of the entry for errors. folder: folder at which relative paths of sample
-    files start. Raises InputError for an entry that is no distribution, or is out of bounds.
+    files start. Raises InputError for an entry that is not a distribution, or is out of bounds.
     """
     if isinstance(entry, Distribution):
         return entry
@@ -225,7 +225,8 @@ def _values(table: _Samples, quantity: str, where: str, folder: Path) -> np.ndar
     """Read the samples (n,) of an uncertain number from a file, in SI units.
 
     table: entry of the case that names file, column and unit. where: address of the entry for errors. folder: folder at which
-    relative paths start. Raises InputError for a missing unit and for a file without such numbers.
+    relative paths start. Raises InputError for a missing unit, and for a file that cannot be read or holds fewer than two
+    numbers.
     """
     rows = _table(folder / table.samples, f"{where}.samples", table.samples)
     heads = None if _is_number(rows[0][0]) else [head.strip() for head in rows[0]]
@@ -300,8 +301,9 @@ def at_bodies(numbers: Mapping[Address, Uncertain], content: Mapping) -> Iterato
 def with_ranges(content: Mapping, taken: Sequence[Address]) -> Iterator[Uncertain]:
     """Yield an uncertain number for every material property that has a stated range, for both bodies and the film.
 
-    content: tables of a case. taken: addresses (tuples of keys) of numbers to skip. A positive property is log-uniform in its
-    range, others are uniform. The same property of two bodies of one material is sampled at the same quantile levels.
+    content: tables of a case. taken: addresses (tuples of keys) of numbers to skip. Surface energies are left out. A positive
+    property is log-uniform in its range, others are uniform. The same property of two bodies of one material is sampled at the
+    same quantile levels.
     """
     for body in BODIES:
         material = _material_of(entry_at(content, body))
