@@ -99,7 +99,7 @@ class MapArea:
         """Return the sampling steps with which the map can be solved, coarsest first; empty if there are none.
 
         A step of r uses every r-th point of each row and column, few enough to solve. Steps above 1 also leave enough points in
-        the shortest wave; if no step meets both limits, the finest step that leaves FEWEST_IN_WAVE points is returned alone.
+        the shortest wave. If no step does both, the list has the finest step with FEWEST_IN_WAVE points in this wave.
         """
         in_wave = self.waves.points_in_shortest_wave
         all_of_them = range(1, min(self.heights.shape) // 16 + 1)
