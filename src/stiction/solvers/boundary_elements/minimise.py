@@ -11,21 +11,18 @@ unique. It satisfies the Karush-Kuhn-Tucker conditions with an offset a and the 
 
     p = 0: g >= 0        0 < p < H: g = 0        p = H: g <= 0, the depth of plastic flow                                 (2)
 
-`residual` measures how far a solution violates (2), so any solution can be checked by itself.
+`residual` measures how far a solution violates (2). Maps are arrays of NumPy or of another library of `arrays`.
 
 The method of Polonsky & Keer is used: conjugate gradients over the points with 0 < p < H. Five changes make it converge also
 where points flow, in a number of steps that hardly grows with the map size. Equation numbers were not verified.
 
 - The gradient is divided by C(k) on these points and shifted to zero sum. Near full contact this is the solution.
 - The mean pressure is restored by a shift of the pressure at these points. A factor would raise it above H.
-- Directions are combined by the rule of Polak & Ribiere, also after points enter or leave contact (as in Bugnicourt et al.
-  2018, Tribology Lett. 66, 29).
+- Polak & Ribiere's rule combines directions, also when contact changes (Bugnicourt et al. 2018, Tribology Lett. 66, 29).
 - The energy must fall in each step. If not, a projected gradient step is taken, and shortened until the energy falls (Bertsekas
   1999, Nonlinear Programming, section 2.3; it converges from any start).
 - Steps are in single precision. From time to time the gap is recomputed in double precision (iterative refinement: Moler 1967,
   J. ACM 14, 316). The reported `residual` is always in double precision.
-
-Maps are arrays of NumPy, or of another library of `arrays`.
 """
 
 import math

@@ -128,7 +128,7 @@ def slide_and_peel(
 ) -> SlidingPath:  # fmt: skip
     """Return the path of an adhesive map through rigid shifts along x [m], in the given order, while shear lowers its adhesion.
 
-    The path holds a state for each shift, and the state with the largest force, which smaller steps locate. contact:
+    The path holds a state for each shift, and the state with the largest force, located by smaller steps. contact:
     the map, solved without shear. operator: tangential compliance. strength: returns the shear strength of every point of a
     contact (rows, columns) [Pa]. work: work of adhesion [J/m2]. law: law of mode mixity. zeta: fraction of the shear energy
     that opens the edge, 0 to 1. weakening: how strength falls with slip; None for constant strength. Points that have lost
