@@ -21,7 +21,7 @@ def export(
 ) -> None:
     """Write mu against nominal pressure, and the tangential stiffness before sliding, as input for another program.
 
-    The table covers the loads of the case; for a single load, two decades below and above it. Stiffness, elastic slip and
+    The table covers the loads of the case or, for a single load, two decades below and above it. Stiffness, elastic slip and
     mean separation are computed for bare bodies only; for a coated body the table has only mu.
     """
     with solving():

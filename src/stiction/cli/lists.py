@@ -1,4 +1,4 @@
-"""Commands that list models, materials, interfaces and citations, and print the schema of case files."""
+"""Define the commands that list models, materials, interfaces and citations, and the command `stiction schema`."""
 
 from collections.abc import Iterable
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""Define the options that more than one command has, and complete their values in the shell."""
+"""Define the options shared by several commands, and complete their values in the shell."""
 
 from collections.abc import Callable
 from importlib import import_module
@@ -31,8 +31,8 @@ OPTIONS = "stiction.options"
 def _split_options(words: list[str], own: set[str]) -> tuple[dict[str, str], list[str]]:
     """Split the words of a command line into the options of models and laws, {name: value}, and the other words.
 
-    own: options of the command itself, which stay among the other words. Raises InputError for a value that an option does not
-    have.
+    own: options of the command itself, which remain among the other words. Raises InputError for a value that an option does
+    not allow.
     """
     from stiction.records.registry import all_options
 
@@ -84,9 +84,9 @@ def keys_of(kind: str) -> Callable[[str], list[str]]:
 
 
 def names_of(module: str, function: str) -> Callable[[str], list[str]]:
-    """Return a shell completer for the names that a function returns, without arguments.
+    """Return a shell completer for the names that a function without arguments returns.
 
-    module, function: names of the module and of the function in it, which is imported only when the shell completes.
+    module, function: names of a module and a function in it. The module is imported only when the shell completes.
     """
     return lambda incomplete: [name for name in getattr(import_module(module), function)() if name.startswith(incomplete)]
 
@@ -114,7 +114,7 @@ def folder(text: str | Path) -> Path:
 
 
 def _checked(out: Path | None) -> Path | None:
-    """Return the output folder unchanged, or raise InputError, before anything is computed, if it cannot be created."""
+    """Return the output folder unchanged; raise InputError, before anything is computed, if it cannot be created."""
     if out is not None:
         from stiction.report.files import check_folder
 

@@ -14,7 +14,7 @@ _IN_ASCII = {"µ": "u", "μ": "u", "−": "-", "⁻": "-", "·": "*", "×": "x",
 
 
 def _in_ascii(error: UnicodeError) -> tuple[str, int]:
-    """Return ASCII text that replaces characters which the output cannot encode, and the position after these characters.
+    """Return ASCII text to replace characters that the output cannot encode, and the position after these characters.
 
     This is an error handler for `codecs.register_error`. µm² becomes um^2; a character without a replacement becomes "?".
     """
@@ -34,7 +34,7 @@ codecs.register_error("stiction", _in_ascii)
 
 
 def readable() -> None:
-    """Set standard output and standard error to write ASCII text for characters that they cannot encode."""
+    """Make standard output and standard error write ASCII text in place of characters that they cannot encode."""
     for stream in (sys.stdout, sys.stderr):
         with suppress(AttributeError, ValueError):  # an output that a caller replaced stays as it is
             stream.reconfigure(errors="stiction")  # type: ignore[union-attr]

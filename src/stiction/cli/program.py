@@ -132,7 +132,7 @@ def _name(param: Any) -> str:
 
 
 def _refused(error: Any) -> tuple[Any, str]:
-    """Return the value that typer or pydantic refused, and the text of what is allowed.
+    """Return the value that typer or pydantic rejected, and a text that says what is allowed.
 
     typer writes "'abc' is not a valid float". pydantic writes "Input should be a valid number, ..." and has the value in the
     cause of the error.
@@ -214,7 +214,7 @@ def solving() -> Iterator[None]:
 
 
 def bar(text: str):
-    """Return a function that takes a list and yields its items, while a progress bar is shown.
+    """Return a function that takes a list and yields its items while showing a progress bar.
 
     text: label of the bar.
     """
@@ -242,7 +242,7 @@ class _Line:
 
 @contextmanager
 def _line(text: str) -> Iterator[_Line | None]:
-    """Return a context manager with a progress line, or with None if standard error is not a terminal.
+    """Return a context manager that provides a progress line, or None if standard error is not a terminal.
 
     text: label of the line, which has a bar and a clock.
     """
@@ -263,7 +263,7 @@ def _line(text: str) -> Iterator[_Line | None]:
 def _showing_solver_state(line: _Line | None, text: str) -> Iterator[None]:
     """Return a context manager that shows the number of compiled kernels and the residual of the map solver in a progress line.
 
-    line: None shows nothing. text: label of the line.
+    line: progress line, or None to show nothing. text: label of the line.
     """
     if line is None:
         yield
@@ -283,8 +283,8 @@ def _showing_solver_state(line: _Line | None, text: str) -> Iterator[None]:
 def read(path: Path, load: str | None = None, ranges: bool | None = None) -> "Case":
     """Return the case of a case file.
 
-    load: replaces the loads or separations of the case. ranges: replaces the case's choice whether material numbers vary within
-    their ranges. None leaves the case as it is.
+    load: replaces the loads or separations of the case. ranges: replaces the setting whether material numbers vary within their
+    ranges. None leaves the case unchanged.
     """
     with busy("Reading the case"):
         from stiction.case.read import read_case
@@ -318,8 +318,8 @@ def present(view: "View", out: Path | None, json: bool, details: bool = True) ->
 def show(parts: Iterable[Any]) -> None:
     """Print texts and tables on the terminal.
 
-    A text with `no_wrap` is printed on one line. If its `overflow` allows it, a terminal cuts this line at its width; a file
-    or pipe receives the whole line. Lines do not end in blanks.
+    A text with `no_wrap` is printed on one line. If its `overflow` allows it, a terminal cuts this line at its width; a file or
+    pipe receives the whole line. Trailing blanks are removed.
     """
     from rich.text import Text
 
@@ -336,7 +336,7 @@ def show(parts: Iterable[Any]) -> None:
 def written(folder: Path, names) -> None:
     """Print the names of the written files, and of the pictures that were not drawn because matplotlib is missing.
 
-    folder: where the files are. names: names of all files, drawn or not.
+    folder: folder of the files. names: names of all files, whether drawn or not.
     """
     from stiction.report.files import undrawn_of
 

@@ -1,4 +1,4 @@
-"""Define the commands `stiction run`, which solves a case, and `stiction slide`, which moves it until it slides."""
+"""Define the commands `stiction run`, which solves a case, and `stiction slide`, which displaces it until it slides."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -44,9 +44,9 @@ def run(
 ) -> None:
     """Predict the friction coefficient of a case with its interval, and show what the interval depends on.
 
-    Without a named model or law, all applicable models are combined. With --model, one model is solved along a curve of
-    loads. --out writes curve.csv, curve.nc (netCDF4) and pictures. stiction models KEY lists the options of a model or law,
-    such as --variant published. Options of the command replace those of the case file.
+    Without a named model or law, all applicable models are combined. With --model, one model is solved along a curve of loads.
+    --out writes curve.csv, curve.nc (netCDF4) and pictures. stiction models KEY lists the options of a model or law, such as
+    --variant published. Command-line options replace those in the case file.
 
     In the case file a number may be an array (a list, or {start, stop, count, spacing}) or uncertain ("0.5 +/- 0.1 GPa",
     {low, high}, {median, factor}, {samples}). stiction schema lists every number with its unit and bounds.
@@ -92,8 +92,8 @@ def slide(
 ) -> None:
     """Compute the tangential force of a contact against its tangential displacement, from rest to sliding.
 
-    Asperities slip one after another; with --model boundary_elements, points of a map do. At most five loads of the case
-    are computed. --out writes sliding.csv, sliding.nc (netCDF4) and a picture.
+    Asperities slip one after another, or points of a map with --model boundary_elements. At most five loads of the case are
+    computed. --out writes sliding.csv, sliding.nc (netCDF4) and a picture.
     """
     chosen = read(case, load, ranges)
     laws = chosen_laws(context, chosen)

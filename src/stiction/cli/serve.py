@@ -20,8 +20,8 @@ def serve(
 ) -> None:
     """Open a page in the browser with a control for every number of a case: friction, models, surfaces and studies.
 
-    The page works without a network, and its data stays on this machine. The address of the page contains the case, so a
-    copy of the address shares it. Uploads are kept in a temporary folder and deleted at the end. Ctrl-C ends the page.
+    The page works without a network, and its data stay on this machine. The address of the page contains the case, so a copy of
+    the address shares it. Uploads are kept in a temporary folder and deleted at the end. Ctrl-C ends the page.
     """
     require("serve", "nicegui", "matplotlib")
     with busy("Starting"):

@@ -93,10 +93,10 @@ def report(
     ranges: Ranges = None,
     json: Json = False,
 ) -> None:
-    """Write a report as one file: answer, validity warnings, inputs with sources, pictures, and a comparison of all models.
+    """Write a report to one file: answer, validity warnings, inputs with sources, pictures, and a comparison of all models.
 
     The file needs neither network nor scripts, can be printed, and contains the case file. --json prints the answer as JSON
-    instead of in words. Models are not compared if a number of the case is an array.
+    instead of in words. Models are not compared if any number in the case is an array.
     """
     with busy("Reading the case"):
         from stiction.report.html_report import write_report

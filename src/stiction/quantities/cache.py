@@ -42,11 +42,11 @@ def keep_file(path: Path, write: Callable[[BinaryIO], object], most: int) -> Non
 
     - path: path of the file
     - write: function that writes the content to an open binary file
-    - most: largest total size [bytes] of the files with this suffix; the least recently used files are deleted first
+    - most: largest allowed total size [bytes] of the files with this suffix; the least recently used files are deleted first
 
-    Files unused for 90 days are deleted too. Their age is taken from the modification time, which every use of a file renews.
-    The file is written completely or not at all. If it cannot be written, for instance because the disk is full, the user gets
-    a notice and no error.
+    Files unused for 90 days are deleted too, judged by the modification time, which every use of a file updates. The file is
+    written completely or not at all. If it cannot be written, for instance because the disk is full, a notice is issued instead
+    of an error.
     """
     part = path.with_suffix(f".{uuid.uuid4().hex}")
     try:
@@ -63,7 +63,7 @@ def keep_file(path: Path, write: Callable[[BinaryIO], object], most: int) -> Non
 
 
 def _delete_oldest(path: Path, most: int) -> None:
-    """Delete cache files that were unused for 90 days, and the least recently used ones beyond a total of `most` bytes.
+    """Delete cache files unused for 90 days, then the least recently used files until at most `most` bytes remain.
 
     path: a file of the cache; only files in its folder with the same suffix are counted and deleted. Files that another process
     has already deleted are skipped.

@@ -21,14 +21,14 @@ if TYPE_CHECKING:
 def without_indexes(array: Any) -> Any:
     """Return an xarray array without indexes; its coordinates stay as plain variables.
 
-    xarray aligns only arrays with indexes, which may drop or sort values. An array without indexes is returned unchanged.
+    xarray aligns arrays that have indexes, which may drop or sort values. An array without indexes is returned unchanged.
     """
     indexes = getattr(array, "xindexes", ())  # an xarray.Variable has no indexes
     return array.drop_indexes(list(indexes)) if indexes else array
 
 
 def check_names(array: Any, field: str) -> None:
-    """Raise an InputError unless all dimension names of an xarray array are text; field: name of the input, for the error."""
+    """Raise an InputError unless all dimension names of an xarray array are text; field: name of the input, for the message."""
     for dim in array.dims:
         if not isinstance(dim, str):
             raise InputError(field, InWords(f"dimension {dim!r}"), "dimension names that are text")
@@ -37,8 +37,8 @@ def check_names(array: Any, field: str) -> None:
 def dimensions(values: Iterable[Any], first: Mapping[str, int] = MappingProxyType({})) -> dict[str, int]:
     """Return dimension name -> length for all dimensions of some arrays, in the order of first appearance.
 
-    values: xarray arrays; values without dimensions (numbers, None) are ignored. first: dimensions and lengths that come first
-    in the result. Raises InputError if two arrays have different lengths along one dimension.
+    values: xarray arrays; values without dimensions (numbers, None) are ignored. first: dimensions, with lengths, that come
+    first in the result. Raises InputError if two arrays have different lengths along one dimension.
     """
     dims = dict(first)
     for value in values:
@@ -55,7 +55,7 @@ def dimensions(values: Iterable[Any], first: Mapping[str, int] = MappingProxyTyp
 def aligned(value: Any, dims: Mapping[str, int]) -> np.ndarray:
     """Return a number or xarray array as a NumPy array whose axes are the dimensions `dims`, in this order.
 
-    dims: name -> length. A dimension that the value does not have becomes an axis of length 1; a number stays without axes.
+    dims: name -> length. A dimension that the value does not have becomes an axis of length 1; a number has no axes.
     """
     if not hasattr(value, "dims"):
         return np.asarray(value, dtype=float)
@@ -73,9 +73,9 @@ def arranged(values: np.ndarray, have: Sequence[Hashable], wanted: Iterable[str]
 
 
 def in_columns(data: "xarray.Dataset", dim: str, part: str, text_of: Callable[[Any], str] = str) -> "xarray.Dataset":
-    """Return a dataset in which each point along the dimension `dim` has become a variable of its own, without that dimension.
+    """Return a dataset in which each point along the dimension `dim` is a separate variable without this dimension.
 
-    - part: part of the variable's name that is replaced by the text for the point
+    - part: part of the variable name that is replaced by the text for the point
     - text_of: function that returns the text for a coordinate value along `dim`
 
     Example with dim = part = "quantile": the variable mu_quantile becomes the variables mu_q05 and mu_q95, if text_of returns
@@ -88,10 +88,10 @@ def in_columns(data: "xarray.Dataset", dim: str, part: str, text_of: Callable[[A
 
 
 def flattened(values: Mapping[str, Any]) -> tuple[dict[str, np.ndarray | None], dict[str, int]]:
-    """Return numbers and xarray arrays as flat arrays over all combinations of their dimensions, and dimension name -> length.
+    """Return numbers and arrays as flat arrays for all combinations of their dimensions, and dimension name -> length.
 
-    values: name -> number, array or None. The first result maps each name to an array (n,) of floats, or to None for None; n is
-    the product of all lengths.
+    values: name -> number, xarray array or None. The first result maps each name to an array (n,) of floats, or to None for
+    None; n is the product of all lengths.
     """
     dims = dimensions(values.values())
     shape = tuple(dims.values())

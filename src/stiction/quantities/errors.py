@@ -9,11 +9,11 @@ _LONGEST = 80  # characters; a longer value is shown by both ends, because the e
 
 
 class InWords(str):
-    """Mark a text as a description of an input value; an error shows this text without quotes."""
+    """Mark a text as a description of an input value; error messages show it without quotes."""
 
 
 def _value_as_text(value) -> str:
-    """Return an input value as one line of text for an error.
+    """Return an input value as one line of text for an error message.
 
     Text is quoted, None becomes "not given", and the middle of a line longer than 80 characters is replaced by "...".
     """
@@ -36,11 +36,11 @@ class InputError(ValueError):
     field : str
         Dotted name of the input, e.g. "contact.coating.thickness".
     value : object
-        Its value; None if it is missing.
+        Value of the input; None if it is missing.
     allowed : str
         Allowed values, with their unit.
     hint : str, optional
-        Further help.
+        Further help for the user.
 
     Examples
     --------
@@ -110,10 +110,10 @@ _MANY = 20  # known words, above which an error does not list them
 
 
 def nearest(word, known: Iterable[str]) -> str:
-    """Return the words that are allowed, as text for an error, with those most similar to a misspelt word first.
+    """Return the allowed words as text for an error message, starting with those most similar to a misspelt word.
 
-    word: the unknown word. known: the allowed words. If there are more than 20, only the similar ones are listed, or the first
-    three with the number of the others if none is similar.
+    word: the unknown word. known: the allowed words. If there are more than 20, only similar words are listed, or, if none is
+    similar, the first three and the number of the others.
     """
     known = list(known)
     plain = {name.casefold(): name for name in known}
@@ -131,7 +131,8 @@ class InputWarning(UserWarning):
 
     Notes
     -----
-    Python's `warnings` module filters it; `warnings.simplefilter("error", st.InputWarning)` raises it.
+    Python's `warnings` module can filter this warning; `warnings.simplefilter("error", st.InputWarning)` turns it into an
+    error.
 
     Examples
     --------

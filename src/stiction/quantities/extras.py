@@ -31,7 +31,7 @@ def how_to_install(package: str) -> str:
 def require(field: str, *packages: str) -> None:
     """Raise an InputError, with the command that installs the package, unless all given optional packages are installed.
 
-    field: name of the input that needs the packages, for the error. packages: keys of EXTRA_OF, such as "matplotlib".
+    field: name of the input that needs the packages, for the error message. packages: keys of EXTRA_OF, such as "matplotlib".
     """
     missing = [package for package in packages if not installed(package)]
     if missing:
@@ -41,7 +41,7 @@ def require(field: str, *packages: str) -> None:
 
 
 def leave_out(package: str) -> None:
-    """Make a package look uninstalled in this process, so that other libraries do not import it.
+    """Make a package look as if it were not installed in this process, so that other libraries do not import it.
 
     If it is already imported, nothing changes. xarray imports dask and pint only to test whether an array belongs to them.
     Without these imports a command starts twice as fast. `bring_back` makes the package available again.
@@ -51,6 +51,6 @@ def leave_out(package: str) -> None:
 
 
 def bring_back(package: str) -> None:
-    """Make a package available again that `leave_out` has hidden; do nothing for other packages."""
+    """Undo `leave_out` for a package; do nothing for packages that were not hidden."""
     if sys.modules.get(package, sys) is None:
         del sys.modules[package]

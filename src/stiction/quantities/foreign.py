@@ -1,4 +1,4 @@
-"""Recognise values of the packages pint and pandas by their attributes, so that these packages need not be installed."""
+"""Recognise pint and pandas values by their attributes, so that these packages need not be installed."""
 
 from collections.abc import Iterator
 from typing import Any

@@ -29,7 +29,7 @@ def from_hardness_test(number: float, unit: str, text: str) -> float | None:
 
     - number: the measured number, such as 700
     - unit: the scale, such as "HV", "HB" or "HRC"; the test force in "HV0.5" is ignored
-    - text: the whole input as the user wrote it, for the error
+    - text: the whole input as the user wrote it, for the error message
 
     Raises InputError for an unsupported scale and for Rockwell C numbers outside 20 to 68.
     """

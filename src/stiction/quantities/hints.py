@@ -1,4 +1,4 @@
-"""Build the hint at the end of an input error that suggests the intended unit or spelling of a number."""
+"""Build the hint at the end of an error message that suggests the intended unit or spelling of a number."""
 
 import re
 
@@ -11,7 +11,7 @@ _PREFIXES = ("", "p", "n", "u", "m", "k", "M", "G")
 def suggest_decimal_point(text: str) -> str:
     """Return a hint that suggests a decimal point for a number with a decimal comma; "" if `text` has no decimal comma.
 
-    For a number with more than one comma, the hint suggests to write it without commas.
+    For a number with more than one comma, the hint suggests writing it without commas.
     """
     number = _COMMA.match(text[:100])
     if number is None:
@@ -27,8 +27,8 @@ def suggest_unit(number: str, unit: str, quantity: Quantity) -> str:
     - number, unit: the two parts of the text that the user wrote; unit is "" if missing
     - quantity: the quantity that was expected
 
-    The suggestion is a unit of this quantity that differs from `unit` only in capital letters. For a pressure without unit, the
-    unit of the example in the table of quantities is suggested.
+    The suggestion is a unit of this quantity that differs from `unit` only in capitalisation. For a pressure without unit, it
+    is the unit of the example in the table of quantities.
     """
     usual = quantity.example.rpartition(" ")[2]
     if not unit:

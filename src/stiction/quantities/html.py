@@ -5,7 +5,7 @@ from html import escape
 
 
 def table(title: str, rows: Iterable[tuple[str, str]], notes: Iterable[str] = ()) -> str:
-    """Return the HTML of a title, a table with one line per row, and a list of notes below it; all text is escaped.
+    """Return HTML with a title, a table, and a list of notes below it; all text is escaped.
 
     rows: pairs (name, text). notes: one text per list item.
     """

@@ -28,8 +28,8 @@ if TYPE_CHECKING:
 def floats(value: Any, field: str, allowed: str) -> np.ndarray:
     """Return numbers without unit, in any array-like form, as an array of floats of the same shape; bounds are not checked.
 
-    field, allowed: name of the input and its allowed values, for the error. Raises InputError for values that are not numbers,
-    including dates, bytes, complex numbers and booleans, although NumPy would convert some of them.
+    field, allowed: name of the input and its allowed values, for the error message. Raises InputError for values that are not
+    numbers, including dates, bytes, complex numbers and booleans, although NumPy would convert some of them.
     """
     try:
         array = np.asarray(value)
@@ -82,9 +82,9 @@ _IN_NOTES = ("source", "range")
 
 
 def by_default(value: object) -> Any:
-    """Return `value` unchanged, typed as Any, to be the default of a numeric field of an input record.
+    """Return `value` unchanged, typed as Any, for use as the default of a numeric field of an input record.
 
-    Otherwise type checkers would reject the default: they compare its type with the annotation `Converted`.
+    Type checkers would otherwise reject the default, because they compare its type with the annotation `Converted`.
     """
     return value
 
@@ -92,7 +92,7 @@ def by_default(value: object) -> Any:
 def plain_number(entry: Any, where: str) -> float:
     """Return a value of a case file as a finite float.
 
-    where: dotted place of the value in the file, for the error. Raises InputError for infinite and NaN values.
+    where: dotted name of the value in the file, for the error message. Raises InputError for infinite and NaN values.
     """
     try:
         number = float(entry)
@@ -104,7 +104,7 @@ def plain_number(entry: Any, where: str) -> float:
 
 
 def require_callable(callback: Any, field: str) -> None:
-    """Raise an InputError unless a progress callback is callable; field: name of the argument, for the error."""
+    """Raise an InputError unless a progress callback is callable; field: name of the argument, for the error message."""
     if not callable(callback):
         raise InputError(field, callback, "a function, or None")
 
@@ -112,8 +112,8 @@ def require_callable(callback: Any, field: str) -> None:
 def require_names(table: Mapping, where: str = "") -> None:
     """Raise an InputError if a table has a key that is not text, or a text value with control characters.
 
-    Nested tables are checked too. where: dotted name of the table, for the error. A key that is not text would fail later with
-    a TypeError. Control characters break libraries that write result files, and terminals would execute them.
+    Nested tables are checked too. where: dotted name of the table, for the error message. A key that is not text would fail
+    later with a TypeError. Control characters break libraries that write result files, and terminals would execute them.
     """
     for key, value in table.items():
         if not isinstance(key, str):
@@ -152,7 +152,7 @@ class Input(BaseModel):
         return type(self)(**fields | changes)
 
     def __getstate__(self) -> dict[Any, Any]:
-        """Return the state that is pickled and copied: the fields alone, because some cached values cannot be pickled."""
+        """Return the state to pickle and copy: only the fields, because some cached values cannot be pickled."""
         state = super().__getstate__()
         fields = type(self).model_fields
         return state | {"__dict__": {name: value for name, value in state["__dict__"].items() if name in fields}}
@@ -169,9 +169,9 @@ class Input(BaseModel):
         return self.replace(**update) if update else super().model_copy(deep=deep)
 
     def __setattr__(self, name: str, value: Any) -> None:
-        """Raise an InputError when a public attribute is assigned, because records are immutable; private attributes are set.
+        """Set a private attribute; raise an InputError for a public attribute, because records are immutable.
 
-        If the field exists and the new value is not allowed, the error names the value instead.
+        If the field exists and the new value is not allowed, the error reports this value instead.
         """
         if name in type(self).model_fields:
             self.replace(**{name: value})
@@ -234,7 +234,7 @@ class Input(BaseModel):
     def listed(self) -> list[tuple[str, str]]:
         """Return the dotted name and the value, as text with its unit, of every number, text and table in this record.
 
-        Records nested in it are included; the fields `source` and `range` are left out.
+        Nested records are included; the fields `source` and `range` are omitted.
         """
         rows: list[tuple[str, str]] = []
         for name in type(self).model_fields:
@@ -262,7 +262,7 @@ class Input(BaseModel):
         return html.table(type(self).__name__, rows, self.notes())
 
     def notes(self) -> list[str]:
-        """Return the lines of text that a notebook shows below the table of this record; none by default."""
+        """Return the lines of text that a notebook shows below the table of this record; by default there are none."""
         return []
 
     def check_dimensions(self) -> None:

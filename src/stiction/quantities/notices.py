@@ -1,4 +1,4 @@
-"""Send notices to the user: a Python warning of class Notice, which a command prints as one line."""
+"""Send notices to the user as Python warnings of class Notice, which the command line prints as one line each."""
 
 import warnings
 from functools import cache

@@ -9,9 +9,9 @@ from stiction.quantities.errors import InputError
 def read_text(path: Path, field: str, wanted: str, largest: int, name: str | None = None) -> str:
     """Return the text of a UTF-8 file of at most `largest` bytes; raise InputError with the reason if it cannot be read.
 
-    - field: name of the input, for the error
-    - wanted: kind of file that is expected, for the error
-    - name: path as the user wrote it, for the error; by default `path`
+    - field: name of the input, for the error message
+    - wanted: kind of file that is expected, for the error message
+    - name: path as the user wrote it, for the error message; by default `path`
     """
     try:
         why = _not_read(path, largest)
@@ -35,10 +35,10 @@ def _not_read(path: Path, largest: int) -> str:
 def require_place(path: Path, allowed: str, in_place: bool = False) -> None:
     """Raise an InputError if no file or folder could be written at an output path.
 
-    path: value of the option --out. allowed: allowed values, for the error. in_place: whether an existing file is overwritten;
-    otherwise a new file is made next to it and moved. The error is raised for a name that the operating system does not accept,
-    for a path with a file in place of a parent folder, and for a lack of write permission: of the path itself if it is a folder
-    or a file to be overwritten, else of its nearest existing parent folder.
+    path: value of the option --out. allowed: allowed values, for the error message. in_place: whether an existing file is
+    overwritten; otherwise a new file is made next to it and moved. The error is raised for a name that the operating system
+    does not accept, for a path with a file in place of a parent folder, and for a lack of write permission: of the path itself
+    if it is a folder or a file to be overwritten, else of its nearest existing parent folder.
     """
     try:
         path.stat()

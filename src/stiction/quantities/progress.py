@@ -21,5 +21,5 @@ Progress = Callable[[str], Steps]
 
 
 def silent(label: str) -> Steps:
-    """Return the function `iter`, which passes steps on without reporting progress; the label is ignored."""
+    """Return the function `iter`, which yields the steps without reporting progress; the label is ignored."""
     return iter

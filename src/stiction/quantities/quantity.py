@@ -19,8 +19,8 @@ class Quantity:
 
     - name: key in QUANTITIES; symbol: as plain text; latex: symbol in LaTeX, without dollar signs
     - unit: SI unit, "" if dimensionless; meaning: a phrase
-    - lower, upper: bounds in this unit; lower_included, upper_included: whether a bound itself is allowed. Infinite values
-      never are
+    - lower, upper: bounds in this unit; lower_included, upper_included: whether a bound itself is allowed. Infinite values are
+      never allowed
     - normalised_by: scale by which a result is divided to be dimensionless, "" if there is none
     - example: an accepted input; short: name for a plot axis, "" to use the meaning
     """
@@ -39,7 +39,7 @@ class Quantity:
     short: str = ""
 
     def holds(self, values: Any) -> Any:
-        """Return, for each of the values (in the unit of the quantity), whether it is finite and within the bounds."""
+        """Return, for each value (in the unit of the quantity), whether it is finite and within the bounds."""
         above = values >= self.lower if self.lower_included else values > self.lower
         below = values <= self.upper if self.upper_included else values < self.upper
         return above & below & (abs(values) < inf)
@@ -48,7 +48,7 @@ class Quantity:
     def attributes(self) -> dict[str, str]:
         """Return the attributes of an xarray variable with this quantity: long_name, symbol and units.
 
-        long_name is the short name if there is one; then the attribute `comment` has the full meaning.
+        long_name is the short name if there is one, and the attribute `comment` then holds the full meaning.
         """
         comment = {"comment": self.meaning} if self.short else {}
         return {"long_name": self.short or self.meaning, "symbol": self.symbol, "units": self.unit or "1"} | comment
@@ -76,12 +76,12 @@ class Quantity:
 
     @property
     def as_text(self) -> str:
-        """Return a description, for an error, of the text with a unit that a case file needs for this quantity."""
+        """Describe, for an error message, the text with a unit that a case file needs for this quantity."""
         return f"text with a unit: {self.described}"
 
     @property
     def scale(self) -> str:
-        """Return the key in `Scales.factors()` of the factor that converts a dimensionless result to SI units.
+        """Return the key in `Scales.factors()` for the factor that converts a dimensionless result to SI units.
 
         The key is the SI unit, or "count" for a number of asperities.
         """

@@ -59,9 +59,9 @@ def range_in_words(low: float, high: float, name: str) -> str:
 
 
 def check_ranges(record: Any) -> None:
-    """Raise an InputError if a range in the field `range` of a record, such as a Material, is wrong.
+    """Raise an InputError if a range in the field `range` of a record, such as a Material, is invalid.
 
-    The record must have a value for each property with a range, and the value must lie within the range.
+    A range is valid if the record has a value for the same property and this value lies within the range.
     """
     for name, (low, high) in record.range.items():
         value = getattr(record, name, None)

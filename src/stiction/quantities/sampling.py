@@ -1,7 +1,7 @@
-"""Compute quasi-random points that fill the unit cube evenly, and row numbers that are evenly spread over a table.
+"""Compute quasi-random points that fill the unit cube evenly, and row numbers evenly spaced within a table.
 
-The points come from scipy.stats, which takes half a second to import. They are cached on disk, so that only the first study
-with a given number of points and dimensions needs that import.
+The points are computed by scipy.stats, which takes half a second to import. They are cached on disk, so that only the first
+study with a given number of points and dimensions needs this import.
 """
 
 import zipfile
@@ -14,7 +14,7 @@ _MOST = 20_000_000  # largest size of all stored points, in bytes
 
 
 def spread_rows(count: int, most: int) -> np.ndarray:
-    """Return at most `most` row numbers (k,) in ascending order, spread evenly from the first to the last of `count` rows."""
+    """Return at most `most` row numbers (k,) in ascending order, evenly spaced from the first to the last of `count` rows."""
     return np.unique(np.linspace(0, count - 1, min(count, most)).round().astype(int))
 
 

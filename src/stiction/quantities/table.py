@@ -1,6 +1,6 @@
 """Read the table of quantities: unit, bounds, symbol and meaning of every input and result.
 
-Validators, docstrings, command-line help, result attributes and axis labels all use this table; units and bounds are written
+Validators, docstrings, command-line help, result attributes and axis labels all use this table; units and bounds are defined
 nowhere else. The rows are in quantities.csv; the symbols are those of docs/explanation/theory.md.
 """
 

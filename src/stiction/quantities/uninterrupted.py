@@ -11,7 +11,7 @@ from typing import Any
 def uninterrupted() -> Iterator[None]:
     """Within the context, delay Ctrl-C until the context ends.
 
-    Files are then written completely, and the library zarr leaves no unfinished coroutines behind.
+    Files are then written completely, and the zarr library leaves no unfinished coroutines.
     """
     before = signal.getsignal(signal.SIGINT)
     if before is None or current_thread() is not main_thread():  # Python interrupts only the main thread

@@ -1,6 +1,7 @@
 """Convert between text with units ("48 nm") and numbers in SI units; no other module reads units.
 
-The file units.csv has the common units. All others are read by pint, which is imported only then because its import is slow.
+The file units.csv lists common units. All others are read by pint, which is imported only when needed, because its import is
+slow.
 """
 
 import re
@@ -48,9 +49,9 @@ def to_si(value, name: str):
     """Return the value of a quantity in SI units, checked against the bounds of the quantity.
 
     value: a float, array, pandas.Series or xarray.DataArray in SI units; text with a unit ("48 nm"); a pint quantity; or a list
-    of these. A DataArray whose attribute `units` is another unit is converted. name: key of the quantity in QUANTITIES.
+    of these. A DataArray with a different unit in its attribute `units` is converted. name: key of the quantity in QUANTITIES.
 
-    Returns a float, an array of floats, or a DataArray without attributes of its own (its coordinates have theirs). Raises
+    Returns a float, an array of floats, or a DataArray without attributes (those of its coordinates are kept). Raises
     InputError if the value is not a number, is not finite, is out of bounds, or has a missing, unknown or wrong unit.
     """
     quantity = QUANTITIES[name]
@@ -87,7 +88,7 @@ def show(value, name: str, digits: int = 6) -> str:
 
 
 def span(ends: Iterable[float], form: str = ".3g") -> str:
-    """Return a range of numbers as text, "0.31 to 0.45", or one number if both ends look the same, "0.31".
+    """Return a range of numbers as text, "0.31 to 0.45", or a single number if both ends look the same, "0.31".
 
     ends: the low and the high end. form: format specification of the numbers.
     """
@@ -95,10 +96,10 @@ def span(ends: Iterable[float], form: str = ".3g") -> str:
 
 
 def values_in_words(values, where: str, count: int | None = None) -> InWords:
-    """Return a text for an error that describes numbers where a single one was expected: "3 numbers, 100 nm to 2 um".
+    """Describe numbers, where only one was expected, as text for an error message: "3 numbers, 100 nm to 2 um".
 
     values: numbers in SI units. where: dotted name of the input; its last part is the key of the quantity in QUANTITIES. count:
-    how many numbers there are, if `values` holds only the smallest and the largest.
+    number of values, needed if `values` holds only the smallest and the largest.
     """
     numbers, name = np.asarray(values, dtype=float).ravel(), where.rpartition(".")[2]
     count = numbers.size if count is None else count
@@ -218,7 +219,8 @@ def _from_text(text: str, quantity: Quantity) -> float:
 def _factor(unit: str, quantity: Quantity, text) -> Fraction:
     """Return the exact factor by which a number in `unit` is multiplied to be in the SI unit of the quantity.
 
-    text: the input as the user wrote it, for the error. Raises InputError if the unit is unknown or has another dimension.
+    text: the input as the user wrote it, for the error message. Raises InputError if the unit is unknown or has another
+    dimension.
     """
     try:
         if not _UNIT.fullmatch(unit):
@@ -262,7 +264,7 @@ def _registry():
     """Return pint's registry, which can read all units.
 
     pint's unit definitions take longer to read than a contact takes to solve, so they are cached on disk. A damaged cache is
-    deleted and made again.
+    deleted and rebuilt.
     """
     pint = _pint()
     folder = cache_folder(f"units-{pint.__version__}")
@@ -276,7 +278,7 @@ def _registry():
 
 @cache
 def _unit_errors() -> tuple[type[Exception], ...]:
-    """Return the classes of exceptions, including parser errors of Python, that pint may raise for text that is not a unit."""
+    """Return the exception classes, including Python's parser errors, that pint may raise for text that is not a unit."""
     import tokenize
 
     return (
@@ -365,7 +367,7 @@ def _check(number, quantity: Quantity, original) -> None:
 
 
 def _as_given(original, place: tuple[int, ...], worst: float):
-    """Return the value that is out of bounds for the error: as the user wrote it, else as a number in SI units.
+    """Return the value that is out of bounds, for the error message: as the user wrote it, else as a number in SI units.
 
     original: the whole input. place: indices of the value in it, () for a single number. worst: the value in SI units.
     """

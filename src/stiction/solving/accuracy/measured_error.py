@@ -264,8 +264,7 @@ def _sample_error(surface: "HeightMap", features: ContactFeatures, most_points: 
 def _near(problem: Problem, column: str, features: ContactFeatures, points: int, area: np.ndarray) -> ErrorsNear | None:
     """Return the errors of the model at each point of the contacts; None for a model that was not measured.
 
-    column: "model|asperity method". features: features of the contact at all points. points: number of loads of each contact.
-    area: normalised contact area.
+    column: "model|asperity method". features: features at all points. points: loads per contact. area: normalised contact area.
     """
     known = solved_set()
     if not problem.groups.has_film:
