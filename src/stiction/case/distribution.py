@@ -174,8 +174,8 @@ def in_range(quantity: str, low: float, high: float, nominal: float, log: bool) 
 def of_samples(quantity: str, values: np.ndarray, ordered: bool) -> Distribution:
     """Return the empirical distribution of measured values (n,), in SI units, all equally likely.
 
-    ordered: whether the values are sorted. False keeps the order of the file, so that other columns sampled at the same
-    quantile levels return values of the same row. The nominal value is the median.
+    ordered: whether to sort the values. False keeps the order of the file, so that other columns sampled at the same quantile
+    levels return values of the same row. The nominal value is the median.
     """
     known = np.sort(values) if ordered else values
     ends = " to ".join(show(float(end), quantity) for end in (values.min(), values.max()))

@@ -169,7 +169,7 @@ def interface_names() -> list[str]:
 def interface(name: str, /) -> Interface:
     """Return the interface state of this name, such as "oxidised metal".
 
-    Raises InputError, with similar names, if there is none.
+    Raises InputError, which suggests similar names, for an unknown name.
     """
     if not isinstance(name, str) or name not in _states():
         known = _SYNONYMS.get(name.lower(), "") if isinstance(name, str) else ""

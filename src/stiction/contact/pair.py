@@ -89,7 +89,7 @@ def more_compliant(first: Material, second: Material) -> Any:
 
 
 def _before(keys: tuple[tuple[Any, Any], ...]) -> Any:
-    """Return whether a first body comes before a second one in the order that some keys define, elementwise for arrays.
+    """Return whether a first body comes before a second one in the order defined by some keys, elementwise for arrays.
 
     keys: pairs (number of the first body, number of the second body). The first pair with different numbers decides: the body
     with the smaller number comes first. If all pairs are equal, the first body comes first.

@@ -209,7 +209,7 @@ def _root(target, far, near, x, place, weights, count):
 
 @engine_kernel
 def _carried(h, loads, slopes, start, first, most, could, odd):
-    """Fill `most`, `could` and `odd` (H,) with bounds of the load on approach, from grid point `start` on.
+    """Fill `most`, `could` and `odd` (H,) with bounds of the load on approach, beginning at grid point `start`.
 
     h, loads, slopes (H,): separations in units of sigma, in descending order, the loads at them, and the derivatives of these
     loads with respect to h. first: (separation, load, slope) of the point before grid point `start`. most: largest load at the
@@ -351,7 +351,7 @@ class Approach:
         return block
 
     def _blocks(self) -> Iterator[tuple]:
-        """Compute the load on the grid of separations for blocks of laws (parameter sets), and yield one block after the other.
+        """Compute the load on the grid of separations for blocks of laws (parameter sets), and yield the blocks one by one.
 
         Yields the slice of the laws; their integration nodes; the grid with loads and slopes (see `_sample`); and their largest
         tensions (see `_find_lowest`). The arrays of a block are overwritten when the next block is computed.

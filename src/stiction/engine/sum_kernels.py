@@ -225,7 +225,7 @@ def reaching(window: Callable) -> Any:
     shape) to: displacement at the start, step to the end of each part, number of parts (0 if nothing contributes), displacement
     at the end, index of the integration rule. reach: (w_low, w_top, nearest), the displacements between which nodes are placed
     and the smallest separation, in units of sigma. The range ends where the density at the smallest separation has become
-    negligible against the density at the start; at larger separations it is then negligible too.
+    negligible compared with the density at the start; at larger separations it is then negligible too.
     """
 
     @formula

@@ -3,8 +3,8 @@
 For mean separation h (in units of sigma) and heights with density phi, a regime (a smooth part of an asperity's behaviour) adds
     Integral f(u) phi(h + w(u)) w'(u) du        (Greenwood & Williamson 1966, in the regime's own coordinate u)
 for f = 1 (number of asperities), load, area, slip-limited and yield-limited resistance; w is the displacement of the asperity
-in units of sigma. Every segment between two kinks is smooth and is integrated by a Gauss-Legendre rule. The engine contains no
-law.
+in units of sigma. Every segment between two kinks is smooth and is integrated by a Gauss-Legendre rule. The engine itself
+contains no law.
 
 Two functions compute such sums. `scattered` takes one separation for each law (parameter set). `on_grid` takes many separations
 that all laws share: it sums every law at a few separations, with nodes placed once, and extends these sums to all separations

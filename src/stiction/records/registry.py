@@ -157,9 +157,9 @@ class RoughSurface(Record):
 
     Flags:
 
-    - takes_surface_moments: sigma, R and N only stand for the spectral moments of a Gaussian surface; there are no asperities
+    - takes_surface_moments: sigma, R and N only represent the spectral moments of a Gaussian surface, without asperities
     - on_film: a closed form that requires a film; other closed forms allow none
-    - up_to_full_contact: it includes the interaction of contact spots and holds for any contact area
+    - up_to_full_contact: the model includes the interaction of contact spots and holds for any contact area
     - adheres: a model without asperity law that includes adhesion
     """
 

@@ -144,7 +144,7 @@ class HeightMap:
 
 
 def _unmasked(heights) -> np.ndarray:
-    """Return heights as an array, with NaN in place of masked values if they are a masked array of real numbers."""
+    """Return heights as an array; masked values of a masked array of real numbers become NaN."""
     if not isinstance(heights, np.ma.MaskedArray) or heights.dtype.kind not in "iuf":
         try:
             return np.asarray(heights)

@@ -130,7 +130,7 @@ def _pitch(array: Any, dim: str) -> float:
 def _unit_of(array: Any, field: str) -> str:
     """Return the unit in the attribute `units` of an xarray array, such as "um"; field: name of the input, for the error.
 
-    Raises InputError if the attribute is missing: metres are not assumed, because most maps are in um or nm.
+    Raises InputError if the attribute is missing. Metres are not assumed, because most maps are in um or nm.
     """
     if "units" not in array.attrs:
         raise InputError(f"units of {field}", None, 'the attribute `units` of the array, e.g. assign_attrs(units="um")')

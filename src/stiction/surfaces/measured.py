@@ -36,8 +36,8 @@ class Scan(Input):
     """Describe a scan file of one body and how to read it.
 
     file: path, relative to the folder of the case file. size: length of the scan along x, text with a unit, in place of the
-    size in the file. unit, height_unit: units of the numbers in the file. height_scale: factor on the heights. channel: name of
-    the channel to read, if the file has more than one. periodic: whether the scan is one period of an endless surface.
+    size in the file. unit, height_unit: units of the numbers in the file. height_scale: factor to multiply heights by. channel:
+    name of the channel to read, if the file has more than one. periodic: whether the scan is one period of an endless surface.
     """
 
     file: str

@@ -289,7 +289,7 @@ def _as_given(given, length: float) -> str:
 
 
 def _band(surface: HeightMap, shortest: Any, longest: Any) -> tuple[float | None, float | None, str]:
-    """Return both cutoffs of a filter [m], None for an open end, and a description of the filter.
+    """Return both cutoffs of a filter [m] (None for an open end) and a description of the filter.
 
     shortest, longest: as in `filter_band`. Raises InputError if both are None or one is out of range.
     """

@@ -51,7 +51,7 @@ def read_scan(
     height_unit : str, optional
         Unit of the heights in the file.
     height_scale : float, optional
-        Factor on the heights, not 0.
+        Factor by which the heights are multiplied, not 0.
     channel : str or int, optional
         Name or position of a channel; by default the default channel of the library if it holds heights, else the first with
         heights.

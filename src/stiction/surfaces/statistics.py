@@ -127,9 +127,9 @@ def statistics(surface: HeightMap) -> Statistics:
 def moments_by_differences(surface: HeightMap, cutoff: float | None = None) -> ProfileMoments:
     """Compute the spectral moments m0, m2, m4 of a map or profile by finite differences.
 
-    cutoff: wavelength [m], > 0. The points of a difference are half a cutoff apart, rounded to whole pitches. By default the
-    cutoff is twice the larger pitch, so that neighbours are used. Shorter waves are not removed: the map is sampled as by an
-    instrument with half a cutoff as its pitch, and m0 includes all points. Raises InputError as `statistics` does, or if the
+    cutoff: wavelength [m], > 0. The points used for a difference are half a cutoff apart, rounded to whole pitches. By default
+    the cutoff is twice the larger pitch, so that neighbours are used. Shorter waves are not removed: the map is sampled as by
+    an instrument with half a cutoff as its pitch, and m0 includes all points. Raises InputError as `statistics` does, or if the
     cutoff is too long for the map.
     """
     cutoff = None if cutoff is None else in_metres(cutoff, "cutoff")

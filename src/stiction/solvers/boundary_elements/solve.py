@@ -243,7 +243,7 @@ def usable_map(heights) -> np.ndarray:
 
 
 def _rising(request: _Request, compliance: Compliance, pressures: np.ndarray) -> Iterator[MapContact]:
-    """Solve one mean pressure after the other, and yield the contact at each.
+    """Solve the contact at one mean pressure after another, and yield each solution.
 
     pressures (n,) [Pa]: ascending; each solution starts from the previous one.
     """

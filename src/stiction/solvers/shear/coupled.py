@@ -176,8 +176,8 @@ class _Strengths:
     """Limit how often the strength of a point changes between turns, so that the iteration ends.
 
     A turn solves the pressure once and then the traction once. Without a limit, some points at the edge would touch in one turn
-    and not in the next. From the fourth turn on, a point that has begun or ceased to touch makes only 30 % of the change to its
-    new strength in each turn. When it does so a second time, its strength is fixed. misfit: as in `CoupledState`.
+    and not in the next. After the third turn, the strength of a point that has begun or ceased to touch changes by only 30 % of
+    the difference in each turn. When the point does so a second time, its strength is fixed. misfit: as in `CoupledState`.
     """
 
     def __init__(self) -> None:

@@ -185,7 +185,7 @@ def _even(field: np.ndarray, symbol: np.ndarray) -> np.ndarray:
 
 
 def _mirrored(field: np.ndarray) -> np.ndarray:
-    """Return one period (components, 2 rows, 2 columns) that a field makes with its mirror images.
+    """Return one period (components, 2 rows, 2 columns) that a field forms with its mirror images.
 
     The first component is even about every side of the field, the second odd.
     """

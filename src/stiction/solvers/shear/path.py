@@ -110,7 +110,7 @@ class SlidingPath:
         return max(self.peak.force, self.limit or 0.0) * self.pixel
 
     def array(self, name: str) -> np.ndarray:
-        """Return the value with this name of all states (states,): shift [m], stick [1], force [N] or loss [J]."""
+        """Return one attribute of all states (states,), by its name: shift [m], stick [1], force [N] or loss [J]."""
         values = np.array([getattr(state, name) for state in self.states], dtype=float)
         return values * self.pixel if name in ("force", "loss") else values
 

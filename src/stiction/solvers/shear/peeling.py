@@ -63,7 +63,7 @@ def peel_map(
     heights: np.ndarray, size: tuple[float, float], *, modulus: float, load: float, work: float, reach: float,
     compliance: ShearCompliance, forces: Sequence[float], mode_mixity: str | None = None, zeta: float = 1.0,
 ) -> list[Peeled]:  # fmt: skip
-    """Shear an adhesive periodic map by tangential forces [N], in rising order, until it peels.
+    """Shear an adhesive periodic map by tangential forces [N], in ascending order, until it peels.
 
     Returns the contact at each force; if the contact peels, the list ends with that state. heights: (rows, columns) [m]. size:
     (y, x) [m]. modulus: contact modulus E* [Pa]. load: normal load [N]. work: work of adhesion [J/m2]. reach: range of

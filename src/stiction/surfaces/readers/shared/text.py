@@ -162,7 +162,7 @@ def _lines(path: Path) -> Iterator[str]:
 def _numbers(path: Path, layout: _Layout) -> tuple[np.ndarray, tuple[str, ...]]:
     """Return the numbers of a text file as a table (rows, columns), NaN for empty cells, and notes for the history.
 
-    Raises InputError if the rows differ in length or have words.
+    Raises InputError if the rows differ in length or contain words.
     """
     try:
         table = np.loadtxt(_rows(path, layout), delimiter=layout.delimiter, ndmin=2, comments=None)
