@@ -17,7 +17,7 @@ STATES = ("elastic", "elastic-plastic", "plastic")
 class NormalSegment:
     """Describe one smooth part of the normal response of an asperity, for n contacts at once.
 
-    normal(u, *parameters) returns displacement, its derivative by u, load and contact area at the coordinate u.
+    normal(u, *parameters) returns displacement, its derivative with respect to u, load and contact area at the coordinate u.
     coordinate(displacement, *parameters) returns u; it is the inverse of the displacement. Both are scalar formulas
     (engine.compiled.formula). Units: displacement in sigma, load in K R^(1/2) sigma^(3/2), area in pi R sigma, with the tip
     radius R, the standard deviation sigma of the heights and K = (4/3) E*.

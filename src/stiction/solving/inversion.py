@@ -183,10 +183,10 @@ def _quickly(problem: AsperitySum, targets: np.ndarray) -> tuple[Inversion, np.n
 def _polished(problem: AsperitySum, law, h, sums, target, slope, enough) -> tuple[np.ndarray, np.ndarray, int]:
     """Refine the separations h (k,), in units of sigma, by Newton's method with a known derivative of the load.
 
-    law, target, slope, enough (k,): index of the contact, requested load, derivative of the load by the separation, and load
-    error at which no further step is needed. sums (regimes, k, 5): sums over asperities at the separations h; they are
-    overwritten with those at the refined separations. Returns the refined separations, their load errors (NaN if too large),
-    and the number of evaluations.
+    law, target, slope, enough (k,): index of the contact, requested load, derivative of the load with respect to the
+    separation, and load error at which no further step is needed. sums (regimes, k, 5): sums over asperities at the separations
+    h; they are overwritten with those at the refined separations. Returns the refined separations, their load errors (NaN if
+    too large), and the number of evaluations.
     """
     times, excess = 1, sums[..., LOAD].sum(axis=0) - target
     while times <= _STEPS and (some := np.flatnonzero(np.abs(excess) > enough)).size:
@@ -357,9 +357,9 @@ def _loads_past(problem: Problem, targets: np.ndarray) -> tuple[np.ndarray, np.n
 def _deepest(problem: Problem) -> np.ndarray | float:
     """Return the largest depth -h of the search for a load, in units of sigma, (n,) or a number.
 
-    An asperity pressed by delta touches the area pi R delta/2 or more, so that N asperities per area fill the plane when
-    pressed by 2/(pi N R) (R: asperity radius). For listed heights, which may be nearly equal, the result is FARTHEST. It is
-    0 if the asperity density is unknown or the model does not sum over asperities.
+    An asperity pressed by delta touches the area pi R delta/2 or more, so N asperities per area fill the plane when pressed by
+    2/(pi N R) (R: asperity radius). For listed heights, which may be nearly equal, the result is FARTHEST. It is 0 if the
+    asperity density is unknown or the model does not sum over asperities.
     """
     density = problem.groups.roughness_parameter  # N R sigma
     if problem.heights.listed.size:

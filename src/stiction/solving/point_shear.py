@@ -31,10 +31,10 @@ _TABOR = 9.0  # factor of tau_0^2 in (2), from Tabor's measurements
 def points_of(map_contact: "MapContact") -> Iterator[tuple[str, np.ndarray, float, float]]:
     """Yield each group of points of a solved map: state, pressures [Pa], area of a pixel [m2], contact area of each point [m2].
 
-    The group "elastic" holds the points with a pressure below the hardness, the group "plastic" those at the hardness; a
-    group without points is not yielded. Pixels at contact edges touch only in part, so that the sum of all pixels exceeds
-    the contact area. To remove the excess, the areas of the elastic points are reduced by a common factor. If they are too
-    small for this, all points are reduced by a common factor.
+    The group "elastic" holds the points with a pressure below the hardness, the group "plastic" those at the hardness; a group
+    without points is not yielded. Pixels at contact edges touch only in part, so the sum of all pixels exceeds the contact
+    area. To remove the excess, the areas of the elastic points are reduced by a common factor. If they are too small for this,
+    all points are reduced by a common factor.
     """
     assert map_contact.pressure is not None
     pixel = map_contact.nominal_area / map_contact.pressure.size
@@ -70,8 +70,9 @@ def _junction_growth(contact: Contact, law: str, map_contact: "MapContact") -> O
     """Yield the state, "elastic" or "plastic", and the tangential forces [N] of each group of points.
 
     The force on a point is the shear strength times the contact area. This area grows until the point carries its load under
-    combined stresses, by equation (2) of this module. law: key of the tangential law; only the law of constant strength is
-    allowed. Raises InputError for another law, for a film, and for a strength at which junctions grow without limit.
+    combined stresses, according to equation (2) of this module. law: key of the tangential law; only the law of constant
+    strength is allowed. Raises InputError for another law, for a film, and for a strength at which junctions grow without
+    limit.
     """
     from stiction.contact.pair import Pair
 

@@ -3,9 +3,7 @@
 The validity conditions of all models use these numbers. They are computed from results per asperity and the dimensionless
 groups. With the units of section 1 of theory.md, K = 4 E*/3 and eta = pi H sqrt(R/sigma)/K, the load of an asperity is P = K
 R^(1/2) sigma^(3/2) p and its area A = pi R sigma a (E*: contact modulus, H: hardness, R: asperity radius, sigma: rms height),
-so that
-
-    A/A_n       = pi N R sigma a
+so  A/A_n       = pi N R sigma a
     P/(A_n H)   = pi N R sigma p / eta
     P/(A H)     = p / (a eta)
     N A_n       = N R sigma (A_n/sigma^2) (sigma/R)
@@ -216,11 +214,11 @@ def _held_by_menisci(touching: np.ndarray, height: np.ndarray) -> np.ndarray:
 def _of_menisci(groups: Groups, area: np.ndarray, share: np.ndarray | None, pull: np.ndarray | None) -> dict[str, np.ndarray]:
     """Return wetted fraction of the surface and ratio of asperity indentation to meniscus height, (n, m), by name.
 
-    area, share: normalised contact area and fraction of touching asperities. pull: meniscus pull, normalised (n, m). The
-    pull is the Laplace pressure times the wetted area, so that this area includes menisci that bridge a gap. Around elastic
-    asperities the pull is smaller; each touching asperity then adds the ring 2 pi R 2 r c (asperity radius R, Kelvin radius
-    r, mean cosine c of the contact angles). If the pull is at its upper limit, the Laplace pressure on the whole area
-    without contact, it does not determine the bridged area; the area is then computed from Gaussian heights.
+    area, share: normalised contact area and fraction of touching asperities. pull: meniscus pull, normalised (n, m). The pull
+    is the Laplace pressure times the wetted area, so this area includes menisci that bridge a gap. Around elastic asperities
+    the pull is smaller; each touching asperity then adds the ring 2 pi R 2 r c (asperity radius R, Kelvin radius r, mean cosine
+    c of the contact angles). If the pull is at its upper limit, the Laplace pressure on the whole area without contact, it does
+    not determine the bridged area; the area is then computed from Gaussian heights.
     """
     if groups.meniscus_height is None or groups.meniscus_index is None or share is None or pull is None:
         return {}

@@ -51,9 +51,9 @@ def critical_interference(eta, K_H):
 def plastic(w, w_c, eta, K_H):
     """Return displacement w, dw/du = 1, load and contact area of an asperity beyond first yield; the coordinate u is w.
 
-    The area is 2 w - w_c. The mean pressure is K_H H, so that the load is eta K_H times the area. w_c: displacement at
-    first yield. eta: hardness group. K_H: largest pressure at first yield divided by the hardness. Units: w in sigma, load
-    in K R^(1/2) sigma^(3/2), area in pi R sigma.
+    The area is 2 w - w_c. The mean pressure is K_H H, so the load is eta K_H times the area. w_c: displacement at first yield.
+    eta: hardness group. K_H: largest pressure at first yield divided by the hardness. Units: w in sigma, load in K R^(1/2)
+    sigma^(3/2), area in pi R sigma.
     """
     area = 2.0 * w - w_c
     return w, 1.0, K_H * eta * area, area

@@ -101,7 +101,7 @@ def radius(w, w_c, B, sharpness, front, rate):
 
     a_e is Hertz's radius (eq 1), a_p Jackson and Green's (eqs 23, 24) with the exponent B. w, w_c: displacement, and
     displacement at first yield, in units of sigma. sharpness: sqrt(sigma/R). front, rate: the two numbers in Upsilon, from
-    `stiffening`. Upsilon is limited, so that it stays finite for displacements beyond R.
+    `stiffening`. Upsilon is limited to keep it finite for displacements beyond R.
     """
     elastic = math.sqrt(w)
     upsilon = -front * math.exp(min(rate * (w - w_c) * sharpness * sharpness, 300.0))

@@ -48,7 +48,10 @@ from stiction.records.sources import Source
 
 @formula
 def load(w):
-    """Return Hertz's load w^(3/2) at the displacement w, in units of K R^(1/2) sigma^(3/2) with K = (4/3) E*; w: in sigma."""
+    """Return Hertz's load w^(3/2) at the displacement w.
+
+    Units: w in sigma, load in K R^(1/2) sigma^(3/2) with K = (4/3) E*.
+    """
     return w * math.sqrt(w)
 
 

@@ -27,7 +27,7 @@ of integration: $u=\sqrt w$.
 *Check*: $H_G/Y=2.6137$ at $a/R=0.2$ and 2.0905 at 0.5. The table is from an independent code of the later law for hardening
 materials ([ghaednia_2019]), run without hardening on two equal spheres ($E=192$ GPa, $\nu=0.3$, $Y=330$ MPa, effective radius
 1.4 mm). The code presses one sphere on a rigid plane, with twice the effective radius, twice the contact modulus and half the
-displacement of the pair, so that its $Y/E^*$ is half of the pair's:
+displacement of the pair, so its $Y/E^*$ is half of the pair's:
 
 | displacement [m] | contact radius [m] | load [N] | this law |
 |---|---|---|---|

@@ -9,7 +9,7 @@ $$
 w=u^4-\tfrac23S\,u,\qquad P=u^3(u^3-S),\qquad A=u^4
 $$
 
-In SI $P=Ka^3/R-\sqrt{6\pi\gamma Ka^3}$, $\omega=a^2/R-\sqrt{8\pi\gamma a/(3K)}$. In loading, contact begins at $w=0$, under
+In SI $P=Ka^3/R-\sqrt{6\pi\gamma Ka^3}$, $\omega=a^2/R-\sqrt{8\pi\gamma a/(3K)}$. During loading, contact begins at $w=0$, under
 the tension $\tfrac89P_c$. With `branch="unloading"` it continues below $w=0$ down to the point where $dw/du=0$.
 
 Characteristic states in Maugis's units: $\pi\gamma R$ for the load, $(\pi\gamma R^2/K)^{1/3}$ for the contact radius $a$,
@@ -64,7 +64,7 @@ def displacement(u, S):
 
 @formula
 def stretch(u, S):
-    """Return dw/du = 4 u^3 - (2/3) S, the derivative of the displacement w of a JKR contact by its coordinate u.
+    """Return dw/du = 4 u^3 - (2/3) S, the derivative of a JKR contact's displacement w with respect to its coordinate u.
 
     u^4 = a^2/(R sigma), with the contact radius a. S: strength of adhesion, from `adhesion`.
     """
@@ -127,11 +127,11 @@ def normal_coordinate(w, theta):
 
 
 def first_contact(theta: np.ndarray, branch: str) -> np.ndarray:
-    """Return the coordinate u (n,) at which a JKR contact begins in loading, or ends in unloading.
+    """Return the coordinate u (n,) at which a JKR contact begins during loading, or ends during unloading.
 
-    u^4 = a^2/(R sigma), with the contact radius a. theta (n,): elastic adhesion index. branch: "loading" or "unloading".
-    With s = (2/3) sqrt(6 pi/theta), loading begins where the displacement is zero (u^3 = s), and unloading ends where its
-    derivative by u is zero (4 u^3 = s).
+    u^4 = a^2/(R sigma), with the contact radius a. theta (n,): elastic adhesion index. branch: "loading" or "unloading". With
+    s = (2/3) sqrt(6 pi/theta), loading begins where the displacement is zero (u^3 = s), and unloading ends where its derivative
+    with respect to u is zero (4 u^3 = s).
     """
     s = 2.0 / 3.0 * np.sqrt(6.0 * math.pi / theta)
     return np.cbrt(s if branch == "loading" else s / 4.0)

@@ -61,8 +61,8 @@ def power_law(u, load_factor, load_power, area_factor, area_power):
 def flow(u, eta):
     """Return displacement w, dw/du, load and contact area of a fully plastic asperity, at the coordinate u = sqrt(w).
 
-    The area is 2 w. The mean pressure is the hardness, so that the load is 2 eta w. eta: hardness group. Units: w in sigma,
-    load in K R^(1/2) sigma^(3/2), area in pi R sigma.
+    The area is 2 w. The mean pressure is the hardness, so the load is 2 eta w. eta: hardness group. Units: w in sigma, load in
+    K R^(1/2) sigma^(3/2), area in pi R sigma.
     """
     w = u * u
     return w, 2.0 * u, 2.0 * eta * w, 2.0 * w

@@ -16,10 +16,10 @@ D=\mathcal A^2-\tfrac43\lambda_M\mathcal A\sqrt{m^2-1},\qquad
 \frac{\text{load}}{\pi\gamma R}=\mathcal A^3-\lambda_M\mathcal A^2\left[\sqrt{m^2-1}+m^2\arctan\sqrt{m^2-1}\right]
 $$
 
-The first equation states that the gap at $c$ equals the range $\gamma/\sigma_0$. With $g=(\pi/\theta)^{1/3}$ the units here
-are $w=g^2D$, $P=g^3\cdot\text{load}/(\pi\gamma R)$ and $A=g^2\mathcal A^2$. For a given $m$ the first equation is quadratic in
-$\mathcal A$, so that all results are explicit in the coordinate $s=1/\sqrt{m^2-1}=a/\sqrt{c^2-a^2}$. $s$ is 0 for a contact
-at a point and grows with the contact radius. With $B=\mathcal A/s$, which stays finite at $s=0$, all functions are smooth:
+The first equation states that the gap at $c$ equals the range $\gamma/\sigma_0$. With $g=(\pi/\theta)^{1/3}$ the units here are
+$w=g^2D$, $P=g^3\cdot\text{load}/(\pi\gamma R)$ and $A=g^2\mathcal A^2$. For a given $m$ the first equation is quadratic in
+$\mathcal A$, so all results are explicit in the coordinate $s=1/\sqrt{m^2-1}=a/\sqrt{c^2-a^2}$. $s$ is 0 for a contact at a
+point and grows with the contact radius. With $B=\mathcal A/s$, which stays finite at $s=0$, all functions are smooth:
 
 $$
 \tfrac12\lambda_MF\,B^2+\tfrac43\lambda_M^2G\,B=1,\quad
@@ -39,9 +39,9 @@ Lennard-Jones half-spaces, $16\gamma/(9\sqrt3\,\varepsilon)$.
 | load at first touch over $\pi\gamma R$ | −1.9445 | −1.7494 | −1.5736 | −1.4055 | −1.3455 | −1.3345 | −1.3333 |
 
 The difference from JKR falls as $\mu_T^{-2}$ for large $\mu_T$, the difference from DMT only as $\mu_T^{1/2}$ for small
-$\mu_T$. *Departure*: here, as for JKR and DMT, an asperity attracts only while it touches, which in loading begins at $w=0$.
-In the source the ring attracts before contact. In unloading the contact lasts until $dw/ds=0$ or, for small $\lambda_M$, until
-it has shrunk to a point.
+$\mu_T$. *Departure*: here, as for JKR and DMT, an asperity attracts only while it touches, which during loading begins at
+$w=0$. In the source the ring attracts before contact. During unloading the contact lasts until $dw/ds=0$ or, for small
+$\lambda_M$, until it has shrunk to a point.
 
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ in units of $KR^{1/2}\sigma^{3/2}$ and contact area $A$ in units of
 $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$
@@ -79,7 +79,7 @@ def ring(s):
     """Return F, -F'/s, G, -G'/s and arctan(1/s), functions of the shape s of the attracting ring around a contact.
 
     s = a/sqrt(c^2 - a^2), with the contact radius a and the outer radius c of the ring. F = s + (1 - s^2) arctan(1/s), G =
-    arctan(1/s) - sqrt(1 + s^2) + s; a prime denotes the derivative by s. For large s a series is used.
+    arctan(1/s) - sqrt(1 + s^2) + s; a prime denotes the derivative with respect to s. For large s a series is used.
     """
     turn = math.atan2(1.0, s)
     root = math.sqrt(1.0 + s * s)
@@ -192,9 +192,9 @@ def _fill_displacement(s, g, lam, out):
 
 
 def segments(groups: Groups, branch: str) -> list[NormalSegment]:
-    """Return a list with the one segment of Maugis's contact, in loading (from w = 0) or in unloading.
+    """Return a list with the one segment of Maugis's contact, during loading (from w = 0) or during unloading.
 
-    In unloading it starts where dw/ds = 0 or, if the contact stays stable, at s = 0, a contact that has shrunk to a point.
+    During unloading it starts where dw/ds = 0 or, if the contact stays stable, at s = 0, a contact that has shrunk to a point.
     w: displacement. s: coordinate. groups: dimensionless groups of n contacts. branch: "loading" or "unloading". An edge is
     placed at s = 4, beyond which the functions of the attracting ring vary on another scale.
     """

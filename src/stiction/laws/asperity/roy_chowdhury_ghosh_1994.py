@@ -37,7 +37,7 @@ _STEPS = 7  # Newton steps that are sufficient from a start at most 50 % above t
 
 @formula
 def unit_root(a):
-    """Return the largest real root v of v^3 + a v - 1 = 0, by Newton's method from above.
+    """Return the largest real root v of v^3 + a v - 1 = 0, by Newton's method, started above the root.
 
     The number of steps is fixed, because the compiler vectorises only loops in which every element takes the same number of
     steps. It is sufficient for every a.
@@ -94,7 +94,7 @@ def plastic(w, theta, eta):
 
 
 def flow(groups: Groups, first: np.ndarray) -> NormalSegment:
-    """Return the fully plastic part of the law as a NormalSegment that starts at the displacements `first` (n,), in sigma."""
+    """Return the fully plastic NormalSegment that starts at the displacements `first` (n,), in units of sigma."""
     edges = edges_at(first, np.inf)
     return NormalSegment(plastic, displaced, (groups.theta, groups.eta), edges, "plastic")
 

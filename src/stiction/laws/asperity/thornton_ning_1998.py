@@ -89,7 +89,7 @@ def yielded_load(u, S, eta_y, u_y):
 
 @formula
 def loading(u, S, eta_y, u_y):
-    """Return the load at the coordinate u in loading, before or after yield, in units of K R^(1/2) sigma^(3/2).
+    """Return the load at the coordinate u during loading, before or after yield, in units of K R^(1/2) sigma^(3/2).
 
     u^4 = a^2/(R sigma), with the contact radius a. u_y: u at yield. S, eta_y: as in `yielded_load`.
     """
@@ -98,7 +98,7 @@ def loading(u, S, eta_y, u_y):
 
 @formula
 def normal(u, theta, eta_y, u_y):
-    """Return displacement w, dw/du, load and contact area of the yielded asperity at the coordinate u, in loading.
+    """Return displacement w, dw/du, load and contact area of the yielded asperity at the coordinate u, during loading.
 
     u^4 = a^2/(R sigma), with the contact radius a. Displacement and contact radius are related as in a JKR contact. theta:
     elastic adhesion index. eta_y: pi p_y sqrt(R/sigma)/K, with the limiting pressure p_y. u_y: u at yield. Units: w in sigma,
@@ -115,7 +115,7 @@ def coordinate(w, theta, eta_y, u_y):
 
 @formula
 def unloading_radius(u_max, P_max, S):
-    """Return the effective radius R_p of a yielded asperity in unloading, divided by its tip radius R; it is 1 or more.
+    """Return the effective radius R_p of a yielded asperity during unloading, divided by its tip radius R; it is 1 or more.
 
     R_p/R is P1/(P_max + 2 sqrt(Pc P1)) with P1 = u_max^6 and Pc = S^2/4. With this radius JKR's load at the turning point,
     where loading ended, equals the largest load P_max. u_max: coordinate at the turning point, u^4 = a^2/(R sigma) with the
@@ -129,7 +129,7 @@ def unloading_radius(u_max, P_max, S):
 def residual(u_max, radius):
     """Return the residual displacement in units of sigma, by which the unloading curve of a yielded asperity is shifted.
 
-    With this shift the displacement at the turning point is the same in unloading and in loading. u_max: coordinate at the
+    With this shift the displacement at the turning point is the same during unloading and loading. u_max: coordinate at the
     turning point, u^4 = a^2/(R sigma) with the contact radius a. radius: R_p/R, from `unloading_radius`.
     """
     return u_max * u_max * u_max * u_max * (1.0 - 1.0 / radius)
@@ -137,7 +137,7 @@ def residual(u_max, radius):
 
 @formula
 def unloading(u, u_max, P_max, S):
-    """Return displacement w, dw/du, load and contact area of a yielded asperity in unloading, at the coordinate u.
+    """Return displacement w, dw/du, load and contact area of a yielded asperity during unloading, at the coordinate u.
 
     u^4 = a^2/(R sigma), with the contact radius a. u_max, P_max: coordinate and load at the turning point, where loading ended.
     S: as in `yielded_load`. Units: w in sigma, load in K R^(1/2) sigma^(3/2), area in pi R sigma.
@@ -150,7 +150,7 @@ def unloading(u, u_max, P_max, S):
 
 @formula
 def unloading_coordinate(w, u_max, P_max, S):
-    """Return the coordinate u of a yielded asperity in unloading at the displacement w, in units of sigma.
+    """Return the coordinate u of a yielded asperity during unloading at the displacement w, in units of sigma.
 
     u^4 = a^2/(R sigma), with the contact radius a. If w is below the displacement at which contact is lost, the coordinate at
     the loss of contact is returned. u_max, P_max: coordinate and load at the turning point, where loading ended. S: as in
@@ -163,9 +163,9 @@ def unloading_coordinate(w, u_max, P_max, S):
 
 @formula
 def pull_off(u_max, P_max, S):
-    """Return the pull-off force of a yielded asperity in unloading, (3/2) pi gamma R_p, in units of K R^(1/2) sigma^(3/2).
+    """Return the pull-off force of a yielded asperity during unloading, (3/2) pi gamma R_p, in units of K R^(1/2) sigma^(3/2).
 
-    R_p is the effective radius in unloading, gamma the work of adhesion. u_max, P_max: coordinate and load at the turning
+    R_p is the effective radius during unloading, gamma the work of adhesion. u_max, P_max: coordinate and load at the turning
     point, where loading ended. S: as in `yielded_load`.
     """
     return 0.25 * S * S * unloading_radius(u_max, P_max, S)
@@ -173,10 +173,10 @@ def pull_off(u_max, P_max, S):
 
 @formula
 def lost_displacement(u_max, P_max, S):
-    """Return the displacement at which a yielded asperity loses contact in unloading, in units of sigma.
+    """Return the displacement at which a yielded asperity loses contact during unloading, in units of sigma.
 
-    It is the displacement at which its derivative by the coordinate u is 0: u^3 = (S/6) R_p/R. u_max, P_max: coordinate and
-    load at the turning point, where loading ended. S: as in `yielded_load`.
+    It is the displacement at which its derivative with respect to the coordinate u is 0: u^3 = (S/6) R_p/R. u_max, P_max:
+    coordinate and load at the turning point, where loading ended. S: as in `yielded_load`.
     """
     radius = unloading_radius(u_max, P_max, S)
     u = (S * radius / 6.0) ** (1.0 / 3.0)

@@ -31,7 +31,7 @@ _LEAST, _MOST = 1e-100, 1e100  # bounds of t/a, whose squares neither vanish nor
 
 @formula
 def modulus_share(v, nu):
-    """Return the film's weight I0 in the modulus, between 0 and 1, and its derivative by ln v.
+    """Return the film's weight I0 in the modulus, between 0 and 1, and its derivative with respect to ln v.
 
     v: contact radius divided by film thickness, a/t >= 0. nu: Poisson's ratio of film and substrate together. Source: Gao,
     Chiu & Lee 1992 (S5.12).

@@ -55,7 +55,7 @@ def range_over_gap(groups: Groups) -> np.ndarray:
     """Return the ratio (n,) of the attraction's range to the gap next to a contact spot, (16/3) h'^2/h''.
 
     h' is the root mean square gradient, h'' the root mean square of half the Laplacian. The theory requires a short range, so
-    this ratio must be small. sqrt(sigma/R) cancels. Source: Monti, Sanner & Pastewka 2021, as the authors' group restates it.
+    this ratio must be small. sqrt(sigma/R) cancels. Source: Monti, Sanner & Pastewka 2021, as restated by the authors' group.
     """
     slope = slope_over_sharpness(groups.roughness_parameter)
     return interaction_range(groups) / (16.0 / 3.0 * slope * slope / _CURVATURE)

@@ -58,7 +58,7 @@ def _rim(normal: Callable, coordinate: Callable, parameters: int) -> tuple[Any, 
 
         The area of the ring is 2 pi R omega, with the displacement omega, minus the contact area of the substrate. w:
         displacement. u: coordinate of the substrate's segment. row: parameters of this segment; film thickness in units of
-        sigma; film hardness, in the unit of load divided by area; adhesive force, in the unit of load.
+        sigma; film hardness, in units of load divided by area; adhesive force, in the unit of load.
         """
         w, stretch, _, inner = normal(u, *row[:parameters])
         tau, hardness, pull = row[parameters:]

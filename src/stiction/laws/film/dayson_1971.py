@@ -20,8 +20,8 @@ the load through it ([bowden_tabor_1943]).
 *Limit*: the friction coefficient is $\mu=\tau_0/(pH)$ for a thick film, $\mu=1/(\sqrt3\,k)$ for zero thickness, and lies
 between these values otherwise. Friction therefore rises as the film gets thinner if $\tau_0/(pH)<1/(\sqrt3\,k)$. With $p=1$
 this holds for every film that is weaker in shear than its substrate. With $p=n_H$ a soft metal film that shears at its own
-shear yield stress $Y_f/\sqrt3$ does not change $\mu$; only weaker films (layered solids, polymers) behave as the abstract
-says. *Check*: for Gaussian heights (density $\varphi$, distribution function $\Phi$) and the mean separation $h$ over
+shear yield stress $Y_f/\sqrt3$ does not change $\mu$; only weaker films (layered solids, polymers) behave as the abstract says.
+*Check*: for Gaussian heights (density $\varphi$, distribution function $\Phi$) and the mean separation $h$ in units of
 $\sigma$, the mean displacement is $F(h)=\varphi(h)-h\,[1-\Phi(h)]$. The penetrated fraction of the area is $F(h+\tau)/F(h)$,
 and with $p=1$
 

@@ -25,9 +25,9 @@ $$
 -\frac{t^3}{qG}\frac{dp}{dr}
 $$
 
-and it is zero at the edge. Only tangential laws of the interface can be combined with this film law. The substrate is rigid,
-so that the law is valid for $n_E$ below about 0.1. Results state the load fraction on asperities whose contact radius is
-smaller than the film thickness; the law is not valid for them.
+and it is zero at the edge. Only tangential laws of the interface can be combined with this film law. The substrate is rigid, so
+the law is valid for $n_E$ below about 0.1. Results state the load fraction on asperities whose contact radius is smaller than
+the film thickness; the law is not valid for them.
 
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ in units of $KR^{1/2}\sigma^{3/2}$ and contact area $A$ in units of
 $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$

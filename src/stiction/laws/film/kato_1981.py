@@ -23,11 +23,11 @@ $$
 P=\pi a^2H_f+4\pi k_fR\begin{cases}a-b\arctan(a/b)&c=0\\a-c-mb^2&c>0\end{cases}
 $$
 
-and for $\omega>t$, where $b^2=-g^2$: $c=g\coth[\operatorname{arsinh}(g/\sqrt{2Rt})+mg]$. The tangential force comes from a
-law of the interface, with the shear strength $\tau_0$ on the whole area $2\pi R\omega$. Values of $\tau_0$ above $k_f$ have no
+and for $\omega>t$, where $b^2=-g^2$: $c=g\coth[\operatorname{arsinh}(g/\sqrt{2Rt})+mg]$. The tangential force comes from a law
+of the interface, with the shear strength $\tau_0$ on the whole area $2\pi R\omega$. Values of $\tau_0$ above $k_f$ have no
 meaning, because the film shears first. For $\tau_0$ below $k_f$ the film would slip, and its pressure in the centre would rise
-less than computed here, down to half. A film harder than its substrate ($n_H>1$) counts as equally hard, so that the pressure
-is $H$ everywhere.
+less than computed here, down to half. A film harder than its substrate ($n_H>1$) counts as equally hard, so the pressure is $H$
+everywhere.
 
 *Limit*: in a thick film the pressure is the film's hardness, $\mu=\tau_0/H_f$; with zero thickness the plastic substrate
 remains, $\mu=\tau_0/H$. In a shallow contact the gap has constant height, and the mean pressure is $H_f+2k_fa/(3t)$. *Check*
@@ -38,10 +38,9 @@ ploughs, which a later paper of the group states (J. Tribology 109 (1987) 545; n
 
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ in units of $KR^{1/2}\sigma^{3/2}$ and contact area $A$ in units of
 $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$
-($E^*$ contact modulus); $\tau=t/\sigma$ film thickness; $n_H$ hardness of the film divided by the substrate's; $k=H/Y$
-hardness divided by yield stress; $\tau_0$ shear strength of the interface. Full list: [symbols](#1-units). Lengths along the
-surface are in units of $\sqrt{R\sigma}$, so that $a^2=2w$ and $b^2=2(\tau-w)$, and $\sqrt{R/\sigma}$ is $\tau$ divided by
-`film_aspect`.
+($E^*$ contact modulus); $\tau=t/\sigma$ film thickness; $n_H$ hardness of the film divided by the substrate's; $k=H/Y$ hardness
+divided by yield stress; $\tau_0$ shear strength of the interface. Full list: [symbols](#1-units). Lengths along the surface are
+in units of $\sqrt{R\sigma}$, so $a^2=2w$ and $b^2=2(\tau-w)$, and $\sqrt{R/\sigma}$ is $\tau$ divided by `film_aspect`.
 """
 
 import math
@@ -86,10 +85,10 @@ def tan_excess(x):
 def squeezed(u, *row):
     """Return displacement w, dw/du, load and contact area while only the film flows, at the coordinate u: w = tau sin(u)^2.
 
-    With lengths in units of sqrt(R sigma), the contact radius a is sqrt(2 tau) sin(u), and b = sqrt(2 tau) cos(u). row:
-    tau, film thickness in units of sigma; hill = 4 k_f sqrt(R/sigma), with the shear stress k_f on the film; bound = m =
-    more/hill; edge = H_f, the film's hardness; more = H - H_f, the substrate's hardness minus the film's. Stresses are in
-    the unit of load divided by area.
+    With lengths in units of sqrt(R sigma), the contact radius a is sqrt(2 tau) sin(u), and b = sqrt(2 tau) cos(u). row: tau,
+    film thickness in units of sigma; hill = 4 k_f sqrt(R/sigma), with the shear stress k_f on the film; bound = m = more/hill;
+    edge = H_f, the film's hardness; more = H - H_f, the substrate's hardness minus the film's. Stresses are in units of load
+    divided by area.
     """
     tau, hill, _, edge, _ = row
     sine = math.sin(u)
@@ -163,7 +162,7 @@ def onset(tau: np.ndarray, bound: np.ndarray) -> np.ndarray:
     """Return the coordinate u (n,), an angle, above which the substrate limits the pressure: u = bound sqrt(2 tau) cos u.
 
     tau: film thickness in units of sigma. bound: parameter m of the formulas. Newton's method starts above the root, where the
-    function is convex, so that no step passes it.
+    function is convex, so no step passes it.
     """
     steep = bound * np.sqrt(2.0 * tau)
     u = np.minimum(steep, 0.5 * math.pi)

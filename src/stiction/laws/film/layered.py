@@ -5,7 +5,8 @@ r"""A sphere on a bonded film: exact elastic solution, adhesion by an energy bal
 [johnson_kendall_roberts_1971] for the energy of an adhesive edge, extended to layered bodies as in [barthel_perriot_2007]. The
 contact radius is $a=\sqrt{xR\sigma}$, the film thickness $t$. Four functions of $a/t$ and of the elastic constants of film and
 bodies describe the contact, each divided by its value for the bodies without film: $E_P$ for the load, $D$ for the
-displacement, $E_S$ for the stiffness and $B$ for its derivative by $a$. Index $H$ denotes the contact without adhesion,
+displacement, $E_S$ for the stiffness and $B$ for its derivative with respect to $a$. Index $H$ denotes the contact without
+adhesion,
 
 $$
 \begin{aligned}
@@ -18,9 +19,9 @@ with $S=\sqrt{6\pi/\theta}$; DMT's adhesion is $P=P_H-2\pi n_g/\theta$. In SI th
 $\delta=\delta_H-\sqrt{4\pi a\gamma/k_n'}$ and the load $P=P_H-k_n\sqrt{4\pi a\gamma/k_n'}$, with the normal stiffness
 $k_n=2aE_S$ and $k_n'=dk_n/da=2B$ ($E_S$ and $B$ in Pa).
 
-*Bodies*: both bodies carry the same pressure, so that their compliances add. This is exact for a film on one body against any
-other body, and for films with half of the thickness on each of two bodies, equal or not. With `Indices`, the film is on one
-body and the other body is rigid, unless `films` and the groups after it say otherwise.
+*Bodies*: both bodies carry the same pressure, so their compliances add. This is exact for a film on one body against any other
+body, and for films with half of the thickness on each of two bodies, equal or not. With `Indices`, the film is on one body and
+the other body is rigid, unless `films` and the groups after it say otherwise.
 
 *Yield*: the asperity yields where its mean pressure reaches the value at which the chosen asperity law yields on a half-space
 of modulus $E_P$ and hardness $\chi H$. $\chi$ is the hardness of film and substrate together divided by the substrate's, from

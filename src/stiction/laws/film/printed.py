@@ -50,7 +50,7 @@ _adhesion, _load = jkr.adhesion, jkr.load
 
 @formula
 def normal(u, theta):
-    """Return displacement x = u^4, dx/du, JKR's load and contact area of an elastic asperity by the printed eq (1).
+    """Return displacement x = u^4, dx/du, JKR's load and contact area of an elastic asperity according to eq (1) as printed.
 
     The print uses x = a^2/(R sigma), with the contact radius a, as the displacement in units of sigma. theta: elastic adhesion
     index. Units: load in K R^(1/2) sigma^(3/2), area in pi R sigma.
@@ -78,7 +78,7 @@ LAW = Law(
 
 
 def bare_regimes(groups: Groups) -> list[Regime]:
-    """Return the elastic and the plastic regime of a surface without film, by the equations of soft_coating_2015 as printed.
+    """Return the elastic and the plastic regime of a surface without film, using the equations of soft_coating_2015 as printed.
 
     groups: dimensionless groups of n contacts.
     """
@@ -95,7 +95,7 @@ def _film_weights(segment: NormalSegment) -> tuple[Weights, Weights]:
 
 
 def regimes(groups: Groups, law: Law) -> list[Regime]:
-    """Return the regimes of a coated surface by the equations of soft_coating_2015 as printed.
+    """Return the regimes of a coated surface according to the equations of soft_coating_2015 as printed.
 
     A regime is a segment of an asperity law together with the tangential force on it. groups: dimensionless groups of n
     coated contacts. `law` is not used, because the printed equations contain their own laws. An integral whose lower limit

@@ -60,8 +60,8 @@ _THINNEST = 1e-200  # replaces a film thickness of 0, over sigma
 def shared(u, stiffness):
     """Return displacement w, dw/du, load and contact area while film and substrate share the load, at u = sqrt(w).
 
-    The mean pressure is (stiffness/2) u, in the unit of load divided by area; the area is 2 w. Units: w in sigma, area in
-    pi R sigma.
+    The mean pressure is (stiffness/2) u, in units of load divided by area; the area is 2 w. Units: w in sigma, area in pi R
+    sigma.
     """
     w = u * u
     return w, 2.0 * u, stiffness * w * u, 2.0 * w
@@ -70,9 +70,9 @@ def shared(u, stiffness):
 def rise(groups: Groups) -> np.ndarray:
     """Return the factor q (n,) in the mean pressure q n_H sqrt(w/tau) eta while film and substrate carry the load together.
 
-    The pressure is in the unit of load divided by area. w, tau: displacement and film thickness in units of sigma. n_H:
-    hardness of the film over the hardness H of the substrate. eta: hardness group. With the film's shear strength tau_0, q
-    follows from the friction constant C: C/(K sqrt(R sigma)) = 2 eta (tau_0/H)^3/(q n_H)^2. Without C, q is 1.
+    The pressure is in units of load divided by area. w, tau: displacement and film thickness in units of sigma. n_H: hardness
+    of the film divided by the hardness H of the substrate. eta: hardness group. With the film's shear strength tau_0, q follows
+    from the friction constant C: C/(K sqrt(R sigma)) = 2 eta (tau_0/H)^3/(q n_H)^2. Without C, q is 1.
     """
     constant = groups.film_friction_constant
     if constant is None:

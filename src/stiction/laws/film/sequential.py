@@ -12,9 +12,9 @@ P=\begin{cases}n_EP_c(w)&w<\tau\\n_EP_c(\tau)+P_s(w-\tau)&w\ge\tau\end{cases},\q
 $$
 
 and the same for the tangential force; a law of the interface uses the whole load and the outer area instead. But film and
-substrate transmit the same force in series, so that their forces do not add up. The paper's sum is therefore too large by the
-force of the film; the record states the excess for zero film thickness. With `film_shear="in_series"` the smaller tangential
-force applies: the film's at the whole displacement, or the substrate's at the displacement minus the film thickness,
+substrate transmit the same force in series, so their forces do not add up. The paper's sum is therefore too large by the force
+of the film; the record states the excess for zero film thickness. With `film_shear="in_series"` the smaller tangential force
+applies: the film's at the whole displacement, or the substrate's at the displacement minus the film thickness,
 
 $$
 T=\min\left[n_ET_c(w),\,T_s(w-\tau)\right]\quad(w\ge\tau)

@@ -1,14 +1,14 @@
 r"""Menisci in equilibrium with their vapour, by Kelvin's equation and circular arcs: Orr, Scriven & Rivas 1975.
 
-*Assumes*: the meniscus is in equilibrium with the vapour. Its total curvature is $1/r$ by Kelvin's equation at every gap,
-so that approach and separation must be slow (seconds in humid air). The meniscus is small compared with the asperity,
-$r\ll R$. Its force does not deform the solids (as in DMT's law), and a sphere that is pressed in is treated as truncated.
-Neighbouring menisci do not merge. *Sources*: [thomson_1871] for the radius $r$; [orr_scriven_rivas_1975] for the circle
-approximation and the exact meniscus; the force between a sphere and a flat as reviewed by [israelachvili_2011] and
-[butt_kappl_2009], written from memory and derived again: Laplace's pressure $\gamma_\mathrm L/r$ on the ring area
-$2\pi R(2rc-D)$. [de_boer_de_boer_2007], abstract, describe menisci between rough surfaces, each in equilibrium; their result
-for a sphere and a flat agrees, see below. Radii at which Kelvin's equation was found to hold are from
-[fisher_gamble_middlehurst_1981], the surface tension of water from [iapws_2014].
+*Assumes*: the meniscus is in equilibrium with the vapour. Its total curvature is $1/r$ by Kelvin's equation at every gap, so
+approach and separation must be slow (seconds in humid air). The meniscus is small compared with the asperity, $r\ll R$. Its
+force does not deform the solids (as in DMT's law), and a sphere that is pressed in is treated as truncated. Neighbouring
+menisci do not merge. *Sources*: [thomson_1871] for the radius $r$; [orr_scriven_rivas_1975] for the circle approximation and
+the exact meniscus; the force between a sphere and a flat as reviewed by [israelachvili_2011] and [butt_kappl_2009], written
+from memory and derived again: Laplace's pressure $\gamma_\mathrm L/r$ on the ring area $2\pi R(2rc-D)$. [de_boer_de_boer_2007],
+abstract, describe menisci between rough surfaces, each in equilibrium; their result for a sphere and a flat agrees, see below.
+Radii at which Kelvin's equation was found to hold are from [fisher_gamble_middlehurst_1981], the surface tension of water from
+[iapws_2014].
 
 $$
 r=\frac{\gamma_\mathrm LV_\mathrm L}{R_\mathrm gT\ln(p_\mathrm s/p)},\quad c=\frac{\cos\theta_1+\cos\theta_2}2,\qquad
@@ -35,12 +35,12 @@ in contact does not depend on $r$. If $r$ is only a few molecules, there is no s
 below the radii at which Kelvin's equation was confirmed: 4 nm, or 9 nm for water, which corresponds to 94 % relative humidity.
 
 *Trap*: for elastic asperities at displacements far above $2rc$ the force falls to half of this value, see
-[`hertzian_meniscus`](#hertzian_meniscus). The missing force increases their contact area, so that friction by a law of the
-interface is closer to the present law. *Measured*: fourteen Gaussian maps of silicon ($\sigma$ 1 to 50 nm, longest wavelength
-a half to a sixteenth of the side, nominal pressure 0.002 to 0.05 times $E^*h'$ with the root mean square gradient $h'$, 30 to
-97 % humidity) were solved with Laplace's pressure on every bridged point ([`boundary_elements`](#boundary_elements)). If the
-menisci pull with more than a tenth of the load, this law gives 0.40 to 0.91 of their force (mean 0.58), and 1.00 to 1.03 of it
-on flooded maps. If they pull less, it gives 0.24 to 1.08. *Unknown*: menisci of constant volume, which do not dry up while
+[`hertzian_meniscus`](#hertzian_meniscus). The missing force increases their contact area, so friction by a law of the interface
+is closer to the present law. *Measured*: fourteen Gaussian maps of silicon ($\sigma$ 1 to 50 nm, longest wavelength a half to a
+sixteenth of the side, nominal pressure 0.002 to 0.05 times $E^*h'$ with the root mean square gradient $h'$, 30 to 97 %
+humidity) were solved with Laplace's pressure on every bridged point ([`boundary_elements`](#boundary_elements)). If the menisci
+pull with more than a tenth of the load, this law gives 0.40 to 0.91 of their force (mean 0.58), and 1.00 to 1.03 of it on
+flooded maps. If they pull less, it gives 0.24 to 1.08. *Unknown*: menisci of constant volume, which do not dry up while
 surfaces separate; their volume depends on their history.
 
 *Check*: separation of a sphere and a flat in equilibrium needs the work $4\pi R\gamma_\mathrm Lrc^2$, half of the surface
@@ -98,7 +98,7 @@ PULL_ON_MAPS = Validity(
 
 @formula
 def along(w, pull, height):
-    """Return the six values of a meniscus that a `Regime` requires: w, 1 (derivative of w by the coordinate), load, 0, 0, 0.
+    """Return the six values of a meniscus that a `Regime` requires: w, 1 (the derivative dw/du), load, 0, 0, 0.
 
     The zeros are contact area and tangential forces. The load is negative. The coordinate is the displacement w itself, in
     units of sigma, negative for a gap. pull: attractive force on a touching asperity, in units of K R^(1/2) sigma^(3/2).

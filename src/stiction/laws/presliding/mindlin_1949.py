@@ -49,10 +49,10 @@ The second formula is for one asperity, in agreement with [mindlin_deresiewicz_1
 | $\Delta W/(T_m\delta_f)$ | 0.0005131 | 0.0727922 | 0.5239613 | 0.8 |
 
 For elastic asperities under Coulomb's law, $F(\delta)=f\,[P(h)-P(h+\delta/m)]$ with $m=\tfrac3{16}fK\beta$ ([jager_1998]), so
-that $F=fP\,(1-e^{-\delta/m})$ for exponential heights.
+$F=fP\,(1-e^{-\delta/m})$ for exponential heights.
 
 **Area that still sticks**: slip of an asperity begins at the rim of its contact and leaves the fraction $1-s$ of its area
-sticking, so that the sticking area per asperity is
+sticking, so the sticking area per asperity is
 
 $$
 A_\mathrm{stick}=\int A\,\max(1-s,0)\,\varphi(h+w)\,dw

@@ -12,11 +12,11 @@ $$
 
 Its summits have the height deviation $\sigma$, the number per area $N$ and the mean curvature $1/R$ of the contact. Below
 $\rho=NR\sigma=0.01581$ no such surface exists, and an error is raised. The paper's own result is that area and load become
-proportional: $\kappa$ in $A/A_n=\kappa\,p/(E^*h')$ tends to $\sqrt{2\pi}=2.5066$ at light load, slowly and from below, so that
-they are proportional only at separations beyond those of any real contact. $A/A_n$ is contact area divided by nominal area,
-$p$ the nominal pressure, $E^*$ the contact modulus and $h'$ the root mean square gradient. *Check*: $\kappa$ of this and of
-the simplified model [`greenwood_2006`](#greenwood_2006) for the bandwidth parameter $\alpha=m_0m_4/m_2^2$ at the separation
-$h$ (over $\sigma$, from the mean summit height):
+proportional: $\kappa$ in $A/A_n=\kappa\,p/(E^*h')$ tends to $\sqrt{2\pi}=2.5066$ at light load, slowly and from below, so they
+are proportional only at separations beyond those of any real contact. $A/A_n$ is contact area divided by nominal area, $p$ the
+nominal pressure, $E^*$ the contact modulus and $h'$ the root mean square gradient. *Check*: $\kappa$ of this and of the
+simplified model [`greenwood_2006`](#greenwood_2006) for the bandwidth parameter $\alpha=m_0m_4/m_2^2$ at the separation $h$ (in
+units of $\sigma$, from the mean summit height):
 
 | $\alpha$ ($\rho$) | $\kappa$ at $h=0$ | 1 | 2 | 3 | 4 |
 |---|---|---|---|---|---|
@@ -47,9 +47,9 @@ from stiction.surfaces.theory.summits import Shapes
 def ellipses() -> Shapes:
     """Return Hertz's elliptic contacts of summits, tabulated against the asymmetry t of the principal curvatures of a summit.
 
-    t = r/kappa is half the difference of the curvatures over their mean: 0 for a round summit, 1 for a ridge. Johnson 1985,
-    section 4.2(c): with the semi-axes b <= a of the ellipse, e^2 = 1 - b^2/a^2, complete elliptic integrals K(e) and E(e),
-    overlap w, largest pressure p0, and half the principal curvatures, A = (kappa - r)/2 and B = (kappa + r)/2,
+    t = r/kappa is half the difference of the curvatures divided by their mean: 0 for a round summit, 1 for a ridge. Johnson
+    1985, section 4.2(c): with the semi-axes b <= a of the ellipse, e^2 = 1 - b^2/a^2, complete elliptic integrals K(e) and
+    E(e), overlap w, largest pressure p0, and half the principal curvatures, A = (kappa - r)/2 and B = (kappa + r)/2,
 
         w = (p0 / E*) b K,   A = (p0 / E*) b (K - E) / (e^2 a^2),   B = (p0 / E*) b (E a^2/b^2 - K) / (e^2 a^2).
 

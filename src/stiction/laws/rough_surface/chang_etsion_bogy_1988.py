@@ -2,7 +2,7 @@ r"""Elastic-plastic asperities (1987), of which only the elastic ones resist sli
 
 *Assumes*: asperities of [`chang_etsion_bogy_1987`](#chang_etsion_bogy_1987) are independent and fail at [first
 yield](#chang_etsion_bogy_1988-tangential-law). *Source*: [chang_etsion_bogy_1988]. The friction coefficient at the mean
-separation $h$ (over $\sigma$) is
+separation $h$ (in units of $\sigma$) is
 
 $$
 \mu(h)=\frac{\int_0^{w_c}T(w)\,\varphi(h+w)\,dw}{\int_0^\infty P(w)\,\varphi(h+w)\,dw}

@@ -11,11 +11,11 @@ c=\frac4\pi\left[\ln(1+\sqrt2)-\frac{\sqrt2-1}3\right]\tfrac43\,\rho\,\varsigma\
 $$
 
 $\bar P$ and $\bar A$ are load and area per asperity and $F_n$ the integrals of
-[`greenwood_williamson_1966`](#greenwood_williamson_1966), $h$ is the separation (over $\sigma$), $h^*$ the separation enlarged
-by the displacement, $\rho=NR\sigma$ and $\varsigma=\sqrt{\sigma/R}$. The relation of area and load is Greenwood and
-Williamson's. Only the separation differs, and more for a larger surface.
-*Check*, $\rho=0.04$, $\varsigma=0.03$, $L/\sigma=20\,000$: $\bar P=0.0420103$, $\bar A=0.0482781$ at $h=0$ and 0.00449705,
-0.00584984 at $h=2$. *Limit*: Greenwood and Williamson for $L\to0$.
+[`greenwood_williamson_1966`](#greenwood_williamson_1966), $h$ is the separation (in units of $\sigma$), $h^*$ the separation
+enlarged by the displacement, $\rho=NR\sigma$ and $\varsigma=\sqrt{\sigma/R}$. The relation of area and load is Greenwood and
+Williamson's. Only the separation differs, and more for a larger surface. *Check*, $\rho=0.04$, $\varsigma=0.03$,
+$L/\sigma=20\,000$: $\bar P=0.0420103$, $\bar A=0.0482781$ at $h=0$ and 0.00449705, 0.00584984 at $h=2$. *Limit*: Greenwood and
+Williamson for $L\to0$.
 """
 
 import math

@@ -2,7 +2,7 @@ r"""Asperities in full stick with Gaussian heights: Cohen, Kligerman & Etsion 20
 
 *Assumes*: asperities of [`brizmer_kligerman_etsion_2006`](#brizmer_kligerman_etsion_2006) are independent and slide in full
 stick, [`brizmer_kligerman_etsion_2007`](#brizmer_kligerman_etsion_2007). *Source*: [cohen_kligerman_etsion_2008]. The friction
-coefficient at the mean separation $h$ (over $\sigma$) is
+coefficient at the mean separation $h$ (in units of $\sigma$) is
 
 $$
 \mu(h)=\frac{\int_0^\infty\mu(P)P(w)\,\varphi(h+w)\,dw}{\int_0^\infty P(w)\,\varphi(h+w)\,dw}

@@ -1,7 +1,7 @@
 r"""JKR asperities in Greenwood & Williamson's sum, elastic at any load: Fuller & Tabor 1975.
 
 *Assumes*: [`jkr`](#jkr) asperities of one radius are independent. *Source*: [fuller_tabor_1975]. The load per asperity at the
-mean separation $h$ (over $\sigma$), with the density $\varphi$ of heights, is
+mean separation $h$ (in units of $\sigma$), with the density $\varphi$ of heights, is
 
 $$
 \bar P(h)=\int P_\text{JKR}(w)\,\varphi(h+w)\,dw

@@ -30,9 +30,9 @@ from stiction.surfaces.theory.summits import Shapes
 def spheres() -> Shapes:
     """Return the spherical contacts that replace elliptic ones, tabulated against the asymmetry t of a summit's curvatures.
 
-    t is half the difference of the principal curvatures divided by their mean kappa. A summit becomes a sphere of curvature
-    g = kappa sqrt(1 - t^2). Compressed by w, its area is pi w / g and its load (4/3) E* w^(3/2) / sqrt(g). The values of t
-    are Gauss points in (1 - t)^(1/4).
+    t is half the difference of the principal curvatures divided by their mean kappa. A summit becomes a sphere of curvature g =
+    kappa sqrt(1 - t^2). If it is compressed by w, its contact area is pi w / g and its load (4/3) E* w^(3/2) / sqrt(g). The
+    values of t are Gauss points in (1 - t)^(1/4).
     """
     node, weight = np.polynomial.legendre.leggauss(120)
     root = (1.0 + node) / 2.0

@@ -1,8 +1,8 @@
 r"""Elastic asperities of one radius with distributed heights, without adhesion: Greenwood & Williamson 1966.
 
-*Assumes*: asperities of one radius are independent, each with a [Hertz](#hertz) contact. *Source*:
-[greenwood_williamson_1966], load, area and number of contacts. Load $\bar P$ and area $\bar A$ per asperity at the mean
-separation $h$ (over $\sigma$), with the density $\varphi(z)$ of asperity heights over $\sigma$, are
+*Assumes*: asperities of one radius are independent, each with a [Hertz](#hertz) contact. *Source*: [greenwood_williamson_1966],
+load, area and number of contacts. Load $\bar P$ and area $\bar A$ per asperity at the mean separation $h$ (in units of
+$\sigma$), with the density $\varphi(z)$ of asperity heights $z$, also in units of $\sigma$, are
 
 $$
 \bar P=F_{3/2}(h),\qquad\bar A=F_1(h),\qquad F_n(h)=\int_h^\infty(z-h)^n\varphi(z)\,dz

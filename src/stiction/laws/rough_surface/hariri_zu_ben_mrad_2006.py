@@ -22,7 +22,7 @@ $$
 $$
 
 $D$ is the level over the profile's standard deviation, $Q$ the fraction of points above it, $\nu_r$ the number of asperities
-(rows of neighbouring points above the level) per sampled point, $T_O$ Owen's function and $\bar t(D,r)$ the mean of $t$,
+(runs of neighbouring points above the level) per sampled point, $T_O$ Owen's function and $\bar t(D,r)$ the mean of $t$,
 tabulated from an integral equation. The number of points $n$ cancels in the load, and its square in the area. $\ell$ and $r$
 are chosen so that peaks of three sampled points have the same number and curvature as the peaks of a profile of the surface
 with the given $\sigma$, $N$ and $1/R$. This is possible for $\rho=NR\sigma$ from 0.0396 to 1.01. *Check*: $\nu_r$, and $\bar t$
@@ -35,11 +35,11 @@ over the profile's standard deviation, from simulated profiles of $2\cdot10^7$ p
 | 0.7 | 0.0747, 1.721 | 0.1266, 0.940 | 0.0747, 0.578 | 0.0154, 0.394 |
 | 0.95 | 0.0305, 1.087 | 0.0504, 0.656 | 0.0306, 0.451 | 0.0068, 0.337 |
 
-The load has a maximum at a level about half a standard deviation below the mean plane, because rows of points merge; the model
-ends there. At the same load it predicts a larger area than any other elastic model here. $\kappa$ in
+The load has a maximum at a level about half a standard deviation below the mean plane, because runs of points merge; the model
+ends at this level. At the same load it predicts a larger area than any other elastic model here. $\kappa$ in
 $A/A_n=\kappa\,p/(E^*h')$, with the root mean square gradient $h'$, is 4.3, 5.6 and 7.2 at the separations $h$ = 0, 1 and 2 for
-$\rho=0.0405$, and 3.7, 4.1 and 4.8 for $\rho=0.06$; simulated profiles give the same. It is unknown whether this comes from
-the paper or from the reconstruction.
+$\rho=0.0405$, and 3.7, 4.1 and 4.8 for $\rho=0.06$; simulated profiles give the same. It is unknown whether this comes from the
+paper or from the reconstruction.
 """
 
 import math

@@ -2,7 +2,7 @@ r"""Elastic-plastic asperities (2002) that begin to slide when they yield (2003)
 
 *Assumes*: asperities of [`kogut_etsion_2002`](#kogut_etsion_2002) are independent, and begin to slide when yield reaches their
 surface ([`kogut_etsion_2003`](#kogut_etsion_2003)). *Source*: [kogut_etsion_2004]. The friction coefficient at the mean
-separation $h$ (over $\sigma$) is
+separation $h$ (in units of $\sigma$) is
 
 $$
 \mu(h)=\frac{\int_0^{6w_c}\mu(w)P(w)\,\varphi(h+w)\,dw}{\int_0^\infty P(w)\,\varphi(h+w)\,dw}

@@ -16,9 +16,9 @@ $\varsigma\,(\sqrt3/(64\rho))^{1/2}$. *Traps*: $m_2$ and $m_4$ belong to a profi
 is $2m_2$; the mean curvature of summits does not depend on $m_2$; separations from the mean plane and from the mean summit
 height differ by $1/(\sqrt{48}\pi\rho)$ in units of $\sigma$.
 
-At light load, theories are compared by $\kappa$ in $A/A_n=\kappa\,p/(E^*h')$, with the ratio $A/A_n$ of contact area to
-nominal area, the nominal pressure $p$ and the contact modulus $E^*$. *Check*: here $\kappa$ depends on the separation $h$
-(over $\sigma$):
+At light load, theories are compared by $\kappa$ in $A/A_n=\kappa\,p/(E^*h')$, with the ratio $A/A_n$ of contact area to nominal
+area, the nominal pressure $p$ and the contact modulus $E^*$. *Check*: here $\kappa$ depends on the separation $h$ (in units of
+$\sigma$):
 
 | $\alpha$ | $h=1$ | 2 | 3 | 4 |
 |---|---|---|---|---|
@@ -27,8 +27,7 @@ nominal area, the nominal pressure $p$ and the contact modulus $E^*$. *Check*: h
 | 10 | 1.722 | 1.997 | 2.264 | 2.517 |
 | 50 | 1.130 | 1.311 | 1.486 | 1.652 |
 
-Numerical solutions give $\kappa$ of about 2, so that the area of this model is wrong by a factor of 0.5 to 2, depending on
-$\alpha$.
+Numerical solutions give $\kappa$ of about 2, so the area of this model is wrong by a factor of 0.5 to 2, depending on $\alpha$.
 """
 
 from stiction.laws.shared_claims import ELASTIC

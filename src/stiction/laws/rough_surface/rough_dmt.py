@@ -1,7 +1,7 @@
 r"""DMT asperities in Greenwood & Williamson's sum, for weak adhesion of hard, sharp asperities.
 
 *Assumes*: [`dmt`](#dmt) asperities of one radius are independent. *Source*: the sum of [greenwood_williamson_1966] over these
-asperities. Load and area per asperity at the mean separation $h$ (over $\sigma$), with the integrals $F_n$ of
+asperities. Load and area per asperity at the mean separation $h$ (in units of $\sigma$), with the integrals $F_n$ of
 [`greenwood_williamson_1966`](#greenwood_williamson_1966) and the adhesion index $\theta$, are
 
 $$

@@ -3,7 +3,7 @@ r"""Static friction of adhesive rough surfaces, bare or with a thin soft film: t
 *Assumes*: asperities of [`roy_chowdhury_ghosh_1994`](#roy_chowdhury_ghosh_1994) are independent, and their friction follows
 [the tangential law of 2015](#soft_coating_2015-tangential-law). A film deforms alone until the displacement equals its
 thickness, [`sequential`](#sequential). *Source*: [soft_coating_2015], eqs. (1) to (15). The friction coefficient of a bare
-surface at the mean separation $h$ (over $\sigma$) is
+surface at the mean separation $h$ (in units of $\sigma$) is
 
 $$
 \mu(h)=\frac{\int T(w)\,\varphi(h+w)\,dw}{\int P(w)\,\varphi(h+w)\,dw}
@@ -27,7 +27,7 @@ from stiction.records.sources import Source
 
 
 def regimes(groups: Groups, law: Law, film: FilmLaw | None, variant: str, transition: str) -> list[Regime]:
-    """Return the regimes of a bare or coated surface by the model of 2015 (docs/explanation/theory.md, sections 2 to 6).
+    """Return the regimes of a bare or coated surface in the 2015 model (docs/explanation/theory.md, sections 2 to 6).
 
     A regime is a segment of an asperity law together with the tangential force on it. groups: dimensionless groups of n
     contacts. law: asperity law, tangential law and options. film: film law, or None. variant: "corrected" or "published".

@@ -11,10 +11,10 @@ $$
 \frac A{A_n}=\operatorname{erf}\frac p{\sqrt{2V}},\qquad\gamma=0.45
 $$
 
-In print the factor is inside an integral over the scales of the spectrum. Because it depends only on $A$, $V_c$ can replace
-the scale, so that only $h'$ of the spectrum is needed. *Limit*: $A/A_n=\kappa\,p/(E^*h')$ with
-$\kappa\to\sqrt{8/(\pi\gamma)}=2.3788$ at light load, full contact at high load. *Unknown*: the constant $\gamma$ is quoted
-between 0.4 and 0.5. The value 0.45 is used, as in the figures of the program, whose own default is 0.42. *Check*:
+In print the factor is inside an integral over the scales of the spectrum. Because it depends only on $A$, $V_c$ can replace the
+scale, so only $h'$ of the spectrum is needed. *Limit*: $A/A_n=\kappa\,p/(E^*h')$ with $\kappa\to\sqrt{8/(\pi\gamma)}=2.3788$ at
+light load, full contact at high load. *Unknown*: the constant $\gamma$ is quoted between 0.4 and 0.5. The value 0.45 is used,
+as in the figures of the program, whose own default is 0.42. *Check*:
 
 | $p/(E^*h')$ | 0.01 | 0.05 | 0.1 | 0.2 | 0.5 | 1 |
 |---|---|---|---|---|---|---|

@@ -2,8 +2,8 @@ r"""Junction growth from a weak interface (Tabor 1959) to full stick (Brizmer et
 
 *Assumes*: as in [`tabor_1959`](#tabor_1959), the area $A$ of a junction grows with its shear force $T$ as $A^2=A_0^2+gT^2$,
 from the area $A_0$ without shear. The growth ends where a junction in full stick slides, at the force $T_s$ of
-[`brizmer_kligerman_etsion_2007`](#brizmer_kligerman_etsion_2007). There its mean shear stress is the shear strength $\tau_b$
-of the bulk, so that its area is $A_s=T_s/\tau_b$, which determines $g$. *Sources*: [tabor_1959] for the growth,
+[`brizmer_kligerman_etsion_2007`](#brizmer_kligerman_etsion_2007). There its mean shear stress is the shear strength $\tau_b$ of
+the bulk, so its area is $A_s=T_s/\tau_b$, which determines $g$. *Sources*: [tabor_1959] for the growth,
 [brizmer_kligerman_etsion_2007] for the force in full stick, and [brizmer_kligerman_etsion_2007_junction] for the growth of the
 area until the junction has lost its tangential stiffness.
 

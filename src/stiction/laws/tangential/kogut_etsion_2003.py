@@ -40,8 +40,8 @@ def friction_coefficient(w_ratio):
     """Return the friction coefficient of one asperity, tangential force at failure divided by load, Q/P.
 
     w_ratio: displacement divided by displacement at first yield. Up to 1 the coefficient follows from Q/P_c = 0.52
-    w_ratio^0.982 and P/P_c = w_ratio^1.5. From 1 to 6 it is a cubic, and beyond it is 0. The 2004 paper prints the cubic
-    times 1.03, with two decimals; that print is negative above 4.3, so that three decimals are used here.
+    w_ratio^0.982 and P/P_c = w_ratio^1.5. From 1 to 6 it is a cubic, and beyond it is 0. The 2004 paper prints the cubic times
+    1.03, with two decimals; that print is negative above 4.3, so three decimals are used here.
     """
     if w_ratio <= 1.0:
         return 0.52 * w_ratio**-0.518

@@ -1,12 +1,12 @@
 r"""Tangential force at which an adhesive contact on a film peels: Savkoor & Briggs's energy balance with the film's stiffness.
 
 *Assumes*: the edge of an adhesive contact is a mixed-mode crack, which peels where $G_N+\zeta\,G_T=\gamma$, as in
-[`savkoor_briggs_1977`](#savkoor_briggs_1977). $G_N$ and $G_T$ are the energy release rates of normal load and tangential
-force, $\zeta$ is `peeling` of the contact, $\gamma$ the work of adhesion. The contact stays circular. *Source*:
-[savkoor_briggs_1977] for the balance; [mindlin_1949] for the tangential stiffness of a half-space, $S_T=8a/\beta$, which is
-replaced by the computed stiffness of the layered contact (`solvers/layered/shear`). With the normal stiffness $S$, the
-tangential stiffness $S_T$, their derivatives $S'$ and $S_T'$ by the contact radius $a$, and the load $P_H$ that a contact
-without adhesion needs for the same radius,
+[`savkoor_briggs_1977`](#savkoor_briggs_1977). $G_N$ and $G_T$ are the energy release rates of normal load and tangential force,
+$\zeta$ is `peeling` of the contact, $\gamma$ the work of adhesion. The contact stays circular. *Source*: [savkoor_briggs_1977]
+for the balance; [mindlin_1949] for the tangential stiffness of a half-space, $S_T=8a/\beta$, which is replaced by the computed
+stiffness of the layered contact (`solvers/layered/shear`). With the normal stiffness $S$, the tangential stiffness $S_T$, their
+derivatives $S'$ and $S_T'$ with respect to the contact radius $a$, and the load $P_H$ that a contact without adhesion needs for
+the same radius,
 
 $$
 G_N=\frac{(P_H-P)^2}{4\pi a}\frac{S'}{S^2},\qquad G_T=\frac{T^2}{4\pi a}\frac{S_T'}{S_T^2}=\frac{\beta T^2}{32\pi a^3}(1-e),

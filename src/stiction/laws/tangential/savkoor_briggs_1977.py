@@ -58,7 +58,7 @@ def slip_resistance(load, theta, K_beta):
 
 @formula
 def slip_resistance_printed(x, theta, K_beta):
-    """Return the tangential force at which a JKR contact peels by eq (10) of soft_coating_2015, exactly as printed.
+    """Return the tangential force at which a JKR contact peels according to eq (10) of soft_coating_2015, exactly as printed.
 
     It is T = 4 (K beta)^(-1/2) sqrt((2 pi/theta) x^(3/2) - 3 pi^2/theta^2), in units of K R^(1/2) sigma^(3/2). x: a^2/(R
     sigma), with the contact radius a. theta: elastic adhesion index. K_beta: K beta, with K = (4/3) E* and the tangential
@@ -98,7 +98,7 @@ def mode_mixity_share(groups: Groups) -> np.ndarray:
 
 
 def pull_off_coordinate(segment: NormalSegment, groups: Groups) -> np.ndarray | None:
-    """Return the coordinate (n, 1) at which the load alone pulls a JKR contact off, or None for a segment in loading.
+    """Return the coordinate (n, 1) at which the load alone pulls a JKR contact off, or None for a loading segment.
 
     At this coordinate the peeling force is 0 and has a kink, because it is proportional to |u^3 - S/2|. u: coordinate of
     the JKR contact. S = sqrt(6 pi/theta), with the elastic adhesion index theta. groups: dimensionless groups of n

@@ -1,10 +1,10 @@
 r"""Junctions that grow under shear until their interface slides: McFarlane & Tabor 1950, Tabor 1959.
 
-*Assumes*: a junction is fully plastic if its mean pressure $p$ and its mean shear stress $\tau$ satisfy
-$p^2+\alpha\tau^2=H^2$, with the hardness $H$. A plastic junction grows under shear at constant load, so that the pressure falls
-and the shear stress may rise. Its interface slides at the shear strength $\tau_0=c\,\tau_b$, the fraction $c$ of the shear
-strength $\tau_b=H/\sqrt\alpha$ of the bulk. *Sources*: [mcfarlane_tabor_1950] and [tabor_1959]; the texts were not available.
-The criterion and its consequences are as commonly quoted, and derived again here.
+*Assumes*: a junction is fully plastic if its mean pressure $p$ and its mean shear stress $\tau$ satisfy $p^2+\alpha\tau^2=H^2$,
+with the hardness $H$. A plastic junction grows under shear at constant load, so the pressure falls and the shear stress may
+rise. Its interface slides at the shear strength $\tau_0=c\,\tau_b$, the fraction $c$ of the shear strength
+$\tau_b=H/\sqrt\alpha$ of the bulk. *Sources*: [mcfarlane_tabor_1950] and [tabor_1959]; the texts were not available. The
+criterion and its consequences are as commonly quoted, and derived again here.
 
 A plastic junction slides at the pressure $p=H\sqrt{1-c^2}$. An asperity with a lower pressure does not grow. Any other grows
 until its pressure has fallen to this value:
@@ -53,9 +53,8 @@ def grown_area(load, area, eta, share):
     """Return the contact area at which the interface of a junction slides, or `area` if the junction does not grow.
 
     Units: load W in K R^(1/2) sigma^(3/2), areas in pi R sigma. area: contact area before shear. eta: hardness group, so
-    that load/eta is W over the hardness H. share: c, strength of the interface divided by that of the bulk. The area A
-    follows from W^2 + alpha T^2 = H^2 A^2 with the force of the interface, T = c H A/sqrt(alpha). A mean pressure above H
-    counts as H.
+    load/eta is W over the hardness H. share: c, strength of the interface divided by that of the bulk. The area A follows from
+    W^2 + alpha T^2 = H^2 A^2 with the force of the interface, T = c H A/sqrt(alpha). A mean pressure above H counts as H.
     """
     return max(area, min(load / eta, area) / math.sqrt((1.0 - share) * (1.0 + share)))
 

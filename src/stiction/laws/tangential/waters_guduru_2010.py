@@ -59,7 +59,7 @@ _NEAR = 1e-9
 
 @formula
 def _grows(psi, p, kappa):
-    """Return a finite, continuous number with the same sign as the derivative of the peeling force by the phase angle.
+    """Return a finite, continuous number with the sign of the peeling force's derivative with respect to the phase angle.
 
     psi: phase angle of shear against opening. p: load divided by pull-off force. kappa: 1 - zeta, where zeta is the input
     `peeling` of the contact.

@@ -244,9 +244,9 @@ def pressure_difference(
 ) -> tuple[Difference, np.ndarray, np.ndarray]:
     """Compare pressures with those of the benchmark set; return the difference, and pressures and hardnesses within the set.
 
-    The errors of models are looked up at the returned pressures and hardnesses, (k,) each. pressure, hardness (k,): divided
-    by E* h', with the contact modulus E* and the rms slope h'. Below the smallest hardness of the set all points flow
-    plastically, so that only the ratio of pressure to hardness matters.
+    The errors of models are looked up at the returned pressures and hardnesses, (k,) each. pressure, hardness (k,): divided by
+    E* h', with the contact modulus E* and the rms slope h'. Below the smallest hardness of the set all points flow plastically,
+    so only the ratio of pressure to hardness matters.
     """
     low, high = float(known["loads"][0]), float(known["loads"][-1])
     softest = float(known["hardnesses"][1:].min())

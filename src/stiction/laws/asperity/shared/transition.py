@@ -3,8 +3,8 @@
 In Zhao, Maietta & Chang (2000) the contact area grows from pi R omega at omega_1 to 2 pi R omega at omega_2 = 54 omega_1 (R:
 tip radius, omega: displacement). It follows the cubic step 3 xi^2 - 2 xi^3, where xi grows linearly with omega from 0 at
 omega_1 to 1 at omega_2. omega_1 is the displacement at first yield, where the mean pressure is 0.4 times the hardness H.
-Without adhesion omega is proportional to the square of the elastic mean pressure p, so that p/H is 0.4 at omega_1 and
-sqrt(54) * 0.4 = 2.94 at omega_2.
+Without adhesion omega is proportional to the square of the elastic mean pressure p, so p/H is 0.4 at omega_1 and sqrt(54) *
+0.4 = 2.94 at omega_2.
 
 This project's own change (grade C): xi grows linearly with (p/H)^2, a rule that also works if hardness and modulus change with
 depth. The step starts at p = H, where the elastic asperity of soft_coating_2015 ends.
@@ -20,7 +20,7 @@ FULLY_PLASTIC = FULLY_PLASTIC_SQUARED**0.5  # p/H from which all of the asperity
 
 @formula
 def plastic_share(ratio):
-    """Return the plastic fraction of an asperity, from 0 (elastic) to 1 (fully plastic), and its derivative by `ratio`.
+    """Return the plastic fraction f of an asperity, from 0 (elastic) to 1 (fully plastic), and df/dratio.
 
     ratio: elastic mean pressure divided by hardness. The fraction is 0 for ratios up to 1, and 1 for ratios of
     FULLY_PLASTIC = 2.94 or more.

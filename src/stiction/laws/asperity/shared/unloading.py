@@ -52,7 +52,7 @@ def residual(w_max, load_max, area_max):
 
 @formula
 def unloading_response(w, w_max, w_res, load_max, area_max):
-    """Return load and contact area of an asperity in unloading, at the displacement w <= w_max; both are 0 below w_res.
+    """Return load and contact area of an asperity during unloading, at the displacement w <= w_max; both are 0 below w_res.
 
     w_max, load_max, area_max: displacement, load and area at the turning point, where unloading begins. w_res: displacement
     that remains at zero load. With s = (w - w_res)/(w_max - w_res) load and area are load_max s^(3/2) and area_max s,
@@ -76,10 +76,10 @@ def _recovery(state):
 
 @formula
 def _overshoots(state):
-    """Return whether the elastic recovery of an asperity in unloading would exceed its displacement; `residual` is then 0.
+    """Return whether the elastic recovery of an asperity during unloading would exceed its displacement; `residual` is then 0.
 
-    state: displacement, its derivative by the coordinate, load and contact area at the end of loading. Differences within
-    rounding error are ignored.
+    state: displacement, its derivative with respect to the coordinate, load and contact area at the end of loading. Differences
+    within rounding error are ignored.
     """
     return state[3] > 0.0 and state[2] > (1.0 + 1e-12) * state[0] * math.sqrt(state[3])
 

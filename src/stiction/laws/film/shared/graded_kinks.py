@@ -145,7 +145,7 @@ def _first_flowing(part, count):
 
 @lazy_kernel(worth=100_000)
 def _regained(low, high, above, law, level):
-    """Return the coordinate between low and high at which the load, after a fall, reaches `level` again.
+    """Return the coordinate between low and high at which the load, after a drop, reaches `level` again.
 
     above: load minus `level` at `high`. law: parameters of an asperity on a graded film.
     """

@@ -45,9 +45,9 @@ def signals(u, law):
 
 @formula
 def load_before_plateaus(u, law):
-    """Return the load without plateaus, its scaled derivative by ln u, and the elastic mean pressure divided by the hardness.
+    """Return the load P without plateaus, dP/d(ln u) in scaled form, and the ratio of elastic mean pressure to hardness.
 
-    The derivative is divided by hardness times contact area, so that it is of the order of one. u: coordinate. law: parameters
+    The derivative dP/d(ln u) is divided by hardness times contact area, so it is of order one. u: coordinate. law: parameters
     of an asperity on a graded film.
     """
     pull, eta, n_H, linear, square = law[:5]

@@ -89,9 +89,9 @@ def _not_yet(normal: Callable, parameters: int, resistance: Callable, own: int) 
 def slipping_law(tangential: TangentialLaw, displacement: np.ndarray, residual: float) -> TangentialLaw:
     """Return a tangential law that gives the force of contacts at a tangential displacement, in place of their strength.
 
-    tangential: law of the strength. displacement (n,): in units of sigma. residual: fraction of its strength that an
-    asperity retains once it slides. The slip-limited part of the returned law is the force. Its yield-limited part is the
-    energy lost per cycle of this amplitude, in the unit of force times sigma.
+    tangential: tangential law that gives the strength. displacement (n,): in units of sigma. residual: fraction of its strength
+    that an asperity retains once it slides. The slip-limited part of the returned law is the force. Its yield-limited part is
+    the energy lost per cycle of this amplitude, in the unit of force times sigma.
     """
     return _displaced(tangential, _slipping, displacement, np.full(len(displacement), residual))
 
@@ -99,7 +99,7 @@ def slipping_law(tangential: TangentialLaw, displacement: np.ndarray, residual: 
 def sticking_area_law(tangential: TangentialLaw, displacement: np.ndarray) -> TangentialLaw:
     """Return a tangential law whose resistance is the contact area that still sticks at a tangential displacement.
 
-    tangential: law of the strength. displacement (n,): in units of sigma.
+    tangential: tangential law that gives the strength. displacement (n,): in units of sigma.
     """
     return _displaced(tangential, _sticking_area, displacement)
 
@@ -109,9 +109,9 @@ def _displaced(
 ) -> TangentialLaw:
     """Return a tangential law in which the strength is replaced by a formula for displaced contacts.
 
-    tangential: law of the strength. formula_of(resistance, number of its parameters): returns the formula that replaces the
-    strength; it takes the parameters of the strength, then K beta, the displacement (n,) in units of sigma and `parameters`.
-    Coordinates at which asperities begin to slide become kinks and branch points of the law.
+    tangential: tangential law that gives the strength. formula_of(resistance, number of its parameters): returns the formula
+    that replaces the strength; it takes the parameters of the strength, then K beta, the displacement (n,) in units of sigma
+    and `parameters`. Coordinates at which asperities begin to slide become kinks and branch points of the law.
     """
 
     def resistance(segment: NormalSegment, groups: Groups, **options: str) -> TangentialResistance | None:
@@ -147,7 +147,7 @@ def _sticking(resistance: Callable, own: int) -> Any:
 def sticking_law(tangential: TangentialLaw) -> TangentialLaw:
     """Return a tangential law whose resistance is the tangential stiffness of the contacts at zero tangential displacement.
 
-    tangential: law of the strength. Contacts without strength have no stiffness.
+    tangential: tangential law that gives the strength. Contacts without strength have no stiffness.
     """
 
     def resistance(segment: NormalSegment, groups: Groups, **options: str) -> TangentialResistance | None:

@@ -6,7 +6,7 @@ area divided by the nominal area, A = erf(p / sqrt(2 V)). Persson (2001) has dV 
     dV/dV_c = S(A),   V = 0 at V_c = 0,   S(1) = 1,   at the end V_c = (E* h')^2 / 4
 
 (p: nominal pressure, E*: contact modulus, h': root mean square gradient, S: factor of the theory). V_c plays the role of time,
-so that only h' of the whole spectrum is needed. With q = p / sqrt(2 V), V = p^2 / (2 q^2), the equation becomes an integral,
+so only h' of the whole spectrum is needed. With q = p / sqrt(2 V), V = p^2 / (2 q^2), the equation becomes an integral,
 
     1 / (4 x^2) = J(q) = Int_q^inf dt / (t^3 S(erf t)),   x = p / (E* h'),   A = erf(q).
 

@@ -5,11 +5,11 @@ Under the load P and a shear force T, the edge of a contact of radius a releases
     G = (P_H - P)^2 S'/(4 pi a S^2) + zeta T^2 S_T'/(4 pi a S_T^2),    S_T = 8 a/beta,    S_T'/S_T^2 = (1 - e) beta/(8 a^2),
 
 where P_H is the load of a contact of this radius without adhesion, S the normal and S_T the tangential stiffness, S' and S_T'
-their derivatives by a, zeta the weight of the tangential energy release, beta the tangential compliance and e = d ln beta/d ln
-a. In equilibrium G equals the work of adhesion. As T grows at constant P, the contact shrinks, up to the largest T for which
-such a radius exists. With c = (P_H - P)/L, where L is the adhesive force of JKR's contact at this radius, and in the units of
-the laws, T^2 is the largest value of 32 pi n_g u^6/(theta zeta K beta (1 - e)) (1 - c^2) over c from 0 to 1. n_g: work of
-adhesion of the film divided by the substrate's; theta: adhesion index; u^4 = a^2/(R sigma).
+their derivatives with respect to a, zeta the weight of the tangential energy release, beta the tangential compliance and e = d
+ln beta/d ln a. In equilibrium G equals the work of adhesion. As T grows at constant P, the contact shrinks, up to the largest T
+for which such a radius exists. With c = (P_H - P)/L, where L is the adhesive force of JKR's contact at this radius, and in the
+units of the laws, T^2 is the largest value of 32 pi n_g u^6/(theta zeta K beta (1 - e)) (1 - c^2) over c from 0 to 1. n_g: work
+of adhesion of the film divided by the substrate's; theta: adhesion index; u^4 = a^2/(R sigma).
 """
 
 import math

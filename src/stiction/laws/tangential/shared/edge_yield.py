@@ -15,7 +15,7 @@ def coefficients(nu):
     """Return the coefficients n, p and q of the stresses at the trailing edge of a Hertz contact.
 
     n = (1-2nu)/(2 pi), p = 3(4+nu)/16 and q = 9nu/16, with Poisson's ratio nu. The stresses are derived in
-    docs/explanation/theory.md, yield at the edge.
+    docs/explanation/theory.md, section 3.2.
     """
     return (1.0 - 2.0 * nu) / (2.0 * math.pi), 3.0 * (4.0 + nu) / 16.0, 9.0 * nu / 16.0
 

@@ -6,7 +6,7 @@ powers of the distance r from the axis and lose accuracy near it. Here they are 
 
     z = M N,   r^2 = (1 + M^2)(1 - N^2)
 
-All these powers cancel in the new coordinates, so that the formulas are accurate everywhere. The contact is at M = 0, the free
+All these powers cancel in the new coordinates, so the formulas are accurate everywhere. The contact is at M = 0, the free
 surface at N = 0, the axis at N = 1.
 """
 

@@ -7,9 +7,9 @@ section 3) where
 
     G(y) = [D s^2 + 3n(p-q) s y (y-1) + 3n^2 y^2 (y-1)^2] / y^(8/3)   equals   (e/(pi k))^2.
 
-n, p and q are the stress coefficients of `edge_yield.coefficients`, D = p^2 + q^2 - pq, g = 4/sqrt(3 K beta), and
-s = g |y - 1/2| (corrected) or g sqrt(y^2 - 1/4) (as printed). The crossings are bracketed between the turning points of G, so
-that none can be missed.
+n, p and q are the stress coefficients of `edge_yield.coefficients`, D = p^2 + q^2 - pq, g = 4/sqrt(3 K beta), and s = g |y -
+1/2| (corrected) or g sqrt(y^2 - 1/4) (as printed). The crossings are bracketed between the turning points of G, so none can be
+missed.
 """
 
 import math
@@ -42,7 +42,7 @@ def _shape(nu, K_beta):
 
 @formula
 def _numerator(y, shape, printed):
-    """Return G(y) y^(8/3) and its derivative by y, with the function G of this module.
+    """Return G(y) y^(8/3) and its derivative with respect to y, with the function G of this module.
 
     Slip and yield resistance of an asperity are equal where G(y) equals a certain value. y = (u/S^(1/3))^3, with the coordinate
     u and the strength of adhesion S. shape: coefficients from `_shape`. printed: whether the slip resistance follows eq (10) of
@@ -71,10 +71,10 @@ def _steepness(y, shape, printed):
 
 @formula
 def _turning_point(low, high, shape, printed):
-    """Return the y between low and high at which the function G of this module has an extremum, or `high` without one.
+    """Return the y between low and high at which the function G of this module has an extremum, or `high` if there is none.
 
     G, y, shape, printed: as in `_numerator`. The search is regula falsi (Illinois variant). An accuracy of 1e-8 is enough: G is
-    flat at an extremum, so that its value there is accurate to 1e-16.
+    flat at an extremum, so its value there is accurate to 1e-16.
     """
     at_low, at_high = _steepness(low, shape, printed), _steepness(high, shape, printed)
     if (at_low < 0.0) == (at_high < 0.0):
@@ -156,7 +156,7 @@ def _crossing(low, high, level, shape, printed):
 
 @formula
 def _unloading_kinks(out, level, shape):
-    """Fill out[0:6] with the kinks v at and below first touch, which an asperity reaches only in unloading.
+    """Fill out[0:6] with the kinks v at and below first touch, which an asperity reaches only during unloading.
 
     v: coordinate u divided by S^(1/3), with the strength of adhesion S. level: value of the function G of this module at
     which slip and yield resistance are equal. shape: coefficients from `_shape`. The slip resistance vanishes at v^3 = 1/2,
