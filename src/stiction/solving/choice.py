@@ -50,7 +50,7 @@ class LawKeywords(TypedDict, total=False):
 
 @dataclass(frozen=True)
 class Choice:
-    """Name a model with its laws and options, by their keys.
+    """Hold the keys of a model and of its laws, and its options.
 
     model: key of the model; None for the default model. asperity, tangential, film: keys of laws that replace those of the
     model; None keeps the law of the model, and tangential = "none" omits friction. options: values by name; None stands for

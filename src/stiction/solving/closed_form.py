@@ -14,7 +14,7 @@ from stiction.solving.problem_base import Problem, with_coefficient
 
 @dataclass(frozen=True)
 class ClosedFormProblem(Problem):
-    """Represent contacts under a closed-form theory, which does not sum over asperities.
+    """Represent contacts that are solved by a closed-form theory, without a sum over asperities.
 
     Friction, if any, is computed by a law of the interface from load and contact area.
     """

@@ -164,7 +164,7 @@ def points_outside(problem: Problem, curve: Mapping[str, np.ndarray]) -> np.ndar
 
 
 def rules_of(problem: Problem) -> list[Validity]:
-    """Return every validity range that results of this problem can violate, each once.
+    """Return every validity range that results of this problem can violate, without duplicates.
 
     The list depends on the laws and the problem, not on the values of its results.
     """

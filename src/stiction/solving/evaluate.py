@@ -162,7 +162,7 @@ def _separations(h) -> np.ndarray:
 
 
 def _regimes(laws: dict[str, np.ndarray], choice: Choice) -> list[Regime]:
-    """Return the regimes of the 2015 asperity law (smooth parts of it) for many sets of dimensionless groups.
+    """Return the regimes (smooth parts) of the 2015 asperity law for many sets of dimensionless groups.
 
     laws: flat arrays of the groups, by name. A film has the Poisson ratio and the work of adhesion of the substrate, and is
     treated as a half-space.

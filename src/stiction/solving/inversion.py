@@ -306,7 +306,7 @@ def largest_tension(load: Callable, h: np.ndarray, loads: np.ndarray) -> tuple[n
     """Find the largest tension (n,) and its separation (n,) from loads on a grid; 0 and NaN if no load is negative.
 
     load(h, law): function that returns the loads of the contacts with the indices `law` at the separations h, element by
-    element. h, loads (n, H): ordered separations and the loads at them. The minimum of the load is searched between the two
+    element. h, loads (n, H): ordered separations and the loads at them. The minimum of the load is located between the two
     neighbours of the lowest load.
     """
     laws = np.arange(len(loads))

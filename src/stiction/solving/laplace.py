@@ -41,7 +41,7 @@ def pull_and_bound(sums: np.ndarray, regimes: list[Regime], most: np.ndarray) ->
 def bounded(sums: np.ndarray, regimes: list[Regime], most: np.ndarray) -> np.ndarray:
     """Scale the meniscus loads in the sums (regimes, ..., 5) down to their upper bound, in place, and return the sums.
 
-    most: factors (2, ...) of `most_pull`.
+    most: factors (2, ...) from `most_pull`.
     """
     pull, bound = pull_and_bound(sums, regimes, most)
     above = pull > bound

@@ -230,14 +230,14 @@ class MapProblem(Problem):
             yield state, each * unit["N"] / whole
 
     def _sheared(self, loads: np.ndarray, area: float, state: str) -> float:
-        """Return the total normalised tangential force of points of the map, by the tangential law.
+        """Return the total normalised tangential force of points of the map according to the tangential law.
 
         loads: normalised load (n,) of each point. area: normalised contact area of each point. state: "elastic" or "plastic".
         """
         return self._each_sheared(loads, area, state).sum()
 
     def _each_sheared(self, loads: np.ndarray, area: float, state: str) -> np.ndarray:
-        """Return the normalised tangential force (n,) of each point of the map, by the tangential law.
+        """Return the normalised tangential force (n,) of each point of the map according to the tangential law.
 
         loads: normalised load (n,) of each point. area: normalised contact area of each point. state: "elastic" or "plastic".
         """

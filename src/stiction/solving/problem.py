@@ -39,9 +39,9 @@ _COUNT, LOAD, _AREA, SLIP_LIMITED, _YIELD_LIMITED = range(5)  # in the order of 
 
 @dataclass(frozen=True)
 class AsperitySum(Problem):
-    """Represent contacts under a sum over asperities.
+    """Represent contacts that are solved by a sum over asperities.
 
-    The engine integrates the regimes of the asperity law (smooth parts of it) over the distribution of asperity heights.
+    The engine integrates the regimes (smooth parts) of the asperity law over the distribution of asperity heights.
     """
 
     @property

@@ -18,7 +18,7 @@ from stiction.solving.chosen import ResolvedLaws
 
 @dataclass(frozen=True)
 class Problem(ABC):
-    """Represent n contacts under one model, and solve them.
+    """Represent n contacts with one model, and solve them.
 
     chosen: model and laws. groups: dimensionless groups of the contacts, in one dimension. heights: distribution of the
     asperity heights. dims: named dimensions of the contacts with their sizes; n is the product. coords: coordinates of the

@@ -127,7 +127,7 @@ def with_shares(problem: Problem, tables: Mapping[str, np.ndarray]) -> dict[str,
 
 
 def _change_by_junctions(problem: Problem, tables: Mapping[str, np.ndarray]) -> dict[str, str]:
-    """Return an attribute that describes how mu differs from mu by the published law; {} if the published law is in use.
+    """Return an attribute that describes how mu differs from the value by the published law; {} if that law is in use.
 
     They differ if an option gives yielded junctions the resistance of another law.
     """

@@ -47,9 +47,9 @@ _DEEPEST, _HIGHEST, _NODES = -8.0, 8.0, 4001
 def efficiency(spread, residual, constants=FITTED):
     """Return the largest tangential force of a contact, divided by the sum of the strengths of its spots.
 
-    spread: standard deviation of the spots' shear displacement, divided by the slip in which strength is lost, >= 0. residual:
-    fraction of the strength that remains after slip, 0 to 1. The shapes broadcast. constants: b, m and w of equations (1) and
-    (2) of this module.
+    spread: standard deviation of the spots' shear displacement, divided by the slip over which strength is lost, >= 0.
+    residual: fraction of the strength that remains after slip, 0 to 1. The shapes broadcast. constants: b, m and w of equations
+    (1) and (2) of this module.
     """
     b, m, w = constants
     alone = (1.0 + (b * (1.0 - residual) * spread) ** m) ** (-0.5 / m)
@@ -58,7 +58,7 @@ def efficiency(spread, residual, constants=FITTED):
 
 
 def spot_radius(share, deviation, radius, density):
-    """Return the mean radius of contact spots [m], by Greenwood & Williamson's model with Gaussian heights.
+    """Return the mean radius of contact spots [m] in Greenwood & Williamson's model with Gaussian heights.
 
     share: ratio of real to nominal contact area, 0 to 1. deviation [m], radius [m], density [1/m2]: standard deviation of the
     heights, radius and number per area of the asperities. The shapes broadcast.

@@ -43,8 +43,8 @@ def solve(
     Parameters
     ----------
     contact : Contact or Indices
-        For a Contact of bodies all values are in SI units, for Indices all are normalised, per asperity (theory.md). Any
-        number in it may be an array with a named dimension (`st.axis`); the result then has that dimension.
+        All values are in SI units for a Contact, and normalised per asperity (theory.md) for Indices. Any number in it may be
+        an array with a named dimension (`st.axis`); the result then has that dimension.
     separation : float [m], str with a unit, or array, optional
         Mean separation, for Indices in units of sigma. Scalar, one-dimensional, or an xarray.DataArray with named
         dimensions.
@@ -65,10 +65,10 @@ def solve(
     Returns
     -------
     xarray.Dataset
-        With units and long names, over the dimensions of contact and points: load, contact_area, friction_force,
-        friction_coefficient (NaN where the net load is not compressive), mean_separation, touching_asperities,
-        pull_off_force and their parts by state, body and limit. Results that a model does not compute are missing.
-        Attributes: model, options, sources, and `outside_validity` in words, `validity_warnings` as JSON. With a measured
+        Results with units and long names, along the dimensions of contact and points: load, contact_area, friction_force,
+        friction_coefficient (NaN where the net load is not compressive), mean_separation, touching_asperities, pull_off_force
+        and their parts by state, body and limit. Results that a model does not compute are missing. Attributes: model, options,
+        sources, and the validity warnings as text (`outside_validity`) and as JSON (`validity_warnings`). With a measured
         surface also friction_coefficient_by_method (asperity_method, points), friction_coefficient_low and
         friction_coefficient_high.
 

@@ -168,9 +168,9 @@ def _described(subject: Subject, name: str) -> dict[str, str]:
 class _Unloading:
     """Represent the unloading of n contacts.
 
-    pressed: the problem at loading. released: function of (groups, distance, **own options of the asperity law) that
-    returns the segments after the separation has grown by `distance`, in units of sigma, since the turning point. how: text
-    on the assumption about the asperities.
+    pressed: the problem during loading. released: function of (groups, distance, **own options of the asperity law) that
+    returns the segments after the separation has grown by `distance`, in units of sigma, since the turning point. how: text on
+    the assumption about the asperities.
     """
 
     pressed: AsperitySum

@@ -87,7 +87,7 @@ def ignored_strength(problem: Problem) -> list[str]:
 def refuse_ignored_strength(problem: Problem, choice: Choice) -> None:
     """Raise InputError if the default model would ignore a stated shear strength or pressure coefficient of the interface.
 
-    A model or tangential law that the user named may ignore it; the result then lists it as unused.
+    A model or tangential law chosen by the user may ignore such an input; the result then lists it as unused.
     """
     if choice.model is not None or choice.tangential is not None:
         return

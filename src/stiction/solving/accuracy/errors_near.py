@@ -41,12 +41,12 @@ _COUNTED = 0.1  # weight over that of the nearest surface from which a surface c
 class ErrorsNear(NamedTuple):
     """Store the errors of a model's contact area at k points, averaged over similar benchmark surfaces.
 
-    A point is one contact at one load. The error is ln(A/A_ref), with the area A by the model and A_ref by the reference
-    solution. levels (k, 5): quantiles of the error at the probabilities LEVELS. relative: root mean square of A/A_ref - 1.
-    middle: mean of the error over surfaces of the stated kind, or over Gaussian surfaces if neither map nor kind is stated.
-    distance: distance of the nearest surface. coverage: fraction of the total weight on surfaces for which the model has a
-    result. surfaces: number of surfaces with a noticeable weight. nearest: for each point a function that returns a text on
-    how the nearest surface differs, or "" if it hardly differs. All arrays but levels are (k,).
+    A point is one contact at one load. The error is ln(A/A_ref), where A is the area by the model and A_ref that by the
+    reference solution. levels (k, 5): quantiles of the error at the probabilities LEVELS. relative: root mean square of
+    A/A_ref - 1. middle: mean of the error over surfaces of the stated kind, or over Gaussian surfaces if neither map nor kind
+    is stated. distance: distance of the nearest surface. coverage: fraction of the total weight on surfaces for which the model
+    has a result. surfaces: number of surfaces with a noticeable weight. nearest: for each point a function that returns a text
+    on how the nearest surface differs, or "" if it hardly differs. All arrays but levels are (k,).
     """
 
     levels: np.ndarray
@@ -180,9 +180,9 @@ def _bare_errors(known: SolvedSet, errors: _Table, areas: _Table, features: Cont
 def film_errors_near(known: SolvedSet, errors: np.ndarray, features: ContactFeatures, like: np.ndarray) -> ErrorsNear:
     """Return the errors of a model at k points, averaged over similar benchmark surfaces with a film.
 
-    known: the benchmark set. errors: array (coated surfaces, films, loads) of ln(A/A_ref), with A the area by the model and
-    A_ref by the reference solution. features: features of the contact at k points. like: mask (k,) of the points whose film is
-    of the kind that the benchmark set contains; the others get NaN.
+    known: the benchmark set. errors: array (coated surfaces, films, loads) of ln(A/A_ref), where A is the area by the model and
+    A_ref that by the reference solution. features: features of the contact at k points. like: mask (k,) of the points whose
+    film is of the kind that the benchmark set contains; the others get NaN.
     """
     surfaces = math.prod(errors.shape[:2])
     return _in_blocks(features, surfaces, lambda rows: _film_errors(known, errors, features.some(rows), like[rows]))
@@ -258,7 +258,7 @@ def _at_lighter_load(
 def _averaged(
     errors: np.ndarray, with_result: np.ndarray, all_surfaces: np.ndarray, apart: list[Difference], presumed: np.ndarray
 ) -> ErrorsNear:
-    """Return statistics of the errors (k, s) on s surfaces, for each of k points (one contact at one load).
+    """Return statistics of the errors (k, s) on s surfaces for each of k points (one contact at one load).
 
     with_result, all_surfaces: weights (k, s), 0 to 1, of the surfaces for which the model has a result, and of all
     benchmark surfaces; all_surfaces is 0 for points that get no error. apart: differences that add up to the squared

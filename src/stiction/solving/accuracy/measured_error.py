@@ -58,15 +58,15 @@ _SUM = "greenwood_williamson_1966"
 class MeasuredErrors:
     """Store the measured errors of a model's contact area at k points (one contact at one load); arrays are (k,) unless stated.
 
-    The error is ln(A/A_ref), with A the area by the model and A_ref by the reference solution. column: model and asperity
-    method. area: mean error over benchmark surfaces of the stated kind, or over Gaussian surfaces if neither map nor kind is
-    known. levels (k, 5): quantiles of the error on the nearest surfaces at the probabilities errors_near.LEVELS, even if these
-    surfaces are far away; NaN where nothing was measured. relative: root mean square of A/A_ref - 1 over these surfaces.
-    friction: error of ln(mu) due to the area, for laws of the interface. distance: distance of the nearest surface. surfaces:
-    number of surfaces with a noticeable weight. trust: weight from 1 for a near surface to 0 where nothing was measured.
-    sample: standard error of ln(A) because the map is only a window of a larger surface, for models that solve the map.
-    why_not: reason why no error is known at some points, or "". nearest: for each point a function that returns a text on how
-    the nearest surface differs, or "". kind_known: whether the kind of surface is known. kind: the stated kind.
+    The error is ln(A/A_ref), where A is the area by the model and A_ref that by the reference solution. column: model and
+    asperity method. area: mean error over benchmark surfaces of the stated kind, or over Gaussian surfaces if neither map nor
+    kind is known. levels (k, 5): quantiles of the error on the nearest surfaces at the probabilities errors_near.LEVELS, even
+    if these surfaces are far away; NaN where nothing was measured. relative: root mean square of A/A_ref - 1 over these
+    surfaces. friction: error of ln(mu) due to the area, for laws of the interface. distance: distance of the nearest surface.
+    surfaces: number of surfaces with a noticeable weight. trust: weight from 1 for a near surface to 0 where nothing was
+    measured. sample: standard error of ln(A) because the map is only a window of a larger surface, for models that solve the
+    map. why_not: reason why no error is known at some points, or "". nearest: for each point a function that returns a text on
+    how the nearest surface differs, or "". kind_known: whether the kind of surface is known. kind: the stated kind.
     """
 
     column: str

@@ -89,7 +89,7 @@ class SolvedSet:
     def errors(self, column: str) -> np.ndarray | None:
         """Return the errors ln(A/A_ref) of a model (surfaces, hardnesses, pressures); None if the model was not measured.
 
-        column: "model|asperity method". A: contact area by the model, A_ref: by the reference solution.
+        column: "model|asperity method". A, A_ref: contact area by the model and by the reference solution.
         """
         return self._of("columns", "which", "errors", column)
 
@@ -97,7 +97,7 @@ class SolvedSet:
     def film_errors(self, column: str) -> np.ndarray | None:
         """Return the errors ln(A/A_ref) of a model on films (coated surfaces, films, loads); None if it was not measured.
 
-        column: "model|asperity method". A: contact area by the model, A_ref: by the reference solution.
+        column: "model|asperity method". A, A_ref: contact area by the model and by the reference solution.
         """
         return self._of("film_columns", "film_which", "film_errors", column)
 
