@@ -11,7 +11,7 @@ demo: $(VENV)/.ready
 	$(BIN)/stiction run examples/soft_film.toml --out demo
 
 test: $(VENV)/.ready
-	$(BIN)/python -m pytest -n auto --dist loadgroup
+	$(BIN)/python -m pytest -n auto --dist loadfile --no-loadscope-reorder
 
 bench: $(VENV)/.ready
 	$(BIN)/python benchmarks/run.py

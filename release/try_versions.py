@@ -62,7 +62,7 @@ def main() -> int:
             "-n",
             os.environ.get("WORKERS", "2"),
         ]
-        done = run(*words, "--dist", "loadgroup", *given.tests, cwd=ROOT, env=outside() | {"PINNED_WITHIN": PINNED_WITHIN})
+        done = run(*words, "--dist", "loadfile", *given.tests, cwd=ROOT, env=outside() | {"PINNED_WITHIN": PINNED_WITHIN})
         print(done.stdout[-4000:], done.stderr[-2000:])
         summary = re.findall(r"^=*\s*(?:\d+ \w+, )*\d+ passed.*?(?= in )", done.stdout, re.MULTILINE)
         versions = {canonical(one.name): one.version for one in installed(Path(place) / "environment")}

@@ -26,26 +26,17 @@ WORTH_COMPILING, tiers._WORTH_COMPILING = tiers._WORTH_COMPILING, 10_000_000
 signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
-@pytest.hookimpl(tryfirst=True)  # before xdist reads the marks
 def pytest_collection_modifyitems(items):
-    """What one process does alone, as the browser, begins where two thirds are done: kernels are compiled by then, and the
-    other process has enough left to do meanwhile. Tests that share a fixture of their module run in one process, which makes
-    it once."""
-    alone = [item for item in items if item.get_closest_marker("xdist_group")]
-    others = [item for item in items if not item.get_closest_marker("xdist_group")]
-    for item in others:
-        if group := _shared_by(item):
-            item.add_marker(pytest.mark.xdist_group(group))
+    """Move the tests of the page to where two thirds are done: the kernels that its servers need are compiled by then.
+
+    Processes take whole files in this order. The browser takes minutes, and the other processes have enough left meanwhile.
+    """
+    page = [item for item in items if item.path.parent.name == "web"]
+    others = [item for item in items if item.path.parent.name != "web"]
+    page.sort(key=lambda item: item.path.name != "test_browser.py")
     done = 2 * len(others) // 3
-    items[:] = [*others[:done], *alone, *others[done:]]
-
-
-def _shared_by(item):
-    """Return the module of a test with the parameters of the module's fixtures that it uses; "" if it uses none."""
-    fixtures = getattr(item, "_fixtureinfo", None)
-    found = {name for name, known in fixtures.name2fixturedefs.items() if known[-1].scope == "module"} if fixtures else set()
-    chosen = getattr(getattr(item, "callspec", None), "indices", {})
-    return "-".join([item.module.__name__, *(str(chosen[name]) for name in sorted(found & chosen.keys()))]) if found else ""
+    before = others[:done] + [item for item in others[done:] if item.path == others[done - 1].path]  # no file is split
+    items[:] = [*before, *page, *others[len(before) :]]
 
 
 @pytest.fixture(autouse=True)

@@ -14,7 +14,6 @@ from stiction.solving.accuracy.errors_near import LEVELS
 from stiction.solving.accuracy.solved_set import solved_set
 from stiction.studies.prediction.area_weights import FILE
 
-pytestmark = pytest.mark.xdist_group("stacking")  # its tables are slow to compute: in one process, once
 ROOT = Path(__file__).parents[2]
 
 
