@@ -192,11 +192,11 @@ def _fill_displacement(s, g, lam, out):
 
 
 def segments(groups: Groups, branch: str) -> list[NormalSegment]:
-    """Return a list with the one segment of Maugis's contact, during loading (from w = 0) or during unloading.
+    """Return a list of one segment, Maugis's contact during loading (from w = 0) or during unloading.
 
-    During unloading it starts where dw/ds = 0 or, if the contact stays stable, at s = 0, a contact that has shrunk to a point.
-    w: displacement. s: coordinate. groups: dimensionless groups of n contacts. branch: "loading" or "unloading". An edge is
-    placed at s = 4, beyond which the functions of the attracting ring vary on another scale.
+    For unloading the segment starts where dw/ds = 0 or, if the contact stays stable, at s = 0, where the contact has shrunk to
+    a point. w: displacement. s: coordinate. groups: dimensionless groups of n contacts. branch: "loading" or "unloading". An
+    edge is placed at s = 4, beyond which the functions of the attracting ring vary on another scale.
     """
     lam = np.minimum(LAMBDA_OVER_TABOR * groups.tabor_parameter, _SOFTEST)
     g = np.cbrt(math.pi / groups.theta)

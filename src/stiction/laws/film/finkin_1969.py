@@ -83,9 +83,9 @@ def stiffness(groups: Groups, bound: str) -> np.ndarray:
 def regimes(groups: Groups, law, bound: str) -> list[Regime]:
     """Return the regimes of a surface with a thin elastic layer on a rigid substrate.
 
-    A regime is a segment of an asperity law together with the tangential force on it. groups: dimensionless groups of n
-    coated contacts. law: only its tangential law is used, which must describe the interface. bound: key of BOUNDS. There
-    are two regimes: contact radii below the film thickness, and wider ones (in_half_space=False).
+    A regime is a segment of an asperity law together with the tangential force on it. groups: dimensionless groups of n coated
+    contacts. law: only its tangential law is used, which must describe the interface. bound: key of BOUNDS. There are two
+    regimes, one for contact radii below the film thickness and one for larger radii (in_half_space=False).
     """
     laws = len(groups)
     _, power, widening = BOUNDS[bound]

@@ -64,7 +64,7 @@ _SLOPE = 0.1  # below this angle tan x - x is summed as a series, below 2.5 time
 
 @formula
 def arc_excess(x):
-    """Return sin x - x cos x for x >= 0, without loss of digits at small x."""
+    """Return sin x - x cos x for x >= 0, without loss of precision at small x."""
     y = x * x
     if x > 2.5 * _SLOPE:
         return math.sin(x) - x * math.cos(x)
@@ -73,7 +73,7 @@ def arc_excess(x):
 
 @formula
 def tan_excess(x):
-    """Return tan x - x for 0 <= x < pi/2, without loss of digits at small x."""
+    """Return tan x - x for 0 <= x < pi/2, without loss of precision at small x."""
     y = x * x
     if x > _SLOPE:
         return math.tan(x) - x

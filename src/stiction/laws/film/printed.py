@@ -1,4 +1,4 @@
-r"""The equations of the 2015 paper exactly as printed, bare and with the soft film of eqs. (6) and (15).
+r"""The equations of the 2015 paper exactly as printed, for bare surfaces and for the soft film of eqs. (6) and (15).
 
 *Assumes*: the printed equations. This film law belongs to the published variant of the model and serves to reproduce the
 paper. *Source*: [soft_coating_2015], eqs. (1) to (15); [theory, section 5](theory.md#5-coated-surface). The corrected variant

@@ -1,4 +1,4 @@
-r"""A soft film that deforms alone up to its own thickness, then the substrate: corrected variant of the 2015 paper.
+r"""A soft film that deforms alone up to its thickness, followed by the substrate: corrected variant of the 2015 paper.
 
 *Assumes*: the film deforms alone, as a half-space, until the displacement equals its thickness. Beyond, it keeps its load and
 resistance, and the substrate deforms by the displacement minus the film thickness. *Source*: [soft_coating_2015], eqs. (6) and

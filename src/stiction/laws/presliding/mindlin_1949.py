@@ -80,9 +80,9 @@ from stiction.records.sources import Source
 def stiffness(area, K_beta):
     """Return the tangential stiffness of a contact at zero tangential force, 8 sqrt(area)/(K beta), as a dimensionless number.
 
-    area: contact area in units of pi R sigma. K_beta: K beta, with K = (4/3) E* and the tangential compliance beta of the
-    pair of bodies, with 1/beta = G*. In SI the stiffness is k_t = 8 a/beta with the contact radius a; the result is k_t
-    sigma/(K R^(1/2) sigma^(3/2)).
+    area: contact area in units of pi R sigma. K_beta: K beta, with K = (4/3) E* and the tangential compliance beta = 1/G* of
+    the pair of bodies. In SI the stiffness is k_t = 8 a/beta with the contact radius a; the result is k_t sigma/(K R^(1/2)
+    sigma^(3/2)).
     """
     return 8.0 * math.sqrt(area) / K_beta
 

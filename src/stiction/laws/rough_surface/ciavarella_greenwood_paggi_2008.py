@@ -64,7 +64,7 @@ def curve(h: np.ndarray, groups: Groups) -> tuple[np.ndarray, np.ndarray]:
 
 
 def separation_near(load: np.ndarray, groups: Groups) -> np.ndarray:
-    """Return separations (n, H), in units of sigma, at the loads (n, H), as starting values of a search.
+    """Return separations (n, H), in units of sigma, at the loads (n, H), as starting values for a search.
 
     load: per asperity, in units of K R^(1/2) sigma^(3/2). The separations are those of independent asperities minus the
     displacement of the nominal area.

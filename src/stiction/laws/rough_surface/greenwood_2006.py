@@ -51,7 +51,7 @@ def curve(h: np.ndarray, groups: Groups) -> tuple[np.ndarray, np.ndarray]:
 
 
 def separation_near(load: np.ndarray, groups: Groups) -> np.ndarray:
-    """Return approximate separations (n, H), in units of sigma, at the loads (n, H), as starting values of a search.
+    """Return approximate separations (n, H), in units of sigma, at the loads (n, H), as starting values for a search.
 
     load: per asperity, in units of K R^(1/2) sigma^(3/2).
     """

@@ -193,9 +193,9 @@ def _pressure_of(share: np.ndarray) -> np.ndarray:
 def _beyond_bare(known: SolvedSet) -> np.ndarray | None:
     """Return the errors of the area law for films minus those of the law for bare surfaces, on benchmark surfaces with films.
 
-    Errors are ln(A/A_ref), with A the area by the law and A_ref by the reference solution; the array is (coated surfaces,
-    films, loads). The bare-surface errors are interpolated to the pressure at which, by Persson (2001), a bare surface has the
-    contact area that the film law computes. The result is None if the set has no such errors.
+    Errors are ln(A/A_ref), where A is the area by the law and A_ref that by the reference solution; the array is (coated
+    surfaces, films, loads). The bare-surface errors are interpolated to the pressure at which, according to Persson (2001), a
+    bare surface has the contact area that the film law computes. The result is None if the set has no such errors.
     """
     errors, bare = known.film_errors(_ON_FILM), known.errors(_BARE)
     if errors is None or bare is None:

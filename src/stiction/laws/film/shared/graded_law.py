@@ -1,4 +1,4 @@
-"""Formulate the asperity of a graded film: modulus and hardness depend on depth (docs/explanation/theory.md, section 5.3).
+"""Formulate the law of an asperity on a graded film: modulus and hardness depend on depth (theory.md, section 5.3).
 
 This project's own composition (grade C) of published parts: the modulus of film and substrate at a given contact radius
 (Gao, Chiu & Lee 1992), their hardness at a given depth (Bhattacharya & Nix 1988), the JKR contact, and the transition to full

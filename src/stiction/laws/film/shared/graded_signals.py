@@ -20,7 +20,7 @@ NEARER = 0.3  # a near miss is examined if the parabola through it comes closer 
 def signals(u, law):
     """Return five numbers at the coordinate u whose sign changes are kinks of the law of a graded film.
 
-    In this order they are zero where the asperity first yields; where it becomes fully plastic; where the yield resistance
+    They are zero, in this order, where the asperity first yields; where it becomes fully plastic; where the yield resistance
     stops being real in tension (a branch point, S3.9); where the yield resistance vanishes in compression (S3.10); and where
     slip and yield resistance are equal (S3.11, divided by the strength). law: parameters of an asperity on a graded film.
     """

@@ -112,7 +112,7 @@ def half_space_at_yield(groups: Groups, modulus: np.ndarray, hardness: np.ndarra
     """Return the dimensionless groups (n,) of the uniform half-space that replaces film and substrate at first yield.
 
     groups: dimensionless groups of n coated contacts. modulus, hardness (n,): modulus of the half-space divided by the bare
-    bodies', and its hardness over the substrate's. place (n,): -1 for Poisson's ratio of the film, 1 for the substrate's,
+    bodies', and its hardness divided by the substrate's. place (n,): -1 for Poisson's ratio of the film, 1 for the substrate's,
     linear in between. The work of adhesion is the film's.
     """
     theta, lam, tabor, eta = groups.theta, groups.lam, groups.tabor_parameter, groups.hardness_group

@@ -11,7 +11,7 @@ SEGMENTS = 56
 
 @lru_cache(maxsize=1)
 def to_coefficients() -> np.ndarray:
-    """Return the matrix (SEGMENTS + 3, SEGMENTS + 1) that turns values at the knots into coefficients of a cubic B-spline.
+    """Return the matrix (SEGMENTS + 3, SEGMENTS + 1) that converts values at the knots to coefficients of a cubic B-spline.
 
     The spline satisfies the not-a-knot condition at both ends.
     """
