@@ -137,10 +137,10 @@ def choice_of(name: str | None, given: Mapping[str, Any], subject: Subject) -> C
 
 
 def with_interface(choice: Choice, groups: Groups) -> Choice:
-    """Return the choice with the interface law that uses most of the stated interface properties.
+    """Return the choice with the interface law that uses most of the specified interface properties.
 
-    groups: dimensionless groups of the contact. The law is "none" if no shear strength is stated. The choice stays unchanged if
-    it names a tangential law, or if the model has one.
+    groups: dimensionless groups of the contact. The law is "none" if no shear strength is specified. The choice stays unchanged
+    if it names a tangential law, or if the model has one.
     """
     if choice.tangential is not None or find(choice.model_key, RoughSurface).tangential != "none":
         return choice

@@ -116,7 +116,7 @@ def _additions(
 ) -> dict[str, Addition]:
     """Return the additional laws (menisci, ageing ...) by keyword: laws that the choice names, and default laws.
 
-    A default law is added if the contact states the quantities that it needs; it is omitted if it cannot be combined with
+    A default law is added if the contact specifies the quantities that it needs; it is omitted if it cannot be combined with
     the other laws. A named law that cannot be combined, or an unknown key, raises InputError.
     """
     additions: dict[str, Addition] = {}

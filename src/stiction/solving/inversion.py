@@ -355,7 +355,7 @@ def _loads_past(problem: Problem, targets: np.ndarray) -> tuple[np.ndarray, np.n
 
 
 def _deepest(problem: Problem) -> np.ndarray | float:
-    """Return the largest depth -h of the search for a load, in units of sigma, (n,) or a number.
+    """Return the largest depth -h, in units of sigma, at which a load is searched for, as an array (n,) or a number.
 
     An asperity pressed by delta touches the area pi R delta/2 or more, so N asperities per area fill the plane when pressed by
     2/(pi N R) (R: asperity radius). For listed heights, which may be nearly equal, the result is FARTHEST. It is 0 if the

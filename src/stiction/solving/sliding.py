@@ -85,7 +85,7 @@ def slide(
         For a map: stiffness of the machine, through which a slow drive moves the map. By default the machine is rigid.
     model : str, optional
         As in `solve`: a sum over an asperity law, or "boundary_elements", which moves the points of a map. For a contact
-        without stated adhesion the default is "greenwood_williamson_1966" with the asperities of Zhao, Maietta and Chang.
+        without specified adhesion the default is "greenwood_williamson_1966" with the asperities of Zhao, Maietta and Chang.
     heights : Heights or str, optional
         As in `solve`.
     **laws : str, optional

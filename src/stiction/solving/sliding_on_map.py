@@ -204,10 +204,10 @@ def _weakening(problem: MapProblem, residual: float, slip: Any) -> "Weakening | 
 
 
 def _at_forces(problem: MapProblem, moving: MovingMap, move: Move) -> np.ndarray:
-    """Return the displacements [m] at which the whole contact bears the tangential forces stated in `move`.
+    """Return the displacements [m] at which the whole contact bears the tangential forces given in `move`.
 
-    Raises InputError if `move` also states a displacement, if strength falls with slip, if shear changes the contact, if
-    there is more than one load, or if a force is negative or too large.
+    Raises InputError if `move` also gives a displacement, if strength falls with slip, if shear changes the contact, if there
+    is more than one load, or if a force is negative or too large.
     """
     from stiction.solvers.shear.path import at_force
 

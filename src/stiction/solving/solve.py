@@ -52,7 +52,7 @@ def solve(
         Net normal load, in place of a separation; normalised for Indices. Shape as for `separation`.
     model : str, optional
         Key of a rough-surface model (`st.models()`), or a name that `st.compare` shows for this contact. By default
-        "soft_coating_2015", which raises an error if the contact states an interfacial shear strength.
+        "soft_coating_2015", which raises an error if the contact specifies an interfacial shear strength.
     heights : Heights or str, optional
         Height distribution, or its name; by default that of the contact, or Gaussian.
     threads : int
@@ -80,7 +80,7 @@ def solve(
     Notes
     -----
     Equations and sources are those of the model and its laws: `st.cite(result)` returns them. If the model has no tangential
-    law and the contact states an interfacial shear strength, a law of the interface computes the friction.
+    law and the contact specifies an interfacial shear strength, a law of the interface computes the friction.
 
     Examples
     --------

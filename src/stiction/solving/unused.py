@@ -52,7 +52,7 @@ class Unused:
 
 
 def unused_inputs(problem: Problem) -> list[Unused]:
-    """Return the stated inputs that change no result under the laws in use."""
+    """Return the specified inputs that change no result under the laws in use."""
     film = problem.chosen.film
     one_body = film is not None and film.one_body
     spoken_of = {name for record in problem.records() for name in record.needs}
@@ -78,14 +78,14 @@ def unused_inputs(problem: Problem) -> list[Unused]:
 
 
 def ignored_strength(problem: Problem) -> list[str]:
-    """Return the names of stated inputs of the interface strength, such as "interface", that the laws in use ignore."""
+    """Return the names of specified inputs of the interface strength, such as "interface", that the laws in use ignore."""
     given = problem.subject.optional_inputs() if problem.subject is not None else {}
     names = {name for name, group in given.items() if group in _STRENGTH}
     return [unused.input for unused in unused_inputs(problem) if unused.input in names] if names else []
 
 
 def refuse_ignored_strength(problem: Problem, choice: Choice) -> None:
-    """Raise InputError if the default model would ignore a stated shear strength or pressure coefficient of the interface.
+    """Raise InputError if the default model would ignore a specified shear strength or pressure coefficient of the interface.
 
     A model or tangential law chosen by the user may ignore such an input; the result then lists it as unused.
     """

@@ -43,10 +43,10 @@ class ErrorsNear(NamedTuple):
 
     A point is one contact at one load. The error is ln(A/A_ref), where A is the area by the model and A_ref that by the
     reference solution. levels (k, 5): quantiles of the error at the probabilities LEVELS. relative: root mean square of
-    A/A_ref - 1. middle: mean of the error over surfaces of the stated kind, or over Gaussian surfaces if neither map nor kind
-    is stated. distance: distance of the nearest surface. coverage: fraction of the total weight on surfaces for which the model
-    has a result. surfaces: number of surfaces with a noticeable weight. nearest: for each point a function that returns a text
-    on how the nearest surface differs, or "" if it hardly differs. All arrays but levels are (k,).
+    A/A_ref - 1. middle: mean of the error over surfaces of the specified kind, or over Gaussian surfaces if neither map nor
+    kind is specified. distance: distance of the nearest surface. coverage: fraction of the total weight on surfaces for which
+    the model has a result. surfaces: number of surfaces with a noticeable weight. nearest: for each point a function that
+    returns a text on how the nearest surface differs, or "" if it hardly differs. All arrays but levels are (k,).
     """
 
     levels: np.ndarray
@@ -260,10 +260,9 @@ def _averaged(
 ) -> ErrorsNear:
     """Return statistics of the errors (k, s) on s surfaces for each of k points (one contact at one load).
 
-    with_result, all_surfaces: weights (k, s), 0 to 1, of the surfaces for which the model has a result, and of all
-    benchmark surfaces; all_surfaces is 0 for points that get no error. apart: differences that add up to the squared
-    distances. presumed: mask (s,) of the surfaces of the stated or assumed kind, over which `ErrorsNear.middle` is
-    averaged.
+    with_result, all_surfaces: weights (k, s), 0 to 1, of the surfaces for which the model has a result, and of all benchmark
+    surfaces; all_surfaces is 0 for points that get no error. apart: differences that add up to the squared distances. presumed:
+    mask (s,) of the surfaces of the specified or assumed kind, over which `ErrorsNear.middle` is averaged.
     """
     distances = squared_distance(apart)
     squared = np.where(all_surfaces > 0.0, distances.reshape(len(distances), -1), np.inf)

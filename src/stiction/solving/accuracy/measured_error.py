@@ -6,10 +6,10 @@ the pressure and hardness of the contact, both divided by E* h' (E*: contact mod
 over the surfaces with the weight exp(-d^2/2). The distance d includes differences in Nayak's alpha and, for a map, in skewness,
 lay and the slope of its highest parts. For a contact given by numbers the kind of surface is unknown. Its mean error is then
 computed over Gaussian surfaces, for which models are ranked, and its interval over all kinds (skewed, worn, with a lay, with
-two wave bands). If the kind is stated, mean and interval are computed over surfaces of that kind.
+two wave bands). If the kind is specified, mean and interval are computed over surfaces of that kind.
 
 Friction of an interface is its shear strength times the area, so its relative error is that of the area. The error is smaller
-if the strength rises with pressure, and unknown if the stated strength exceeds the strength of the bodies. Adhesion is not
+if the strength rises with pressure, and unknown if the specified strength exceeds the strength of the bodies. Adhesion is not
 included.
 
 A solution on the map itself has a discretisation error, and a sampling error if the map is a window of a larger surface.
@@ -56,17 +56,17 @@ _SUM = "greenwood_williamson_1966"
 
 @dataclass(frozen=True)
 class MeasuredErrors:
-    """Store the measured errors of a model's contact area at k points (one contact at one load); arrays are (k,) unless stated.
+    """Store the measured errors of a model's contact area at k points (one contact at one load); arrays are (k,) unless noted.
 
     The error is ln(A/A_ref), where A is the area by the model and A_ref that by the reference solution. column: model and
-    asperity method. area: mean error over benchmark surfaces of the stated kind, or over Gaussian surfaces if neither map nor
-    kind is known. levels (k, 5): quantiles of the error on the nearest surfaces at the probabilities errors_near.LEVELS, even
-    if these surfaces are far away; NaN where nothing was measured. relative: root mean square of A/A_ref - 1 over these
+    asperity method. area: mean error over benchmark surfaces of the specified kind, or over Gaussian surfaces if neither map
+    nor kind is known. levels (k, 5): quantiles of the error on the nearest surfaces at the probabilities errors_near.LEVELS,
+    even if these surfaces are far away; NaN where nothing was measured. relative: root mean square of A/A_ref - 1 over these
     surfaces. friction: error of ln(mu) due to the area, for laws of the interface. distance: distance of the nearest surface.
     surfaces: number of surfaces with a noticeable weight. trust: weight from 1 for a near surface to 0 where nothing was
     measured. sample: standard error of ln(A) because the map is only a window of a larger surface, for models that solve the
     map. why_not: reason why no error is known at some points, or "". nearest: for each point a function that returns a text on
-    how the nearest surface differs, or "". kind_known: whether the kind of surface is known. kind: the stated kind.
+    how the nearest surface differs, or "". kind_known: whether the kind of surface is known. kind: the specified kind.
     """
 
     column: str
@@ -277,8 +277,8 @@ def _on_other_maps(problem: Problem, features: ContactFeatures, points: int, are
     """Return the errors of an area law for films, measured on rough surfaces with films; None if it was not measured.
 
     Source: truth/films.csv. If the law solves the contact's own map, the errors are 0, because the discretisation error is
-    added later. Without a map the intervals are wider, as the surface may be non-Gaussian; a stated kind shifts them. points:
-    loads per contact.
+    added later. Without a map the intervals are wider, as the surface may be non-Gaussian; a specified kind shifts them.
+    points: loads per contact.
     """
     found = on_solved_maps(problem, points)
     surface = problem.map if isinstance(problem, ClosedFormProblem) else None

@@ -46,11 +46,11 @@ _OVER_STIFFNESS, _OVER_HARDNESS = "nominal pressure over E* times rms slope", "n
 class ContactFeatures:
     """Store the features that are compared with benchmark surfaces, at k points (a point is one contact at one load).
 
-    pressure, hardness (k,): divided by E* h', with the contact modulus E* and the rms slope h'. alpha (k,): Nayak's
-    parameter. shape: skewness, lay (ratio of largest to smallest rms slope) and relative slope of the highest parts of the
-    map; None without a map. modulus (k,): film modulus divided by substrate modulus. thickness (k,): film thickness divided
-    by sqrt(m2/m4), with the spectral moments m2 and m4. Both are None without a film. kind: the stated kind of surface, for
-    a contact without a map. stated: stated statistics of the surface, by their names in surfaces.roughness.SHAPE, for a
+    pressure, hardness (k,): divided by E* h', with the contact modulus E* and the rms slope h'. alpha (k,): Nayak's parameter.
+    shape: skewness, lay (ratio of largest to smallest rms slope) and relative slope of the highest parts of the map; None
+    without a map. modulus (k,): film modulus divided by substrate modulus. thickness (k,): film thickness divided by
+    sqrt(m2/m4), with the spectral moments m2 and m4. Both are None without a film. kind: the specified kind of surface, for a
+    contact without a map. stated: specified statistics of the surface, by their names in surfaces.roughness.SHAPE, for a
     contact without a map.
     """
 
@@ -156,8 +156,8 @@ def _difference(name: str, ours: float | np.ndarray, theirs: np.ndarray, squared
 def differences(known: SolvedSet, features: ContactFeatures) -> list[Difference]:
     """Return the differences between k points of a contact and every benchmark surface, one for each feature.
 
-    For a contact with a map the features are Nayak's alpha, skewness, lay and slope of the highest parts, otherwise alpha
-    and the stated statistics.
+    For a contact with a map the features are Nayak's alpha, skewness, lay and slope of the highest parts, otherwise alpha and
+    the specified statistics.
     """
     theirs = known.feature("alpha")
     apart = ((np.log(theirs) - np.log(features.alpha)[:, None]) / _SCALES["alpha"]) ** 2
@@ -168,9 +168,9 @@ def differences(known: SolvedSet, features: ContactFeatures) -> list[Difference]
 
 
 def _of_stated(known: SolvedSet, name: str, ours: float) -> Difference:
-    """Return the difference between a stated statistic and the same statistic of every benchmark surface (s,).
+    """Return the difference between a specified statistic and the same statistic of every benchmark surface (s,).
 
-    name: name of the statistic. ours: its stated value. The texture aspect ratio (Str) of a stretched isotropic surface is
+    name: name of the statistic. ours: its specified value. The texture aspect ratio (Str) of a stretched isotropic surface is
     the reciprocal of its lay.
     """
     theirs = 1.0 / known.feature("lay") if name == "texture_aspect_ratio" else known.feature(name)

@@ -110,11 +110,11 @@ def _filling(normal: Callable, parameters: int) -> Any:
 
 
 def _bends(place: np.ndarray, values: np.ndarray) -> np.ndarray:
-    """Return the coordinates (n, _BENDS) of the knots at which the squared traction at yield bends most.
+    """Return the coordinates (n, _BENDS) of the knots with the largest second differences of the squared traction at yield.
 
-    These knots have the largest second differences. They are kinks, at which first yield moves to another part of the
-    asperity. place (n, 3): coordinate at which the load alone causes yield, factor from coordinate to p (see the module
-    docstring), and 1/ln(1 + p) there. values (n, SEGMENTS + 1): squared traction at the knots.
+    These knots are kinks: at them, first yield moves to another part of the asperity. place (n, 3): coordinate at which the
+    load alone causes yield, factor from coordinate to p (see the module docstring), and 1/ln(1 + p) there. values (n,
+    SEGMENTS + 1): squared traction at the knots.
     """
     bent = np.abs(np.diff(values, n=2, axis=1))
     knots = 1 + np.sort(np.argpartition(bent, -_BENDS, axis=1)[:, -_BENDS:], axis=1)

@@ -1,7 +1,7 @@
 """Give yielded junctions the resistance of another law, which the option plastic_junctions selects.
 
-The published law stays unchanged. The other law is used only where the published one gives no resistance: beyond a
-displacement or on a whole segment. The requirements of the other law on elastic asperities are not checked there.
+The published law stays unchanged. The other law is used only where the published law gives no resistance: beyond a displacement
+or on a whole segment. The requirements of the other law on elastic asperities are not checked there.
 """
 
 from collections.abc import Callable
