@@ -1,7 +1,7 @@
 r"""One asperity without adhesion, elastic up to first yield, then plastic with constant volume: Chang, Etsion & Bogy 1987.
 
 *Assumes*: the asperity is elastic (Hertz) up to first yield at the displacement $w_c$, where its largest pressure is $K_HH$.
-Beyond, it is a truncated sphere of constant volume under the uniform pressure $K_HH$. *Source*: [chang_etsion_bogy_1987].
+Beyond $w_c$ it is a truncated sphere of constant volume under the uniform pressure $K_HH$. *Source*: [chang_etsion_bogy_1987].
 
 $$
 w_c=\left(\tfrac23K_H\eta\right)^2,\quad K_H=0.454+0.41\nu;\qquad P=w^{3/2},\ A=w\ (w<w_c);\qquad

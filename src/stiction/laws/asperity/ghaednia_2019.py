@@ -1,11 +1,12 @@
 r"""One asperity without adhesion whose material hardens: Ghaednia, Brake, Berryhill & Jackson 2019.
 
 *Assumes*: the flattened sphere of [`jackson_green_2005`](#jackson_green_2005), made of a material with bilinear hardening. Its
-stress rises with Young's modulus $E$ up to the yield stress $Y$ and with the tangent modulus $E_t$ beyond (`tangent_modulus`
-of the softer material; the group `hardening` is $e=E_t/E$). Up to $1.9\,\omega_c$ the contact is Hertz's, with $\omega_c$ the
-displacement at first yield. Beyond, area and load lie between those of the sphere without hardening and Hertz's, closer to
-Hertz's the stronger the hardening. *Source*: [ghaednia_2019], eqs. (1) to (6) and (23) to (31), with constants from codes of
-one author's group. Contact radius $a$, load $P$ and limiting pressure $H_G$ at the displacement $\omega$ are
+stress rises with Young's modulus $E$ up to the yield stress $Y$ and with the tangent modulus $E_t$ beyond (`tangent_modulus` of
+the softer material; the group `hardening` is $e=E_t/E$). Up to $1.9\,\omega_c$ the contact is Hertz's, with $\omega_c$ the
+displacement at first yield. Beyond this displacement, area and load lie between those of the sphere without hardening and
+Hertz's, closer to Hertz's the stronger the hardening. *Source*: [ghaednia_2019], eqs. (1) to (6) and (23) to (31), with
+constants from codes of one author's group. Contact radius $a$, load $P$ and limiting pressure $H_G$ at the displacement
+$\omega$ are
 
 $$
 a=a_e+(a_p-a_e)\exp\Upsilon,\qquad P=P_p+(P_e-P_p)\left(1-\exp(-3.3e)\right),\qquad

@@ -1,10 +1,10 @@
 r"""A plastic film on an elastic-plastic substrate: after Chang 1997.
 
 *Assumes* (abstract of [chang_1997]): asperities that reach the substrate follow a modified law of Chang, Etsion and Bogy;
-asperities that touch only the soft film are plastic. *Source*: [chang_1997], its abstract. *Reconstruction*, with any
-asperity law without adhesion for the substrate: up to the displacement $\omega=t$, the film thickness, only the film deforms.
-Beyond, the substrate deforms by $\omega-t$ according to its own law, with the load $P_s$ and the area $A_s$. On the rest of the
-area $2\pi R\omega$ the film carries a pressure equal to its hardness,
+asperities that touch only the soft film are plastic. *Source*: [chang_1997], its abstract. *Reconstruction*, with any asperity
+law without adhesion for the substrate: up to the displacement $\omega=t$, the film thickness, only the film deforms. Beyond it,
+the substrate deforms by $\omega-t$ according to its own law, with the load $P_s$ and the area $A_s$. On the rest of the area
+$2\pi R\omega$ the film carries a pressure equal to its hardness,
 
 $$
 A=2w,\qquad P=\begin{cases}2\eta n_Hw&w<\tau\\P_s(w-\tau)+\eta n_H\left[2w-A_s(w-\tau)\right]&w\ge\tau\end{cases}

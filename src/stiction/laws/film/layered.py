@@ -25,7 +25,7 @@ the other body is rigid, unless `films` and the groups after it say otherwise.
 
 *Yield*: the asperity yields where its mean pressure reaches the value at which the chosen asperity law yields on a half-space
 of modulus $E_P$ and hardness $\chi H$. $\chi$ is the hardness of film and substrate together divided by the substrate's, from
-[`bhattacharya_nix_1988`](#bhattacharya_nix_1988) or another chosen law. Beyond, the plastic segments of the asperity law
+[`bhattacharya_nix_1988`](#bhattacharya_nix_1988) or another chosen law. Beyond yield, the plastic segments of the asperity law
 follow, with the modulus and Poisson's ratio at yield, shifted to displacement, load and area of the layered contact. Their
 load, without the adhesion, is proportional to the hardness at their depth. *Reconstructed*: this continuation. It equals the
 asperity law for thin and for thick films, and if film and body are equal. With a hard film on a soft substrate, the load may

@@ -1,10 +1,10 @@
 r"""The equations of the 2015 paper exactly as printed, for bare surfaces and for the soft film of eqs. (6) and (15).
 
-*Assumes*: the printed equations. This film law belongs to the published variant of the model and serves to reproduce the
-paper. *Source*: [soft_coating_2015], eqs. (1) to (15); [theory, section 5](theory.md#5-coated-surface). The corrected variant
-departs from the print in twelve points, [D1 to D12](theory-limits.md#8-departures-from-the-print); here the print is kept, as
-follows. Without a film, the sum over heights $z=h+x$ uses the apparent displacement $x$ in place of the displacement $w$ (D2);
-with the mean separation $h$, the height density $\varphi$ and $S=\sqrt{6\pi/\theta}$,
+*Assumes*: the printed equations. This film law belongs to the published variant of the model and serves to reproduce the paper.
+*Source*: [soft_coating_2015], eqs. (1) to (15); [theory, section 5](theory.md#5-coated-surface). The corrected variant departs
+from the printed equations in twelve points, [D1 to D12](theory-limits.md#8-departures-from-the-print); here the printed form is
+kept, as follows. Without a film, the sum over heights $z=h+x$ uses the apparent displacement $x$ in place of the displacement
+$w$ (D2); with the mean separation $h$, the height density $\varphi$ and $S=\sqrt{6\pi/\theta}$,
 
 $$
 \bar P(h)=\int\left(x^{3/2}-S\,x^{3/4}\right)\varphi(h+x)\,dx\quad\text{(elastic asperities)}
@@ -52,7 +52,7 @@ _adhesion, _load = jkr.adhesion, jkr.load
 def normal(u, theta):
     """Return displacement x = u^4, dx/du, JKR's load and contact area of an elastic asperity according to eq (1) as printed.
 
-    The print uses x = a^2/(R sigma), with the contact radius a, as the displacement in units of sigma. theta: elastic adhesion
+    The paper uses x = a^2/(R sigma), with the contact radius a, as the displacement in units of sigma. theta: elastic adhesion
     index. Units: load in K R^(1/2) sigma^(3/2), area in pi R sigma.
     """
     x = u * u * u * u

@@ -1,20 +1,20 @@
 r"""A soft film that deforms alone up to its thickness, followed by the substrate: corrected variant of the 2015 paper.
 
-*Assumes*: the film deforms alone, as a half-space, until the displacement equals its thickness. Beyond, it keeps its load and
-resistance, and the substrate deforms by the displacement minus the film thickness. *Source*: [soft_coating_2015], eqs. (6) and
-(15), corrected: [theory, section 5](theory.md#5-coated-surface), [departures D4, D5 and
-D10](theory-limits.md#8-departures-from-the-print). With any asperity law, film (index c) and substrate (index s) have the
-loads $P_c(w)$ and $P_s(w)$ and the tangential forces $T_c(w)$ and $T_s(w)$ of half-spaces, each in the units of its own
-modulus; $n_E$ converts forces of the film. $A_c(w)$ is the contact area on the film. Then
+*Assumes*: the film deforms alone, as a half-space, until the displacement equals its thickness. Beyond this displacement, it
+keeps its load and resistance, and the substrate deforms by the displacement minus the film thickness. *Source*:
+[soft_coating_2015], eqs. (6) and (15), corrected: [theory, section 5](theory.md#5-coated-surface), [departures D4, D5 and
+D10](theory-limits.md#8-departures-from-the-print). With any asperity law, film (index c) and substrate (index s) have the loads
+$P_c(w)$ and $P_s(w)$ and the tangential forces $T_c(w)$ and $T_s(w)$ of half-spaces, each in the units of its own modulus;
+$n_E$ converts forces of the film. $A_c(w)$ is the contact area on the film. Then
 
 $$
 P=\begin{cases}n_EP_c(w)&w<\tau\\n_EP_c(\tau)+P_s(w-\tau)&w\ge\tau\end{cases},\qquad A=A_c(w)
 $$
 
-and the same for the tangential force; a law of the interface uses the whole load and the outer area instead. But film and
+and the same for the tangential force; a law of the interface uses the total load and the outer area instead. But film and
 substrate transmit the same force in series, so their forces do not add up. The paper's sum is therefore too large by the force
 of the film; the record states the excess for zero film thickness. With `film_shear="in_series"` the smaller tangential force
-applies: the film's at the whole displacement, or the substrate's at the displacement minus the film thickness,
+applies: the film's at the full displacement, or the substrate's at the displacement minus the film thickness,
 
 $$
 T=\min\left[n_ET_c(w),\,T_s(w-\tau)\right]\quad(w\ge\tau)
@@ -56,11 +56,11 @@ def regimes(groups: Groups, law: Law, film_shear: str) -> list[Regime]:
     """Return the regimes of a surface with a film that deforms alone up to its thickness.
 
     A regime is a segment of an asperity law together with the tangential force on it. Forces are in units of K R^(1/2)
-    sigma^(3/2), with K = (4/3) E* of the substrate. groups: dimensionless groups of n coated contacts. law: asperity law
-    and tangential law of film and substrate. The area is the film's at the full displacement, because the outer contact is
-    always on the film. A tangential law of the interface uses this area and the whole load. Beyond the film thickness, any
-    other tangential law gives the film's resistance at a displacement equal to the thickness plus the substrate's
-    (film_shear "added"), or the smaller of the film's and the substrate's ("in_series").
+    sigma^(3/2), with K = (4/3) E* of the substrate. groups: dimensionless groups of n coated contacts. law: asperity law and
+    tangential law of film and substrate. The area is the film's at the full displacement, because the outer contact is always
+    on the film. A tangential law of the interface uses this area and the total load. Beyond the film thickness, any other
+    tangential law gives the film's resistance at a displacement equal to the thickness plus the substrate's (film_shear
+    "added"), or the smaller of the film's and the substrate's ("in_series").
     """
     tau, n_E = groups.tau, groups.n_E
     before, after = Weights(unit=n_E), Weights(unit=n_E, load=0.0, friction=0.0)

@@ -10,9 +10,9 @@ $$
 $$
 
 with the load $P$ and the tangential force $T$ of one asperity at the displacement $w$ and the density $\varphi$ of heights. All
-equations, and all departures from the print, are in [theory](theory.md). With `variant="published"` the printed equations are
-used, [`printed`](#printed). With `transition="gradual"` an asperity becomes plastic gradually, as in [`graded`](#graded).
-*Reconstructed*: the coefficients of eq. (11), departure D12.
+equations, and all departures from the printed equations, are in [theory](theory.md). With `variant="published"` the printed
+equations are used, [`printed`](#printed). With `transition="gradual"` an asperity becomes plastic gradually, as in
+[`graded`](#graded). *Reconstructed*: the coefficients of eq. (11), departure D12.
 """
 
 import numpy as np

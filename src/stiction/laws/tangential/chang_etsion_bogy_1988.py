@@ -145,7 +145,7 @@ def tangential_resistance(
     """Return the tangential resistance on a segment, or None for a plastic segment without resistance.
 
     segment: one smooth part of an asperity law. groups: dimensionless groups of n contacts. Up to the displacement at first
-    yield the resistance is the force at which a Hertz contact yields under shear. Beyond, there is none, unless
+    yield the resistance is the force at which a Hertz contact yields under shear. Beyond it there is none, unless
     `plastic_junctions` is the key of another law, whose resistance is then used.
     """
     if segment.state == "plastic":

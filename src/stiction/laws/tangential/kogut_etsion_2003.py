@@ -10,11 +10,11 @@ $$
 
 *Reconstructed*: the texts were not available, but three quotations agree. $T/P_c=0.52\,r^{0.982}$, with the load
 $P_c=w_c^{3/2}$ at first yield, equals $\mu=0.516\,(P/P_c)^{-0.345}$ within 1.2 %. The cubic times 1.03, rounded to two
-decimals, is the print of 2004. *Trap*: that print is negative above $r=4.3$; three decimals are needed. *Jumps*: $\mu$ falls
-from 0.520 to 0.511 at $r=1$ (with the authors' load, $T$ rises by 1.2 %) and from 0.036 to 0 at $r=6$. With another asperity
-law, $\mu(r)$ is unchanged and $T$ is $\mu$ times the load of that law. With the option `plastic_junctions`, asperities at and
-beyond $6\,\omega_c$ resist according to another law, and results state by how much $\mu$ then differs from the paper's value;
-the default `none` is the paper's assumption.
+decimals, is the version printed in 2004. *Trap*: that version is negative above $r=4.3$; three decimals are needed. *Jumps*:
+$\mu$ falls from 0.520 to 0.511 at $r=1$ (with the authors' load, $T$ rises by 1.2 %) and from 0.036 to 0 at $r=6$. With another
+asperity law, $\mu(r)$ is unchanged and $T$ is $\mu$ times the load of that law. With the option `plastic_junctions`, asperities
+at and beyond $6\,\omega_c$ resist according to another law, and results state by how much $\mu$ then differs from the paper's
+value; the default `none` is the paper's assumption.
 
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ and tangential force $T$ in units of $KR^{1/2}\sigma^{3/2}$ and contact
 area $A$ in units of $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and
@@ -41,7 +41,7 @@ def friction_coefficient(w_ratio):
 
     w_ratio: displacement divided by displacement at first yield. Up to 1 the coefficient follows from Q/P_c = 0.52
     w_ratio^0.982 and P/P_c = w_ratio^1.5. From 1 to 6 it is a cubic, and beyond it is 0. The 2004 paper prints the cubic times
-    1.03, with two decimals; that print is negative above 4.3, so three decimals are used here.
+    1.03 with two decimals, which is negative above 4.3; three decimals are therefore used here.
     """
     if w_ratio <= 1.0:
         return 0.52 * w_ratio**-0.518
