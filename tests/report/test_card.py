@@ -108,7 +108,7 @@ def test_sources_of_uncertainty_are_three_at_most_and_above_5_per_cent():
 
 def test_shares_that_are_shown_add_up_to_100_per_cent():
     shares = {"interface": 0.484, "area model": 0.384, "junctions": 0.079, "chance": 0.03}
-    assert sources_in_words(shares) == "48% interface strength, 38% contact area model, 8% plastic junctions, 6% other"
+    assert sources_in_words(shares) == "48% interface strength, 38% contact area model, 8% growth of junctions, 6% other"
     assert sources_in_words({"interface": 0.996}) == "100% interface strength"
 
 

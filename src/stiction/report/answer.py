@@ -305,8 +305,10 @@ def _of_measured(data: "xarray.Dataset") -> str:
     values = "1 value" if count == 1 else f"{count} values"
     middle, low, high = (show(strength_value, "interfacial_shear_strength", 2) for strength_value in data.attrs["strength"])
     strength = f"interface strength {middle} ({low} to {high})"
-    if "parameter" not in data.dims and data.attrs["grows_with_pressure"]:
-        return f"{values}: {strength} at zero pressure; the pressure coefficient of the state still applies"
+    coefficient = [number(value) for value in data.attrs["pressure_coefficient"]]
+    if coefficient[1] != coefficient[2]:
+        middle, low, high = coefficient
+        strength += f" at zero pressure, pressure coefficient {middle} ({low} to {high})"
     if "parameter" not in data.dims:
         return f"{values}: {strength}"
     names = data["parameter"].values.tolist()

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 
 # Meanings of the table columns.
 MEANINGS = (
+    "mu: by this model alone; `stiction run CASE.toml` predicts mu",
     "a/t: contact radius of the mean touching asperity over the thickness of a film",
     "stress / Y, where: largest von Mises stress over the yield stress there, and in what",
     "tension / Y_w, shear / k_w: largest at the interface, over yield and shear yield stress of the weaker of film and body",
@@ -46,7 +47,9 @@ def stresses_view(case: "Case", data: "xarray.Dataset", all_rows: bool = False, 
         yield from outside_validity(data)
 
     def short() -> Iterator[Any]:
-        yield from (*in_brief(case, data), curve_table(data, heads=_HEADS), *notes(MEANINGS))
+        yield from (*in_brief(case, data), curve_table(data, heads=_HEADS))
+        for meaning in MEANINGS:  # one by one: as many as fit
+            yield from notes([meaning])
 
     files: dict[str, Any] = {"film.csv": lambda path: write_csv(data, path, comments_of(data))}
     pictures = {}

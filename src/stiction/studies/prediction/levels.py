@@ -17,7 +17,8 @@ COLUMNS: Mapping[str, tuple[str, ...]] = {
     "interface": ("state", "strength", "coefficient"),
     "area model": ("area_model", "area_error"),
     "adhesion": ("pull_model", "pull_error"),
-    "junctions": ("growth", "confinement"),
+    "junctions": ("growth",),
+    "squeezed film": ("confinement",),
     "chance": ("chance",),
     "sliding": ("spots",),
 }

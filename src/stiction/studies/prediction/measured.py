@@ -62,7 +62,7 @@ def read_measured(path: str | PathLike, case: Case) -> Measured:
     assumed = ""
     if not np.isfinite(relative).all():
         why = f"from the scatter of {len(mu)} values" if enough else "assumed: the file states none"
-        assumed = f"{spread:.0%} of each value, {why}"
+        assumed = f"{spread:.0%} of each value, {why}; the interval is of the mean mu"
     return Measured(series.load, np.log(mu), np.where(np.isfinite(relative), relative, spread), assumed)
 
 

@@ -30,9 +30,10 @@ class Samples:
     """Store the results of n samples at m loads, arrays (n, m); NaN for an impossible sample.
 
     force: friction force [N]. area: real contact area [m2]. pull: factor by which adhesion and menisci enlarge the area.
-    growth: factor by which junctions grow under shear. strength: shear strength of the interface [Pa], (n, m or 1). pressure:
-    mean pressure of contact spots over the hardness, before shear. efficiency: friction force over the sum of the strengths of
-    all spots, 1 unless strength falls with slip.
+    growth: factor by which junctions grow under shear. strength, coefficient: shear strength of the interface at zero pressure
+    [Pa], and its pressure coefficient, (n, m or 1). pressure: ratio of the mean pressure of contact spots to the hardness,
+    before shear. efficiency: ratio of the friction force to the summed strength of all spots, 1 unless strength falls with
+    slip.
     """
 
     force: np.ndarray
@@ -40,6 +41,7 @@ class Samples:
     pull: np.ndarray
     growth: np.ndarray
     strength: np.ndarray
+    coefficient: np.ndarray
     pressure: np.ndarray
     efficiency: np.ndarray
 
@@ -128,7 +130,7 @@ class Mixture:
         efficiency = np.ones_like(area)
         if self.onset is not None:
             efficiency = self.onset.efficiency(force / area, area / nominal, levels["spots"], inputs)
-        return Samples(force * efficiency, area, pull, growth, strength, pressure / hardness, efficiency)
+        return Samples(force * efficiency, area, pull, growth, strength, coefficient, pressure / hardness, efficiency)
 
     def _of(self, column: np.ndarray, inputs: np.ndarray) -> np.ndarray:
         """Return the row of a table that each sample uses, as an array (n, m or 1).

@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from stiction.quantities.arguments import FilePath, QuantityLike
 
 COUNT, _MANY = 512, 16384  # number of samples by default, and with measured values
+_FAR_LOAD = 3.0  # factor beyond the measured loads above which a prediction that uses them warns
 _UNTOLD = 0.8  # ratio of interval widths, after over before measuring, above which a number counts as not determined
 
 
@@ -263,14 +264,13 @@ def _given(
     attributes = _attributes(mixture, chosen, working_index, level, {})
     weights = mixture.weights_of_laws(levels, rows)
     attributes |= {
-        "warnings": [*warnings, *attributes["warnings"]],
+        "warnings": [*warnings, *_extrapolates(known, case, loads[working_index]), *attributes["warnings"]],
         "models": weights,
         "measured": len(known.load),
         "measured_error": known.assumed,
         "bare_metal": [],
         "next_step": "",
     }
-    attributes["grows_with_pressure"] = int(mixture.strength.grows_with_pressure)  # a netCDF file has no truth values
     if not stated:
         return chosen, attributes, {}
     drawn = case.numbers_at(levels.inputs[rows])
@@ -282,6 +282,16 @@ def _given(
     attributes["verdict"] = f"the measured friction does not determine {', '.join(untold)}" if untold else ""
     table = {name: ("parameter", column) for name, column in zip(("value", "low", "high"), values.T, strict=True)}
     return chosen, attributes, {"parameter": names} | table
+
+
+def _extrapolates(known: Measured, case: Case, load: float) -> list[str]:
+    """Return a list with a warning if a load [N] is far outside the loads of the measured friction; otherwise []."""
+    least, most = known.load.min(), known.load.max()
+    if least / _FAR_LOAD <= load <= most * _FAR_LOAD:
+        return []
+    here, low, high = (case.subject.show(float(value), "load", 3) for value in (load, least, most))
+    measured = f"measured load, {low}" if least == most else f"measured loads, {low} to {high}"
+    return [f"{here} is far from the {measured}: mu there follows from the models."]
 
 
 def _width(low: float, high: float) -> float:
@@ -297,7 +307,7 @@ def _attributes(
     shares: Mapping[str, float],
     by_state: Sequence[str] = (),
 ) -> dict[str, Any]:
-    strength = np.quantile(samples.strength, [0.5, 0.5 - 0.5 * level, 0.5 + 0.5 * level])
+    quantiles = [0.5, 0.5 - 0.5 * level, 0.5 + 0.5 * level]
     mu = samples.force[:, working_index] / mixture.sampled.loads[working_index]
     regime, lowered_by = regime_of(mixture, samples, working_index)
     return {
@@ -306,7 +316,8 @@ def _attributes(
         "lowered_by": lowered_by,
         "enlarged_by": enlarged_by(mixture, samples, working_index),
         "shares": dict(shares),
-        "strength": strength.tolist(),
+        "strength": np.quantile(samples.strength, quantiles).tolist(),
+        "pressure_coefficient": np.quantile(samples.coefficient, quantiles).tolist(),
         "warnings": warnings_of(mixture, samples, working_index, shares, by_state),
         "inputs_not_used": not_used(mixture.sampled, mixture.strength, mixture.touching),
         "next_step": next_step(shares, mixture),

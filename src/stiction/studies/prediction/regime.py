@@ -22,6 +22,7 @@ from stiction.studies.uncertainty.drawing import Variant, draw
 _STICKS = 2.0  # factor of the area by adhesion or menisci above which they, and not the load, determine the area
 _FLAT = 0.95  # real over nominal area from which a contact counts as pressed flat
 _PLASTIC = 0.9  # mean pressure over hardness from which spots count as plastic
+_AT_HARDNESS = 0.05  # largest relative difference of pressure and hardness for which they count as equal
 _SOME = 0.1  # fraction of elastic samples above which the text mentions them
 _GROWN = 1.1  # factor of junction growth, and of the area by adhesion, from which it is mentioned
 _BY_STRENGTH = 0.2  # fraction of friction that tau_0 causes, below which another area hardly changes mu
@@ -56,12 +57,12 @@ def regime_of(mixture: Mixture, samples: Samples, index: int) -> tuple[str, str]
         if by_area and not mixture.strength.is_relative_to("shear_strength"):
             lever += f" or a higher hardness of the {_softer(mixture)}"
         elastic = np.nanmean(samples.pressure[:, index] < _PLASTIC) if samples.pressure.ndim == 2 else 0.0
+        at_hardness = abs(pressure - 1.0) < _AT_HARDNESS
+        formula = f"mu = tau_0/{'H' if at_hardness else f'({pressure:.2g} H)'}{times}{added}"
         if elastic > _SOME:
-            sentences.append(
-                f"The contacts are probably plastic: then mu = tau_0/H{times}{added}. If they are elastic, mu is larger."
-            )
+            sentences.append(f"The contacts are probably plastic: then {formula}. If they are elastic, mu is larger.")
         else:
-            sentences.append(f"All contacts are plastic: mu = tau_0/H{times}{added}, for any roughness.")
+            sentences.append(f"All contacts are plastic: {formula}{', for any roughness' if at_hardness else ''}.")
     else:
         sentence, other = _of_pressure(mixture, pressure, index, times, added)
         sentences.append(sentence)
@@ -280,6 +281,7 @@ _STEPS = {
     "area model": "measure the surface and give a scan (stiction surface FILE)",
     "adhesion": "measure the pull-off force, which gives the work of adhesion",
     "junctions": "measure mu once at this load: stiction fit CASE.toml --data FILE",
+    "squeezed film": "measure mu once at this load: stiction fit CASE.toml --data FILE",
     "chance": "measure at several places, or use a larger load",
 }
 

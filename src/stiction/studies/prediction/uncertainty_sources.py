@@ -6,7 +6,8 @@ _NAMES = {
     "interface": "interface strength",
     "area model": "contact area model",
     "adhesion": "adhesion and liquid",
-    "junctions": "plastic junctions",
+    "junctions": "growth of junctions",
+    "squeezed film": "squeezing of the film",
     "chance": "chance, few asperities",
     "sliding": "size of the contact spots",
 }

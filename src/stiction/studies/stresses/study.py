@@ -24,8 +24,11 @@ def _plan(
     out: Path | None = None,
 ) -> tuple[Any, ...]:
     from stiction.case.read import read_case
+    from stiction.studies.prediction.predict import is_predicted
 
     read = read_case(case)
+    if model is None and is_predicted(read):  # a prediction has no single asperity
+        model = "greenwood_williamson_1966"
     laws = {"model": model, "asperity": asperity, "tangential": tangential, "film": "layered"}
     return read if load is None else read.at_load(load), read.choice.with_changes(laws, options), all_rows, out is not None
 
