@@ -112,11 +112,11 @@ def slide(
     Notes
     -----
     An asperity slips partially as in Mindlin (1949). All asperities are displaced together; plastic asperities stick like
-    elastic ones. On a map, displacements are relative to its mean plane. For unlike bodies pressure and shear are coupled.
-    The body with the larger (1 - 2 nu)/G then slides towards higher columns, whether it is the first or the second; mirror
-    the map to reverse this. For like bodies, traction perpendicular to the direction of sliding is neglected. With the
-    option mode_mixity, shear lowers the adhesion of a map; none of its laws is recommended. The input `peeling` of the
-    contact is the fraction of the shear energy that opens the edge.
+    elastic ones. On a map, displacements are relative to its mean plane. For unlike bodies pressure and shear are coupled. The
+    body with the larger (1 - 2 nu)/G (nu: Poisson's ratio, G: shear modulus) then slides towards higher columns, whether it is
+    the first or the second; mirror the map to reverse this. For like bodies, traction perpendicular to the direction of sliding
+    is neglected. With the option mode_mixity, shear lowers the adhesion of a map; none of its laws is recommended. The input
+    `peeling` of the contact is the fraction of the shear energy that opens the edge.
 
     Examples
     --------

@@ -91,7 +91,7 @@ def first_yield(nu: float) -> tuple[float, float]:
         """Return d(sigma_r - sigma_z)/dz, the derivative of radial minus axial stress along the axis, at the depth z.
 
         Stresses are in units of the largest pressure, z in units of the contact radius. The derivative falls from (1 + nu) pi/2
-        at the surface to below zero at z = 1.
+        at the surface to below zero at z = 1. nu: Poisson's ratio.
         """
         return (1.0 + nu) * (math.atan2(1.0, z) - z / (1.0 + z * z)) - 3.0 * z / (1.0 + z * z) ** 2
 

@@ -66,7 +66,8 @@ def stickiness(groups: Groups) -> np.ndarray:
 
     The surfaces are isotropic and Gaussian and have the summits (sigma, R, N) of `groups`. The range of the attraction is the
     equilibrium distance. In units of sigma and with s = sqrt(sigma/R), w/E* = (4/3) s / theta and h'' = sqrt(3 pi/32) s^2,
-    where w is the work of adhesion; s cancels.
+    where w is the work of adhesion, E* the contact modulus, theta the elastic adhesion index and h'' the root mean square of
+    half the Laplacian; s cancels.
     """
     slope = slope_over_sharpness(groups.roughness_parameter)  # h'/s; below also h''/s^2 and (w/E*)/s, so that s cancels
     return stickiness_ratio(slope, _CURVATURE, interaction_range(groups), 4.0 / (3.0 * groups.theta))

@@ -69,8 +69,9 @@ def normal(w, stiffness, power, widening):
 def stiffness(groups: Groups, bound: str) -> np.ndarray:
     """Return the ratio (n,) of an asperity's load to w^power, with the displacement w and the power 2 or 3 of this bound.
 
-    bound: key of BOUNDS. Units: w in sigma, load in K R^(1/2) sigma^(3/2). The load uses the film's modulus M = E'_f (1 -
-    nu)^2/(1 - 2 nu) if the bound is "compressible", else G = E'_f (1 - nu)/2, with E'_f = E_f/(1 - nu^2).
+    bound: key of BOUNDS. Units: w in sigma, load in K R^(1/2) sigma^(3/2). The load uses the film's confined modulus M = E'_f
+    (1 - nu)^2/(1 - 2 nu) if the bound is "compressible", else its shear modulus G = E'_f (1 - nu)/2, with E'_f = E_f/(1 -
+    nu^2), Young's modulus E_f and Poisson's ratio nu.
     """
     resolved = groups.resolved()
     nu, film = resolved.layer_nu, 0.75 * resolved.film_modulus

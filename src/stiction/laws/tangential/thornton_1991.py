@@ -31,9 +31,9 @@ from stiction.records.sources import Source
 def peeling_force(load, pull_off, stiffness_ratio):
     """Return the tangential force at which a JKR contact peels, T = 4 sqrt((P P_c + P_c^2) G*/E*), in the unit of the load.
 
-    load: P. pull_off: P_c = (3/2) pi gamma R, in the same unit. stiffness_ratio: G*/E*, with 1/G* = (2 - nu_1)/G_1 + (2 -
-    nu_2)/G_2. The radicand is not negative, because a contact is lost at P = -P_c; a value below 0 due to rounding is
-    replaced by 0.
+    load: P. pull_off: P_c = (3/2) pi gamma R, in the same unit. stiffness_ratio: G*/E*, with the contact modulus E*, 1/G* =
+    (2 - nu_1)/G_1 + (2 - nu_2)/G_2, and shear modulus G_i and Poisson's ratio nu_i of each body. The radicand is not negative,
+    because a contact is lost at P = -P_c; a value below 0 due to rounding is replaced by 0.
     """
     return 4.0 * math.sqrt(max((load + pull_off) * pull_off * stiffness_ratio, 0.0))
 

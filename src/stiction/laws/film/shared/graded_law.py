@@ -75,10 +75,11 @@ def fading(w, linear, square):
 def along(u, *row):
     """Return displacement w, dw/du, load, contact area, slip-limited and yield-limited force of an asperity on a graded film.
 
-    u: coordinate, with the contact radius sqrt(R sigma) u^2 of the elastic contact. row: pull = pi n_g/theta; eta of the
-    substrate; n_H; linear and square of `fading`; nu_s, nu_c, K_beta_s, K_beta_c of substrate and film; yield_s, yield_c,
-    the yield stresses of substrate and film divided by pi H_s; parameters of `stiffness`; three plateaus (start, level):
-    for u >= `start` the load is at least `level`. Units: as in this module.
+    u: coordinate, with the contact radius sqrt(R sigma) u^2 of the elastic contact. row: pull, half of DMT's adhesive force;
+    hardness group eta of the substrate; hardness of the film divided by the substrate's; `linear` and `square` of `fading`;
+    nu_s, nu_c, K_beta_s, K_beta_c, Poisson's ratio and K beta of substrate and film; yield_s, yield_c, the yield stresses of
+    substrate and film divided by pi H_s; parameters of `stiffness`; three plateaus (start, level): for u >= `start` the load is
+    at least `level`. Units: as in this module.
     """
     pull, eta, n_H, linear, square, nu_s, nu_c, K_beta_s, K_beta_c, yield_s, yield_c = row[:ALONE]
     (

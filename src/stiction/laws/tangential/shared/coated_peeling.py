@@ -189,8 +189,8 @@ def _sign_change(first: np.ndarray, values: np.ndarray) -> np.ndarray:
 def peeling_force(u, load, area, row):
     """Return the tangential force at which a coated JKR asperity peels, in units of K R^(1/2) sigma^(3/2).
 
-    u: coordinate, u^4 = a^2/(R sigma) with the contact radius a. load, area: not used. row: sqrt(32 pi n_g/(theta zeta)), u
-    at the first knot, spline coefficients.
+    u: coordinate, u^4 = a^2/(R sigma) with the contact radius a. load, area: not used. row: sqrt(32 pi n_g/(theta zeta)), with
+    the symbols of the module docstring; u at the first knot; spline coefficients.
     """
     y = 1.0
     if u < 1e100:
