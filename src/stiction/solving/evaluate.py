@@ -1,4 +1,4 @@
-"""Evaluate the model of the 2015 paper quickly, from and to NumPy arrays without labels or units."""
+"""Evaluate the model of the 2015 paper quickly, with plain NumPy arrays without labels or units."""
 
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any, NamedTuple

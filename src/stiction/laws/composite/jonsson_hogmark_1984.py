@@ -1,4 +1,4 @@
-r"""Hardness of a film on a substrate, weighted by their areas under the indenter: Joensson & Hogmark 1984.
+r"""Hardness of a film on a substrate, averaged over their areas under the indenter: Joensson & Hogmark 1984.
 
 *Assumes*: the hardnesses of film and substrate are weighted by their areas under a Vickers pyramid whose impression has the
 diagonal $d$. *Source*: [jonsson_hogmark_1984], as restated by the documentation of the NIMS toolbox. $H$ is the hardness of

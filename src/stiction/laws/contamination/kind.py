@@ -1,4 +1,4 @@
-"""Define contamination laws: scatter of friction because the strength of junctions varies."""
+"""Define contamination laws: scatter of friction due to varying junction strength."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass

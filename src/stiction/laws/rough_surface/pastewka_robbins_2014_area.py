@@ -1,4 +1,4 @@
-r"""Area against load of a rough surface that attracts but does not stick: Pastewka & Robbins 2014.
+r"""Contact area as a function of load for a rough surface that attracts but does not stick: Pastewka & Robbins 2014.
 
 *Assumes*: as in the criterion [`pastewka_robbins_2014`](#pastewka_robbins_2014), attraction acts on rims around the contact
 spots and repulsion in the spots. Attractive and repulsive force are proportional to the areas of rims and spots, and these to

@@ -1,4 +1,4 @@
-"""Find where an asperity on a bonded film yields, and continue it plastically.
+"""Find where an asperity on a bonded film yields, and compute its plastic response beyond yield.
 
 The asperity yields where its mean pressure reaches the value at which its asperity law yields on a uniform half-space. This
 half-space has the modulus E_P of film and substrate together at this contact radius, and their hardness chi at this depth; the

@@ -1,4 +1,4 @@
-"""Find where the load of an asperity changes from tension to compression, a kink of laws that ignore tension."""
+"""Find where the load of an asperity changes from tension to compression; laws that ignore tension have a kink there."""
 
 from collections.abc import Callable
 from functools import cache
