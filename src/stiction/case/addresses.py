@@ -61,7 +61,7 @@ def _known(content: Mapping) -> list[str]:
 
 
 def _heights(content: Mapping) -> list[str]:
-    """Return the dotted names of the heights (Sq or Ra) that a case states with a finish, e.g. "roughness.rms_height"."""
+    """Return the dotted names of the heights (Sq or Ra) that a case specifies with a finish, e.g. "roughness.rms_height"."""
     paths = [(*body, height) for body in ((), ("first",), ("second",)) for height in ("rms_height", "mean_height")]
     return [".".join(("roughness", *path)) for path in paths if entry_at(roughness_in(content), path) is not None]
 

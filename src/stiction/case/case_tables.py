@@ -40,7 +40,7 @@ class _Solve(Input):
     @model_validator(mode="before")
     @classmethod
     def _options_by_name(cls, table):
-        """Move options of models and laws stated directly in [solve] to its table `options`, and return [solve].
+        """Move options of models and laws specified directly in [solve] to its table `options`, and return [solve].
 
         Any argument that is not a table is returned unchanged. Raises InputError for a value that an option does not allow, and
         for a key of [solve] in `options`.

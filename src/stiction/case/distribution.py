@@ -1,4 +1,4 @@
-"""Describe the probability distributions of uncertain inputs: named ones, those of scipy.stats, and samples.
+"""Describe the probability distributions of uncertain inputs: named distributions, those of scipy.stats, and samples.
 
 In `0.5 +/- 0.1`, 0.1 is the standard deviation of a normal distribution (a standard uncertainty after JCGM 100:2008, 2.3.1). A
 median with a factor is a log-normal distribution whose logarithm has the standard deviation ln(factor).

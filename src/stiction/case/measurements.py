@@ -38,8 +38,8 @@ class Measurements:
     """Store n measured values in SI units, with their loads, standard errors and samples.
 
     Each field has n entries. quantity: name of the measured result, e.g. "friction_force". sample: name of the series, "" if
-    not stated. load: in N, or dimensionless for [indices]; NaN if not stated. error: standard error of the value, NaN if not
-    stated. known: numbers of the contact stated in the same row, by address (tuple of keys). line: line number in the file.
+    missing. load: in N, or dimensionless for [indices]; NaN if missing. error: standard error of the value, NaN if missing.
+    known: numbers of the contact in the same row, by address (tuple of keys). line: line number in the file.
     """
 
     quantity: tuple[str, ...]
@@ -166,7 +166,7 @@ def _column(head: str, content: Mapping) -> _Column:
 
 
 def _unit(quantity: str, unit: str, head: str, normalised: bool) -> str:
-    """Return the unit stated in the name of a column, "" for a dimensionless quantity.
+    """Return the unit in the name of a column, "" for a dimensionless quantity.
 
     quantity: name of the quantity. unit: text between the brackets of the column name. head: full column name, for errors.
     normalised: whether values are dimensionless, so that no unit is allowed. Raises InputError if a unit is missing or not

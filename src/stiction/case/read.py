@@ -51,13 +51,13 @@ _LARGEST_FILE = 10**7  # bytes; no case is that long, so that a larger file was 
 class Case:
     """Store a case as read from a case file: a contact, the points to solve, the model and the uncertain inputs.
 
-    title: text, "" if not stated. subject: a Contact, or dimensionless Indices. Its swept numbers are arrays with named
+    title: text, "" if not specified. subject: a Contact, or dimensionless Indices. Its swept numbers are arrays with named
     dimensions, its uncertain numbers have their nominal values. separation, load: the points to solve, one of them an array
     (n,) and the other None. They are in m and N for a Contact. For Indices they are h = d/sigma and the load per asperity
-    divided by K R^(1/2) sigma^(3/2). If sigma is swept, separations stated as multiples of sigma are an array with named
+    divided by K R^(1/2) sigma^(3/2). If sigma is swept, separations specified as multiples of sigma are an array with named
     dimensions. choice: the model with its laws and options. uncertain: uncertain numbers with their distributions. uncertainty:
-    how they are sampled. swept: arrays of the swept numbers by address (tuple of keys). points: separations as the file states
-    them; None without separations.
+    how they are sampled. swept: arrays of the swept numbers by address (tuple of keys). points: separations as written in the
+    file; None without separations.
     """
 
     title: str
@@ -87,7 +87,7 @@ class Case:
 
     @property
     def loads_or_separations(self) -> "np.ndarray | xarray.DataArray":
-        """Return the points to solve: the loads of the case, or its mean separations if it states no load."""
+        """Return the points to solve: the loads of the case, or its mean separations if it has no loads."""
         points = self.separation if self.load is None else self.load
         assert points is not None
         return points
@@ -261,7 +261,7 @@ def refuse_bare_numbers(table: Mapping, path: str) -> None:
 
 
 def _is_text(value: Any, path: str) -> bool:
-    """Return whether an entry of a case file is in a form that may state a unit.
+    """Return whether an entry of a case file has a form that may include a unit.
 
     path: dotted name of the table with the entry. These forms are text, lists and distributions. Lists count because their
     entries are checked when they are read, and distributions count because those made in Python are in SI units. In a table

@@ -231,7 +231,7 @@ def _read(path: Address, entry: Any, ambiguous: bool) -> SweptNumber:
 def _numbers(entries: list[Any], path: Address, ends: tuple[str, ...]) -> np.ndarray:
     """Convert entries of a case file to numbers (n,) in SI units, after checking each.
 
-    entries: as the file states them. path: address of the swept number, whose last key is the name of the quantity. ends:
+    entries: as written in the file. path: address of the swept number, whose last key is the name of the quantity. ends:
     suffixes that name the entries in errors, e.g. (".start", ".stop"); the last one also names all further entries. Raises
     InputError for an invalid entry.
     """
@@ -306,7 +306,7 @@ def _spaced(ends: np.ndarray, count: int, spacing: str) -> np.ndarray:
 def _check_spacing(where: str, given: Any, **ends: float) -> None:
     """Raise InputError if the spacing of a range is logarithmic and one of its ends is not positive.
 
-    where: address of the range for errors. given: range as the file states it. ends: numbers to check by name of the end, e.g.
+    where: address of the range for errors. given: range as written in the file. ends: numbers to check by name of the end, e.g.
     start.
     """
     for end, number in ends.items():

@@ -192,7 +192,7 @@ def read_distribution(entry: Any, quantity: str, where: str, folder: Path = Path
 
 
 def _with_error(text: str, quantity: str, where: str) -> Distribution:
-    """Return the normal distribution, in SI units, that text such as "0.5 +/- 0.1 GPa" or "0.5 GPa +/- 20 %" states.
+    """Return the normal distribution, in SI units, described by text such as "0.5 +/- 0.1 GPa" or "0.5 GPa +/- 20 %".
 
     quantity: name of the quantity. where: address for errors. Raises InputError for other text, and for a standard deviation
     that is not positive.
@@ -285,7 +285,7 @@ def at_bodies(numbers: Mapping[Address, Uncertain], content: Mapping) -> Iterato
     """Yield the uncertain numbers of a case, each at the address of the body to which it belongs.
 
     numbers: uncertain numbers by address (tuple of keys). content: tables of the case. A number of a user-defined material is
-    yielded once for every body of this material that does not state its own value. All other numbers are yielded unchanged.
+    yielded once for every body of this material that does not have its own value. All other numbers are yielded unchanged.
     """
     for path, number in numbers.items():
         if path[0] != "materials":

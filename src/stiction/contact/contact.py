@@ -133,7 +133,7 @@ class Contact(Subject):
 
     @property
     def adheres(self) -> bool:
-        """Return whether the work of adhesion of the contact is stated and above 0."""
+        """Return whether the work of adhesion of the contact is specified and above 0."""
         return bool(np.any(np.asarray(0.0 if self.work_of_adhesion is None else self.work_of_adhesion) > 0.0))
 
     def indices(self) -> Indices:
@@ -344,7 +344,7 @@ class Contact(Subject):
 
     @property
     def interface_strength(self) -> "NumberOrArray | None":
-        """Return tau_0 of the interface [Pa], capped at the shear strength of the weaker surface; None if it is not stated."""
+        """Return tau_0 of the interface [Pa], capped at the shear strength of the weaker surface; None if not specified."""
         return None if self.interface_at()[0] is None else self.indices().interface_strength * self._bare.hardness
 
     @property

@@ -34,7 +34,7 @@ class Interface(Input):
 
     The shear strength is tau_0 + alpha p at the pressure p; tau_0 and alpha are lognormally distributed.
     interfacial_shear_strength, shear_strength, strength_over_shear_modulus: median of tau_0 in Pa, relative to the hardness, or
-    relative to the shear modulus of the softer touching body or film; exactly one is stated. pressure_coefficient: median of
+    relative to the shear modulus of the softer touching body or film; exactly one is specified. pressure_coefficient: median of
     alpha; None if the strength does not depend on pressure. pressure_limit: mean pressure of contact spots [Pa] above which the
     interface fails; None if unknown. range: 5 and 95 % quantiles of a number, by name; a number without a range is exact.
     source, grade: of each number, by name, with grades as in data_files.GRADES. pairs: prior weight of the state for a pair of
@@ -72,15 +72,15 @@ class Interface(Input):
 
     @property
     def strength(self) -> str:
-        """Return the name of the stated strength, such as "interfacial_shear_strength", one of STRENGTHS."""
+        """Return the name of the specified strength, such as "interfacial_shear_strength", one of STRENGTHS."""
         return next(name for name in STRENGTHS if getattr(self, name) is not None)
 
     def strength_at(self, level: Any, hardness: Any = None, shear_modulus: Any = None, median: Any = None) -> Any:
         """Return the shear strength tau_0 [Pa] of this interface state at quantile levels between 0 and 1; arrays broadcast.
 
-        hardness, shear_modulus: of the softer body [Pa]; needed only if the strength is stated relative to one of them. median:
-        numbers that replace the stated strength; its 5 and 95 % quantiles are unchanged. Raises InputError for a level that is
-        not between 0 and 1, and if a needed hardness or shear modulus is missing.
+        hardness, shear_modulus: of the softer body [Pa]; needed only if the strength is specified relative to one of them.
+        median: numbers that replace the specified strength; its 5 and 95 % quantiles are unchanged. Raises InputError for a
+        level that is not between 0 and 1, and if a needed hardness or shear modulus is missing.
         """
         scale: Any = 1.0
         if self.strength != "interfacial_shear_strength":
@@ -95,7 +95,7 @@ class Interface(Input):
     def pressure_coefficient_at(self, level: Any, median: Any = None) -> np.ndarray:
         """Return the pressure coefficient alpha of this interface state at quantile levels between 0 and 1; 0 if it has none.
 
-        median: numbers that replace the stated coefficient. Raises InputError for a level that is not between 0 and 1.
+        median: numbers that replace the specified coefficient. Raises InputError for a level that is not between 0 and 1.
         """
         return self._quantile("pressure_coefficient", level, median)
 
@@ -206,8 +206,8 @@ def check_interface(contact: Input, state: Interface, first: Material, second: M
 def interface_weights(first: Material, second: Material) -> dict[str, float]:
     """Return the prior weight of each interface state that is possible between two bodies, by name; the weights sum to 1.
 
-    The weights apply if the user states no interface. They depend on the classes of the two materials. first, second: materials
-    of the touching surfaces; for a coated body, the material of its film.
+    The weights apply if the user specifies no interface. They depend on the classes of the two materials. first, second:
+    materials of the touching surfaces; for a coated body, the material of its film.
     """
     prior = {name: state.weight_of(first, second) for name, state in _states().items()}
     weights = {name: weight for name, weight in prior.items() if weight}

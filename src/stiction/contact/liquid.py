@@ -1,4 +1,4 @@
-"""Define the class Liquid, which describes a liquid that condenses to menisci between two bodies."""
+"""Define the class Liquid, which describes a liquid that condenses into menisci between two bodies."""
 
 from typing import TYPE_CHECKING, Any
 
@@ -86,7 +86,7 @@ class Liquid(Input):
 
     @property
     def tension(self) -> "NumberOrArray":
-        """Return the surface tension [N/m]: the stated value, or the value of water at the temperature.
+        """Return the surface tension [N/m]: the specified value, or the value of water at the temperature.
 
         Water: 0.2358 (1 - T/T_c)^1.256 (1 - 0.625 (1 - T/T_c)) (IAPWS R1-76).
         """

@@ -239,7 +239,7 @@ def remaining_notes(source: Any, ranges: Mapping[str, Any], changes: Mapping[str
     - source: text, or texts by name of the number; ranges: by name of the number; both before the change
     - changes: new values by field; they may include `source` and `range`
 
-    Replaced numbers lose their source and range, unless the changes state new ones.
+    Replaced numbers lose their source and range, unless the changes specify new ones.
     """
     if isinstance(source, Mapping):
         source = {field: text for field, text in source.items() if field not in changes}
@@ -260,7 +260,7 @@ def as_material(value):
 
 
 def class_of(body: Material) -> str:
-    """Return the stated material class of a body, or guess it from Young's modulus E and hardness H.
+    """Return the specified material class of a body, or guess it from Young's modulus E and hardness H.
 
     Below E = 0.1 GPa the class is "elastomer", below 10 GPa "polymer". Otherwise it is "ceramic" if H/E is 0.038 or more, else
     "metal".
@@ -274,7 +274,7 @@ def class_of(body: Material) -> str:
 
 
 class _Preset(NamedTuple):
-    """Store a preset material as its file states it: numbers, sources, ranges, symbols and class."""
+    """Store a preset material as defined in its file: numbers, sources, ranges, symbols and class."""
 
     numbers: dict[str, Any]
     source: dict[str, str]

@@ -1,4 +1,4 @@
-"""List the optional inputs that a contact states, with the dimensionless group in which each is used."""
+"""List the optional inputs specified for a contact, with the dimensionless group in which each is used."""
 
 from typing import TYPE_CHECKING
 
@@ -26,7 +26,7 @@ _OF_BODY = {"yield_stress": "hardness_to_yield", "tangent_modulus": "hardening",
 def optional_inputs(contact: "Contact") -> dict[str, str]:
     """Return the dimensionless group in which each optional input of a contact is used, by name of the input.
 
-    Only inputs that the contact states are included. The group is "" for an input of the film that no group contains.
+    Only inputs specified for the contact are included. The group is "" for an input of the film that no group contains.
     """
     inputs = {name: group for name, group in _OF_CONTACT.items() if getattr(contact, name) is not None}
     for body in ("first", "second"):

@@ -1,4 +1,4 @@
-r"""Compute the hardness of a material that gets harder as asperities get smaller (the indentation size effect).
+r"""Compute the hardness of a material that is harder under smaller asperities (the indentation size effect).
 
 *Assumes*: a crystal that hardens by dislocations: those present before the contact, and those that the shape of an imprint
 requires. The latter fill a hemisphere as wide as the contact. Strength grows with the square root of the total density of

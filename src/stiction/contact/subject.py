@@ -82,11 +82,11 @@ class Subject(Input):
             raise InputError(name, values_in_words(array, name), allowed)
 
     def inputs(self) -> list[tuple[str, str]]:
-        """Return the dotted name and the value with its unit of every stated input."""
+        """Return the dotted name and the value with its unit of every specified input."""
         return self.listed()
 
     def optional_inputs(self) -> dict[str, str]:
-        """Return the dimensionless group that each stated optional input determines, by name of the input.
+        """Return the dimensionless group that each specified optional input determines, by name of the input.
 
         The group is "" if no law uses the input.
         """
@@ -108,12 +108,12 @@ class Subject(Input):
 
     @property
     def surface_kind(self) -> str | None:
-        """Return the kind of surface that the user stated, one of finishes.SURFACE_KINDS; None if the user stated none."""
+        """Return the kind of surface that the user specified, one of finishes.SURFACE_KINDS; None if there is none."""
         return None
 
     @property
     def surface_shape(self) -> dict[str, float]:
-        """Return the stated statistics of the surface by name: skewness, kurtosis, texture_aspect_ratio; others are absent."""
+        """Return the values of skewness, kurtosis and texture_aspect_ratio that are specified, by name."""
         rough: Any = self.known("roughness")
         return {} if rough is None else rough.shape
 
@@ -159,7 +159,7 @@ class Subject(Input):
 
     @abstractmethod
     def read(self, value: "QuantityLike", name: str) -> "Values":
-        """Check loads or separations stated by the user, and return them in the unit of this contact's inputs.
+        """Check loads or separations specified by the user, and return them in the unit of this contact's inputs.
 
         name: "load" or "mean_separation". A Contact has SI units; Indices have dimensionless values. Raises InputError.
         """

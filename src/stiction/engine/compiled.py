@@ -2,8 +2,8 @@
 
 A kernel that works for any law is made by a factory: a plain function that takes the formulas of the law and returns a kernel
 that calls them. Numba then compiles the kernel as if the formulas were written inside it. The file name of a compiled kernel is
-a hash of the code of the kernel and of everything that this code refers to. A kernel is therefore compiled anew if, and only
-if, some of that code changes. `numba_internals` explains why Numba's own cache cannot do this.
+a hash of the code of the kernel and of everything that this code refers to. A kernel is therefore recompiled if, and only if,
+some of that code changes. `numba_internals` explains why Numba's own cache cannot do this.
 
 Plain Python runs the kernels at first. Numba is imported when the first kernel is compiled or loaded from the cache, because
 importing it takes longer than solving one contact in plain Python.

@@ -1,4 +1,4 @@
-"""Define the claims that the record of a law makes besides its formulas.
+"""Define the claims that the record of a law makes in addition to its formulas.
 
 These are its grade, validity ranges, limiting cases, discontinuities and parameters.
 """

@@ -62,7 +62,7 @@ class TangentialLaw(Record):
     - of_area: whether the force is shear strength times contact area, plus a part that depends on the load
     - junctions: keys of the laws that the option `plastic_junctions` offers for yielded junctions (contact spots), to which
       this law gives no resistance
-    - yielded: its assumption on the resistance of yielded junctions, a key of YIELDED; "" if the source states none
+    - yielded: its assumption on the resistance of yielded junctions, a key of YIELDED; "" if the source has none
     """
 
     kind = keyword = "tangential"
@@ -95,7 +95,7 @@ class FilmLaw(Record):
     - wants: traits that the asperity law must have, each with the reason (a dict)
     - own_asperity: whether the film law has its own asperity law and ignores the one in `law`
     - one_body: whether film and substrate count as one body with the film's surface. The groups in the field `takes` of the
-      other laws are then unused, and so is the work of adhesion of the bodies if the film states its own
+      other laws are then unused, and so is the work of adhesion of the bodies if the film has its own
     - solved_as_one: whether its elastic asperity is a sphere on a layered solid; tangential laws with `layered` then suit it
       too
     - bares_substrate: whether the substrate can be exposed. A tangential law of the interface then shears only the part of the

@@ -116,7 +116,7 @@ def _outside(record: AsperityMethod, found: Asperities) -> list[str]:
 def _settled(record: AsperityMethod, given: Mapping[str, Any]) -> dict[str, Any]:
     """Return the value of every option of an asperity method, by name.
 
-    given: values that the user states. An option that is absent or None gets its default. Raises InputError for an unknown
+    given: values specified by the user. An option that is absent or None gets its default. Raises InputError for an unknown
     option or a value that is not allowed.
     """
     for name in given:
@@ -132,7 +132,7 @@ def _settled(record: AsperityMethod, given: Mapping[str, Any]) -> dict[str, Any]
 def _checked(name: str, option: Parameter, value: Any) -> Any:
     """Return the value of an option of an asperity method; raise InputError if it is not allowed.
 
-    name: name of the option, for the error. value: as the user states it; a length is converted to metres.
+    name: name of the option, for the error. value: as specified by the user; a length is converted to metres.
     """
     if option.unit and not option.values and not isinstance(value, bool):
         value = in_metres(value, name)

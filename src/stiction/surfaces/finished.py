@@ -43,7 +43,7 @@ class Finished(Input):
     converted by Sq = 1.25 Ra; without either height, the finish provides Sq. kind: kind of surface as in `Roughness`; the
     default is the kind of the finish. skewness, kurtosis, texture_aspect_ratio: as in `Roughness`.
 
-    Raises InputError if both heights are stated, or if sigma, R or N is stated as well.
+    Raises InputError if both heights are specified, or if sigma, R or N is specified as well.
     """
 
     finish: Annotated[str, BeforeValidator(_finish)] = Field(description="a finish, e.g. ground, lapped or polished")
@@ -78,14 +78,14 @@ class Finished(Input):
 
     @property
     def height(self) -> Any:
-        """Return the stated Sq [m], or 1.25 times the stated Ra; None if neither is stated."""
+        """Return the specified Sq [m], or 1.25 times the specified Ra; None if neither is specified."""
         return self.rms_height if self.mean_height is None else SQ_OVER_RA * self.mean_height
 
     @property
     def unknowns(self) -> tuple[str, ...]:
         """Return the names of the quantities that only the finish determines, each as a range.
 
-        They are rms_slope, roughness_parameter (N R sigma) and, if no height is stated, rms_height.
+        They are rms_slope, roughness_parameter (N R sigma) and, if no height is specified, rms_height.
         """
         return ("rms_slope", "roughness_parameter", *(["rms_height"] if self.height is None else []))
 
@@ -100,7 +100,7 @@ class Finished(Input):
         return Moments(m0, m2, bandwidth(density) * m2**2 / m0)
 
     def notes(self) -> list[str]:
-        """Return one line on the quantities that the finish provides, and one on the conversion of Ra if Ra is stated."""
+        """Return one line on the quantities that the finish provides, and one on the conversion of Ra if Ra is specified."""
         made = finish(self.finish)
         words = "; ".join(_median(made, name) for name in self.unknowns)
         of_ra = [] if self.mean_height is None else [f"Sq = {SQ_OVER_RA} Ra, as of Gaussian heights"]
@@ -130,7 +130,7 @@ class FinishedBodies(Input):
     """Describe the rough bodies of a contact, at least one of them by a finish (how it was made, such as "ground").
 
     first, second: the rough bodies, each a Finished or a Roughness; None for a smooth body. Raises InputError if both bodies
-    are rough and one of them states skewness, kurtosis or texture_aspect_ratio.
+    are rough and one of them specifies skewness, kurtosis or texture_aspect_ratio.
     """
 
     first: _Body | None = Field(default=None, description="a table with the finish, or the numbers, of the first body")
@@ -216,7 +216,7 @@ def _moments(body: Finished | Roughness, name: str, levels: Mapping[str, Any]) -
 
 
 def is_finished(table: Any) -> bool:
-    """Return whether a roughness table states a finish or a roughness height (Sq, Ra), and names no scan file."""
+    """Return whether a roughness table specifies a finish or a roughness height (Sq, Ra), and names no scan file."""
     if not isinstance(table, Mapping):
         return False
     if table.keys() & {"finish", *_HEIGHTS, *_SYMBOLS}:
@@ -227,7 +227,7 @@ def is_finished(table: Any) -> bool:
 
 
 def roughness_of_finish(table: Mapping[str, Any]) -> Roughness:
-    """Return the roughness of a contact from a table that states a finish.
+    """Return the roughness of a contact from a table that specifies a finish.
 
     The table describes the only rough body, or it has the keys "first" and "second" with a table for each body. `is_finished`
     checks whether a table is accepted. Raises InputError for invalid entries.

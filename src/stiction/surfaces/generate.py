@@ -1,4 +1,4 @@
-"""Generate random surfaces with a given power spectrum, Gaussian or with skewness and kurtosis.
+"""Generate random surfaces with a given power spectrum, Gaussian or with given skewness and kurtosis.
 
 Gaussian surfaces are filtered white noise (linear filter, Hu & Tonder 1992). The Fourier transform of the noise is multiplied
 by sqrt(C / (dx dy)), with the power spectral density C and the point spacings dx and dy. Every wave on the grid then has the

@@ -27,8 +27,8 @@ class HeightMap:
     heights : array_like (rows, columns) [m]
         NaN where missing. Rows run along y, columns along x; a profile is (1, columns). Stored as float64.
     size : (y, x) [m], each a number or text with a unit
-        Positive. The pitch is size / count: N points span N intervals, as in one period of a periodic surface. The y size of
-        a profile only states the width of its row.
+        Positive. The pitch is size / count: N points span N intervals, as in one period of a periodic surface. The y size of a
+        profile is only the width of its row.
     history : tuple of str, optional
         Every processing step, in words.
     name : str, optional

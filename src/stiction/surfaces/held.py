@@ -27,7 +27,7 @@ def as_height_map(value: Any, field: str = "scan") -> HeightMap:
     - a HeightMap, which is returned unchanged
     - a topography of SurfaceTopography with a unit
     - an xarray.DataArray with dimensions (y, x), or (x,) for a profile. Its coordinates are equally spaced lengths. The
-      attribute `units` of the array and of each coordinate states the unit.
+      attribute `units` of the array and of each coordinate specifies the unit.
     - a pair (array, size). The array holds heights (rows, columns) or (columns,) in m. The size is the length along x,
       for square pixels, or (y, x), in metres or as text with a unit.
 

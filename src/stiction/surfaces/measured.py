@@ -124,7 +124,7 @@ class Measured:
     a method found no asperities. history: processing steps of each body's scan, by "first" or "second". notes: what was found,
     in words. counts: number of separate asperities; 0 for a method that only computes averages, and for two bodies.
     mean_heights: mean asperity height above the mean plane [m]. validity_warnings: on scans and their combination. of_moments:
-    the method that computes spectral moments. stated: which of "method" and "heights" the user stated. solvable: maps for a
+    the method that computes spectral moments. stated: which of "method" and "heights" the user chose. solvable: maps for a
     point-by-point solution.
     """
 
@@ -315,7 +315,7 @@ def independent(found: "Asperities", surface: "HeightMap") -> int:
 
 
 def standing_method(found: Mapping[str, "Asperities"], counts: Mapping[str, int]) -> str:
-    """Return the key of the asperity method that is used if the user states none.
+    """Return the key of the asperity method that is used if the user specifies none.
 
     found: asperities by method. counts: number of separate asperities by method. The result is the first method that finds at
     least FEW asperities or computes averages only; if there is none, the first in `found`, or "" if it is empty. Methods with

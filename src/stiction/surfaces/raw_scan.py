@@ -1,4 +1,4 @@
-"""Define the content of a scan file before its units and size are settled, and the interface of a file reader."""
+"""Define the content of a scan file before its units and size are determined, and the interface of a file reader."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -13,12 +13,12 @@ FEWEST_POINTS = 8  # along a direction; with fewer a scan has no meaningful spec
 
 @dataclass(frozen=True)
 class RawScan:
-    """Store the content of a scan file before its units and size are settled.
+    """Store the content of a scan file before its units and size are determined.
 
     - heights: (rows, columns) in the unit of the file, NaN where missing, of any real type
     - said: format of the file and channel, in words
-    - size: (y, x) in the unit of the file, pitch times number of points; None if the file does not state it
-    - unit: unit of size and heights; None if the file does not state it
+    - size: (y, x) in the unit of the file, pitch times number of points; None if the file does not specify it
+    - unit: unit of size and heights; None if the file does not specify it
     - notes: steps that brought the heights to a regular grid, in words
     - periodic: whether the file states that the map is one period of an infinite surface
     """
@@ -38,7 +38,7 @@ class Reader:
     - endings: file name endings in lower case, with the dot; empty for a reader that is tried on every file, after all others
     - read(path, channel): function that returns a RawScan, or None if the file has another format. channel: name or position of
       a channel; None for the default
-    - holds: content of such a file, in words; given: inputs that the user must state for it, in words
+    - holds: content of such a file, in words; given: inputs that the user must specify for it, in words
     """
 
     endings: tuple[str, ...]

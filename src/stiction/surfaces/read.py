@@ -47,7 +47,7 @@ def read_scan(
     size : float [m], str with a unit, or (y, x), optional
         Size in place of the one in the file; a single length is along x, with square pixels. Text without a unit is in `unit`.
     unit : str, optional
-        Unit of the numbers in the file ("nm"), of the heights too unless `height_unit` is stated.
+        Unit of the numbers in the file ("nm"), of the heights too unless `height_unit` is specified.
     height_unit : str, optional
         Unit of the heights in the file.
     height_scale : float, optional
@@ -198,7 +198,7 @@ def _scale_warning(heights: np.ndarray, size: tuple[float, float]) -> tuple[str,
 def _factors(raw: RawScan, size, unit, height_unit, height_scale) -> tuple[float, float, tuple[str, ...]]:
     """Return metres per lateral unit, metres per height unit, and remarks on the origin of both for the history.
 
-    raw: content of the file. unit, height_unit, height_scale: as the user states them, None otherwise. size: the stated size or
+    raw: content of the file. unit, height_unit, height_scale: as specified by the user, else None. size: the specified size or
     None. Raises InputError for an unknown or missing unit.
     """
     taken = unit or raw.unit
@@ -222,9 +222,9 @@ def _factors(raw: RawScan, size, unit, height_unit, height_scale) -> tuple[float
 
 
 def _size(raw: RawScan, size, unit, factor: float) -> tuple[tuple[float, float], tuple[str, ...]]:
-    """Return the size (y, x) [m] of a scan, as stated or from the file, and remarks for the history.
+    """Return the size (y, x) [m] of a scan, as specified or from the file, and remarks for the history.
 
-    size: as the user states it, None to use the file. unit: unit of a size without one. factor: metres per unit of the file.
+    size: as specified by the user, None to use the file. unit: unit of a size without one. factor: metres per unit of the file.
     """
     rows, columns = raw.heights.shape
     if size is None:

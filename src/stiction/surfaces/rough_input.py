@@ -1,6 +1,6 @@
-"""Define the type of the field `roughness` of a contact, and convert what users may state there.
+"""Define the type of the field `roughness` of a contact, and convert what users may specify there.
 
-Users may state numbers, a scan, a finish, or a table of scans.
+Users may specify numbers, a scan, a finish, or a table of scans.
 """
 
 from collections.abc import Mapping

@@ -1,4 +1,4 @@
-"""Define the class Roughness, the rough surface of a contact, by asperities that are stated or found in scans."""
+"""Define the class Roughness, which describes the rough surface of a contact by asperities, specified or found in scans."""
 
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Self
@@ -144,9 +144,9 @@ class Roughness(Input):
         return changed(**changes).roughness()
 
     def part(self, name: str) -> object:
-        """Return the value of the field `name`; for "first" or "second", the finish and height stated for that body.
+        """Return the value of the field `name`; for "first" or "second", the finish and height specified for that body.
 
-        The result is None if there is no such field, or if no finish was stated.
+        The result is None if there is no such field, or if no finish was specified.
         """
         return getattr(self._finished, name, None) if name in ("first", "second") else super().part(name)
 
@@ -154,7 +154,7 @@ class Roughness(Input):
     def unknowns(self) -> tuple[str, ...]:
         """Return the names of the quantities that a finish determines only as a range, e.g. "first.rms_slope".
 
-        There are none if the user stated sigma, R and N.
+        There are none if the user specified sigma, R and N.
         """
         return () if self._finished is None else self._finished.unknowns
 
@@ -195,8 +195,8 @@ class Roughness(Input):
     def _scaled_heights(self) -> list[str]:
         """Return a warning, in a list, if the heights of a discrete distribution are scaled; otherwise an empty list.
 
-        The heights may be listed in m, mm, um, nm or Angstrom. If their standard deviation equals the stated one in none of
-        these units, they are scaled to the stated one, and the warning says so.
+        The heights may be listed in m, mm, um, nm or Angstrom. If their standard deviation equals the specified value in none
+        of these units, they are scaled to this value, and the warning says so.
         """
         samples = self.height_parameters.get("samples") if self.height_distribution == "discrete" else None
         deviation = 0.0 if samples is None else float(np.std(np.asarray(samples, dtype=float)))
@@ -217,12 +217,12 @@ class Roughness(Input):
 
     @property
     def shape(self) -> dict[str, float]:
-        """Return the values of skewness, kurtosis and texture_aspect_ratio that the user stated, by name."""
+        """Return the values of skewness, kurtosis and texture_aspect_ratio that the user specified, by name."""
         return {name: value for name in SHAPE if (value := getattr(self, name)) is not None}
 
     @property
     def surface_kind(self) -> str | None:
-        """Return the kind of surface, one of finishes.SURFACE_KINDS; None if the user stated none."""
+        """Return the kind of surface, one of finishes.SURFACE_KINDS; None if the user specified none."""
         return None if self.kind is None else surface_kind_of(self.kind)
 
     @property

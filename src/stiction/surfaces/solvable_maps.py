@@ -19,8 +19,8 @@ _ALIKE = 1e-6  # relative difference up to which the sizes of two maps count as 
 class SolvableMaps:
     """Store the height maps of the rough bodies of a contact, prepared for a point-by-point solution.
 
-    maps: HeightMap of each body, by "first" or "second". some_numbers: whether a rough body has no map, but only stated sigma,
-    R and N.
+    maps: HeightMap of each body, by "first" or "second". some_numbers: whether a rough body has no map, but only specified
+    sigma, R and N.
     """
 
     maps: "Mapping[str, HeightMap]" = field(default_factory=dict)

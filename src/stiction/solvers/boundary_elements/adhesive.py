@@ -1,4 +1,4 @@
-"""Solve the adhesive contact of a periodic map whose faces attract each other over a stated range.
+"""Solve the adhesive contact of a periodic map whose faces attract each other over a given range.
 
 Faces at a gap g >= 0 have the energy -w e^(-g/rho) per area (w: work of adhesion, rho: range), and never overlap. This is the
 law of the contact-mechanics challenge (Mueser et al. 2017, Tribology Lett. 65, 118). Under the mean pressure P the gap is a

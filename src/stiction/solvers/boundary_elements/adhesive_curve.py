@@ -1,4 +1,4 @@
-"""Solve one adhesive periodic map, with results of the same type as without adhesion.
+"""Solve an adhesive periodic map, and return results of the same type as without adhesion.
 
 The faces attract each other over a range rho (see `adhesive`). The option "atomic_range" is the range of atomic forces, which
 few maps resolve. "shortest_range" is the shortest range that the map resolves, but at least the atomic range. A map resolves a

@@ -1,4 +1,4 @@
-"""Compute the compliance of elastic bodies to a wave of pressure: normal displacement per pressure at the wavenumber k.
+"""Compute the compliance of elastic bodies to a pressure wave: normal displacement per pressure at the wavenumber k.
 
 Half-space (Johnson 1985, Contact Mechanics, section 13.2; plane-strain modulus E* = E/(1 - nu^2), for a pair of bodies 1/E* is
 the sum):

@@ -1,4 +1,4 @@
-"""Set the limits beyond which a map solution has a validity warning."""
+"""Set the limits beyond which a map solution gets a validity warning."""
 
 TOLERANCE = 1e-5  # largest residual: rms gap error in contact, divided by the rms height difference of neighbouring points
 LEAST_PIXELS = 8.0  # points in the shortest wave

@@ -10,7 +10,7 @@ from stiction.surfaces.readers.shared.topography import on_grid, quiet_library
 
 
 def read(path: Path, channel) -> RawScan:
-    """Read one measurement from a container, after applying the filters that the container states.
+    """Read one measurement from a container, after applying the filters that the container specifies.
 
     channel: name or position (from 0) of the measurement, by default the first. Raises InputError for a .zip file that is
     damaged or not such a container, or if the library SurfaceTopography is not installed.

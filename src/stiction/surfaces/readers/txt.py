@@ -1,6 +1,6 @@
 """Read text files with a table of numbers, as in .csv files.
 
-Lines that begin with # may state the units of columns x y z. A file with other statements in such lines is left to the reader
+Lines that begin with # may specify the units of columns x y z. A file with other statements in such lines is left to the reader
 of instrument formats.
 """
 
@@ -18,7 +18,7 @@ from stiction.surfaces.readers.shared.text import matrix, read_text
 def read(path: Path, channel) -> RawScan | None:
     """Read a text file: a matrix of heights (rows along x), or columns x z of a profile or x y z of a map.
 
-    channel: must be None. Returns None for a file whose # lines state more than units, or that begins with more than one line
+    channel: must be None. Returns None for a file whose # lines contain more than units, or that begins with more than one line
     of words.
     """
     units = _units(path)
@@ -37,9 +37,9 @@ _REMARK = re.compile(r"#\s*(Channel|Lateral units|Value units):\s*(.*?)\s*")
 
 
 def _units(path: Path) -> tuple[str, ...] | None:
-    """Return (lateral unit, height unit) from the lines at the start of a file that begin with #; () if they state none.
+    """Return (lateral unit, height unit) from the lines at the start of a file that begin with #; () if they specify none.
 
-    Returns None if one of these lines has another statement with a colon, or if only one unit or an unknown one is stated.
+    Returns None if one of these lines has another statement with a colon, or if only one unit or an unknown one is specified.
     """
     said: dict[str, str] = {}
     with path.open(encoding="utf-8-sig", errors="replace") as file:
