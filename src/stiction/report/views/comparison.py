@@ -266,7 +266,7 @@ def why_apart(groups: list[Group], prediction: "xarray.Dataset | None") -> str:
     added = [f"a factor of {number(factor)} for {cause}" for cause, factor in prediction.attrs["enlarged_by"].items()]
     lower = sum(len(group.names) for group in suited if mu > _APART * group.high)
     if added and 2 * lower > count:
-        return f"mu = {number(mu)} includes {' and '.join(added)}, which not every model includes"
+        return f"mu = {number(mu)} includes {' and '.join(added)}; most models include less of it or none"
     return f"mu = {number(mu)} is a median over sampled inputs and corrected contact areas; each model uses nominal inputs"
 
 

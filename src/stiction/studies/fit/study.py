@@ -1,10 +1,10 @@
 """Fit numbers of a case to measured friction, pull-off force, contact area or resistance.
 
-The table [fit.free] of the case names the free parameters, each with its low and high end. A case that names no model is
-predicted: samples are weighted by their agreement with the measured values, and --load predicts another load from the same
-values. For a case that names a model, 95 % intervals follow from the profile likelihood, and the output states what the data do
-not determine. --out writes fitted.toml, a case file for `stiction run`, with pictures and tables. If interrupted after the
-model is fitted, the command keeps this fit.
+A case that names no model needs no change: the samples of its prediction are weighted by their agreement with the measured
+values, and --load predicts another load from the same values. The table [fit.free] of a case names free parameters, each with
+its low and high end; a case that names a model needs it. Its 95 % intervals follow from the profile likelihood, and the output
+states what the data do not determine. --out writes pictures, tables and, with [fit.free], fitted.toml, a case file for
+`stiction run`. If interrupted after the model is fitted, the command keeps this fit.
 """
 
 from pathlib import Path
@@ -17,7 +17,7 @@ from stiction.studies.study import Study
 
 def _plan(
     case: Path,
-    data: Annotated[Path, Option(help="CSV file of a measured series, units in the column names.", metavar="MEASURED.csv")],
+    data: Annotated[Path, Option(help="CSV file, for example a line 'load [N],friction_coefficient' and a line '10,0.4'.", metavar="MEASURED.csv")],
     load: str | None = None,
     out: Path | None = None,
     details: bool = False,
@@ -39,4 +39,4 @@ def _run(plan: tuple[Any, ...], progress: Any) -> tuple[Any, ...]:
     return run_fit(plan_of_fit(case, data), progress), out
 
 
-STUDY = Study("fit", __doc__, "Case file with a table [fit] that names the free parameters.", _plan, _run)
+STUDY = Study("fit", __doc__, "Case file; with a table [fit] that names the free parameters if it names a model.", _plan, _run)
