@@ -255,7 +255,7 @@ def answer_lines(data: "xarray.Dataset", terminal: bool = True) -> list[tuple[st
         ("uncertainty from", sources_in_words(attrs["shares"])),
         ("sliding", _sliding(point)),
         ("model", models_in_words(attrs["models"]) + beside_area(attrs)),
-        ("if worn through", f"{worn} of the clean metals; not included in the interval above" if worn else ""),
+        ("if worn through", f"{worn} of the clean metals, an upper bound; not included in the interval above" if worn else ""),
         ("checked against", "" if "measured" in attrs else attrs["checked_against"]),
         ("warning", warnings[0] if warnings else ""),
         ("not used", "; ".join(attrs["inputs_not_used"])),
