@@ -14,10 +14,12 @@ from typer import Option
 
 from stiction.studies.study import Study
 
+_DATA = "CSV file, for example a line 'load [N],friction_coefficient' and a line '10,0.4'."
+
 
 def _plan(
     case: Path,
-    data: Annotated[Path, Option(help="CSV file, for example a line 'load [N],friction_coefficient' and a line '10,0.4'.", metavar="MEASURED.csv")],
+    data: Annotated[Path, Option(help=_DATA, metavar="MEASURED.csv")],
     load: str | None = None,
     out: Path | None = None,
     details: bool = False,
