@@ -92,7 +92,7 @@ def surface_in_short(analysis: Analysis) -> Table:
     slope = of_heights.slope_x if surface.is_profile else of_heights.slope
     missing = f", {_missing(surface)} missing" if surface.missing else ""
     spikes = f"{analysis.spikes} points stand out: mask them with --spikes {SUSPICIOUS:g}" if analysis.spikes else ""
-    kind = analysis.kind or "not found; if known, add e.g. kind = \"ground\" to the asperities below"
+    kind = analysis.kind or 'not found; if known, add e.g. kind = "ground" to the asperities below'
     heights = f"Sq {shown(of_heights.Sq, 'scan_size', 3)}, skewness {round(of_heights.Ssk, 2) + 0.0:g}, rms slope {slope:.2g}"
     return facts(
         [
