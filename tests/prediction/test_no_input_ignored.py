@@ -231,7 +231,7 @@ def called(tmp_path, text, *words):
 def test_a_refused_input_ends_in_one_line_and_models_are_compared_all_the_same(tmp_path):
     text = COMMAND.replace("[contact]", "[contact]\npeeling = 0.5")
     code, said = called(tmp_path, text, "run")
-    assert code == 2 and said.startswith("stiction: peeling: 0.5; allowed: no value without a named model")
+    assert code == 2 and said.startswith("stiction: peeling: 0.5; allowed: no value in a prediction, which cannot use it")
     assert said.endswith("use --model soft_coating_2015")
     named = called(tmp_path, text.replace("interfacial_shear_strength", "# "), "run", "--model", "soft_coating_2015")
     assert named[0] == 0 and "peeling is not used" not in named[1]

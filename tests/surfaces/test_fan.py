@@ -155,7 +155,7 @@ def test_where_a_method_finds_nothing_the_reason_stands():
     nothing = table["failure"].values != ""
     assert nothing[0].all() and not nothing[1].any()
     reason = str(table["failure"].values[0, 0])
-    assert reason.startswith("asperities by persistence: '0 found'; allowed: 2 or more: a threshold below")
+    assert reason.startswith("asperities by persistence: 0 found; allowed: 2 or more: a threshold below")
     for name in NUMBERS:
         np.testing.assert_array_equal(np.isnan(table[name].values), nothing)
 

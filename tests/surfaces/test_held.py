@@ -79,14 +79,14 @@ def test_an_array_and_its_size():
         ("scan.npy", "scan: 'str'; allowed: a HeightMap"),
         ((HEIGHTS, "8 N"), "scan.size: '8 N'"),
         ((HEIGHTS, (1e-6, 1e-6, 1e-6)), "scan.size: (1e-06, 1e-06, 1e-06)"),
-        ((HEIGHTS[None], 1e-6), "scan.heights: 'array of shape"),
+        ((HEIGHTS[None], 1e-6), "scan.heights: array of shape"),
         ((HEIGHTS * 1e9, "8 um"), "scan: 'an array: peak to valley"),  # heights in nm, taken for m
-        ((HEIGHTS[:4], "8 um"), "scan: 'an array of 4 x 16 points'; allowed: at least 8"),
-        ((np.ones((16, 16)), "8 um"), "scan: 'an array: constant heights'"),
+        ((HEIGHTS[:4], "8 um"), "scan: an array of 4 x 16 points; allowed: at least 8"),
+        ((np.ones((16, 16)), "8 um"), "scan: an array: constant heights"),
         (xarray.DataArray(HEIGHTS, dims=("y", "x")), "scan.y: not given; allowed: a coordinate"),
         (
             xarray.DataArray(HEIGHTS[0], dims="x", coords={"x": np.arange(16.0) ** 2}),
-            "scan.x: 'steps from 1 to 29'; allowed: equally spaced",
+            "scan.x: steps from 1 to 29; allowed: equally spaced",
         ),
         (xarray.DataArray(HEIGHTS[0], dims="x", coords={"x": ("x", np.arange(16), {"units": "N"})}), "scan.x: 'N'"),
         (xarray.DataArray(HEIGHTS[0], dims="x", coords={"x": np.arange(16.0)}), "scan.units of x: not given"),
@@ -94,7 +94,7 @@ def test_an_array_and_its_size():
             xarray.DataArray(HEIGHTS[0], dims="x", coords={"x": ("x", np.arange(16), {"units": "um"})}),
             "scan.units of heights: not given",
         ),
-        (xarray.DataArray(HEIGHTS[None], dims=("a", "y", "x")), "scan: 'DataArray of shape"),
+        (xarray.DataArray(HEIGHTS[None], dims=("a", "y", "x")), "scan: DataArray of shape"),
     ],
 )
 def test_what_is_no_map_is_one_line(given, said):

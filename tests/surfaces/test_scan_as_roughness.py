@@ -175,7 +175,7 @@ def test_each_method_at_the_loads_of_the_first(scan):
     ("roughness", "said"),
     [
         (np.zeros((16, 16)), "roughness: 'ndarray'; allowed: a HeightMap, a topography"),
-        ((np.zeros((16, 16)), "1 um"), "roughness: 'an array: constant heights'"),
+        ((np.zeros((16, 16)), "1 um"), "roughness: an array: constant heights"),
         ((np.eye(16) * 1e-9, "1 N"), "roughness.size: '1 N'"),
         ({"first": np.zeros((16, 16))}, "roughness.first: 'ndarray'; allowed: a HeightMap"),
         ({"first": {"file": "nowhere.npy"}}, "roughness.first.file: 'nowhere.npy'"),

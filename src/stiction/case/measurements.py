@@ -13,7 +13,7 @@ import numpy as np
 
 from stiction.case.addresses import address_of, subject_table
 from stiction.case.swept import Address
-from stiction.quantities.errors import InputError, field_named, nearest
+from stiction.quantities.errors import InputError, InWords, field_named, nearest
 from stiction.quantities.paths import read_text
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show, to_si
@@ -114,12 +114,14 @@ def read_measurements(path: Any, content: Mapping) -> Measurements:
     for line_number, line in lines[1:]:
         cells = _cells(line_number, line, between)
         if len(cells) != len(heads):
-            raise InputError(f"line {line_number}", f"{len(cells)} cells", f"{len(heads)} cells, one for each column name")
+            raise InputError(
+                f"line {line_number}", InWords(f"{len(cells)} cells"), f"{len(heads)} cells, one for each column name"
+            )
         entries += _entries(line_number, dict(zip(heads, cells, strict=True)), dict(zip(heads, columns, strict=True)))
     if not entries:
         raise InputError("--data", str(path), "at least one measured value")
     if len(entries) > _MOST_ROWS:
-        raise InputError("--data", f"{len(entries)} values", f"{_MOST_ROWS} at most")
+        raise InputError("--data", InWords(f"{len(entries)} values"), f"{_MOST_ROWS} at most")
     quantity, sample, load, value, error, known, number = zip(*entries, strict=True)
     measured = Measurements(quantity, sample, np.array(load), np.array(value), np.array(error), known, number)
     _check_errors(measured)

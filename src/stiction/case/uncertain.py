@@ -158,7 +158,7 @@ def _check_rows(numbers: Mapping[Address, Uncertain]) -> None:
         count, wanted = (len(uncertain.distribution.parameters) for uncertain in (number, other))
         if count != wanted:
             allowed = f"{wanted} values as in {other.where}, because rows of both are sampled together"
-            raise InputError(f"{number.where}.samples", f"{count} values", allowed)
+            raise InputError(f"{number.where}.samples", InWords(f"{count} values"), allowed)
 
 
 def read_distribution(entry: Any, quantity: str, where: str, folder: Path = Path()) -> Distribution:

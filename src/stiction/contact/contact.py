@@ -17,7 +17,7 @@ from stiction.contact.pair import Pair, choose, compliance_of, more_compliant
 from stiction.contact.size_effect import at_radius, size_notes, size_ratio
 from stiction.contact.subject import Scales, Subject
 from stiction.quantities.dimensions import coordinates, labelled
-from stiction.quantities.errors import InputError, explained, field_named
+from stiction.quantities.errors import InputError, InWords, explained, field_named
 from stiction.quantities.inputs import Number, OptionalNumber, by_default, plain_number
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show, to_si
@@ -120,9 +120,8 @@ class Contact(Subject):
         """Raise InputError if a sweep mixes zero and positive works of adhesion, or if only one of contact and film adheres."""
         some = np.asarray(0.0 if self.work_of_adhesion is None else self.work_of_adhesion)
         if (some == 0.0).any() and some.any():
-            raise InputError(
-                "work_of_adhesion", "a sweep from 0", "a sweep with all values above 0, or 0 as a single number for no adhesion"
-            )
+            allowed = "a sweep with all values above 0, or 0 as a single number for no adhesion"
+            raise InputError("work_of_adhesion", InWords("a sweep from 0"), allowed)
         film = None if self.coating is None else self.coating.work_of_adhesion
         if film is None or np.all((np.asarray(film) > 0.0) == some.any()):
             return
@@ -149,7 +148,7 @@ class Contact(Subject):
             with np.errstate(all="ignore"):  # Indices refuses numbers that have overflowed in an array
                 groups = self.unlabelled._groups()
         except ArithmeticError:
-            raise InputError("contact", "numbers that overflow", "numbers of the size that real materials have") from None
+            raise InputError("contact", InWords("numbers that overflow"), "numbers as real materials have them") from None
         names = {} if self.unlabelled is self else coordinates(self.arrays())
         with explained(lambda name: f"follows from the numbers of the contact: {QUANTITIES[name].meaning}"):
             return Indices(**{name: labelled(value, names) for name, value in groups.items()} if names else groups)

@@ -8,7 +8,7 @@ from pydantic import model_validator
 
 from stiction.contact.subject import Scales, Subject
 from stiction.quantities.dimensions import check_names, flattened
-from stiction.quantities.errors import InputError
+from stiction.quantities.errors import InputError, InWords
 from stiction.quantities.foreign import as_sequence, has_unit
 from stiction.quantities.inputs import Number, OptionalNumber, by_default, floats, plain_number
 from stiction.quantities.table import QUANTITIES
@@ -335,11 +335,11 @@ class Indices(Subject):
         if hasattr(given, "dims"):
             check_names(given, name)
             if (unit := given.attrs.get("units", "1")) not in ("", "1"):
-                raise InputError(name, f"numbers in {unit}", f"{normalised}, without a unit")
+                raise InputError(name, InWords(f"numbers in {unit}"), f"{normalised}, without a unit")
             return given.copy(deep=False, data=array) if array.ndim else float(array)
         if array.ndim > 1:
             allowed = "one number, one row of them, or an array with named dimensions"
-            raise InputError(name, f"array of shape {array.shape}", allowed)
+            raise InputError(name, InWords(f"array of shape {array.shape}"), allowed)
         return array if array.ndim else float(array)
 
     def read_point(self, entry: object, name: str, where: str) -> float:

@@ -120,7 +120,7 @@ def choice_of(name: str | None, given: Mapping[str, Any], subject: Subject) -> C
     if name is None:
         return Choice.of(None, given)
     if not isinstance(name, str):
-        raise InputError(RoughSurface.keyword, name, "the key of a model, e.g. greenwood_2006; list: run `stiction models`")
+        raise InputError(RoughSurface.keyword, name, "the key of a model, e.g. greenwood_2006 (all: run `stiction models`)")
     try:
         return Choice.of(find(name, RoughSurface).key, given)
     except InputError as error:
@@ -131,7 +131,7 @@ def choice_of(name: str | None, given: Mapping[str, Any], subject: Subject) -> C
             if name == RECOMMENDED:
                 raise InputError(error.field, name, "the name of a model; `stiction compare --all` lists them") from None
             similar = nearest(name, dict.fromkeys([*of_kind(RoughSurface), *known]))
-            raise InputError(error.field, name, f"the key of a model, e.g. {similar}; list: run `stiction models`") from None
+            raise InputError(error.field, name, f"the key of a model, e.g. {similar} (all: run `stiction models`)") from None
     asked = Choice.of(name, given)
     return known[name].with_changes(asked.laws() | {"model": None}, asked.options)
 

@@ -9,7 +9,7 @@ from stiction.contact.indices import Groups, check_film
 from stiction.engine.heights import gaussian
 from stiction.engine.regime import Regime
 from stiction.engine.summation import FARTHEST, check_threads, in_threads, scattered, totals_on_grid
-from stiction.quantities.errors import InputError
+from stiction.quantities.errors import InputError, InWords
 from stiction.quantities.foreign import has_unit
 from stiction.quantities.inputs import floats
 from stiction.quantities.table import QUANTITIES
@@ -116,7 +116,7 @@ def evaluate(
         shape = np.broadcast_shapes(*(column.shape for column in columns))
     except ValueError:
         shapes = ", ".join(str(column.shape) for column in columns)
-        raise InputError("h and groups", f"shapes {shapes}", "shapes that NumPy can broadcast together") from None
+        raise InputError("h and groups", InWords(f"shapes {shapes}"), "shapes that NumPy can broadcast together") from None
     columns = [column.reshape((1,) * (len(shape) - column.ndim) + column.shape) for column in columns]
     separation, laws = columns[0], dict(zip(numbers, columns[1:], strict=True))
     if not missing:

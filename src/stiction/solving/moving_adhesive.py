@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from stiction.laws.rough_surface.boundary_elements import attraction_of, bodies_of, shear_compliance_of
-from stiction.quantities.errors import InputError
+from stiction.quantities.errors import InputError, InWords
 from stiction.solvers.shear.mode_mixity import MODE_MIXITIES
 from stiction.solving.moving_map import MovingMap
 from stiction.solving.on_map import MapProblem
@@ -42,7 +42,7 @@ class AdhesiveMap(MovingMap):
         from stiction.solvers.shear.operators import PeriodicShear
 
         if len(contacts) != 1:
-            raise InputError("load", f"{len(contacts)} loads", "one load at a time with adhesion")
+            raise InputError("load", InWords(f"{len(contacts)} loads"), "one load at a time with adhesion")
         contact = _adhesive_state(problem, contacts[0])
         operator = PeriodicShear(shear_compliance_of(problem.contact), contact.gap.shape, contact.grid.size)
         return cls(problem, contacts, (_strength(problem, contacts[0], contact),), operator, _remark(problem))

@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterable
 from contextlib import suppress
 from typing import TYPE_CHECKING, Any, NotRequired, TypedDict, cast
 
-from stiction.quantities.errors import InputError, nearest
+from stiction.quantities.errors import InputError, InWords, nearest
 from stiction.records.registry import AsperityMethod, FilmLaw, Limit, Record, records, text_of
 from stiction.records.sources import bibliography, bibtex
 from stiction.solving.accuracy.film_tables import summary
@@ -197,7 +197,7 @@ def cite(what: "xarray.Dataset | str | Iterable[str] | None" = None) -> str:
         return entries()
     if hasattr(what, "attrs"):
         if "sources" not in what.attrs:
-            raise InputError("what", "a dataset without the attribute sources", "a result of `solve`")
+            raise InputError("what", InWords("a dataset without the attribute sources"), "a result of `solve`")
         return entries(what.attrs["sources"].split())
     keys: list[str] = []
     for key in _texts([what] if isinstance(what, str) else what, "what", "a result of `solve`, a key or a list of keys"):

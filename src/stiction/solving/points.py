@@ -180,7 +180,7 @@ def in_words(points: Points) -> Iterator[None]:
             return points.problem.subject.show(load * scale, "load")
 
         if target <= error.high:
-            bound = f"at least {text(error.low)}" if error.low else f"more than {text(0.0)}"
+            bound = f"at least {text(error.low)}" if error.low else f"> {text(0.0)}"
         elif error.high >= 0.0:
             bound = f"at most {text(error.high)}"
             if points.problem.needs_load is False and points.problem.heights.listed.size:

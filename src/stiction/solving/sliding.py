@@ -17,7 +17,7 @@ from stiction.engine.blocks import blocks
 from stiction.engine.heights import Heights
 from stiction.laws.presliding.shared.partial_slip import slipping_law, sticking_area_law, sticking_law
 from stiction.quantities.dimensions import aligned, dimensions
-from stiction.quantities.errors import InputError
+from stiction.quantities.errors import InputError, InWords
 from stiction.quantities.inputs import floats
 from stiction.quantities.keywords import with_keywords
 from stiction.quantities.quotient import quotient
@@ -138,7 +138,7 @@ def slide(
         if value is not None:
             raise InputError(name, value, "no value; only model = boundary_elements uses it")
     if subject.has_film:
-        raise InputError("contact", "with a film", "a bare contact, or model = boundary_elements with a height map")
+        raise InputError("contact", InWords("with a film"), "a bare contact, or model = boundary_elements with a height map")
     words: dict[str, Any] = {**laws, "presliding": _PRESLIDING}
     if model is None and words.get("asperity") is None and not np.any(getattr(subject, subject.given_as("theta"), None)):
         model, words["asperity"] = YIELDING_SPOTS["model"], YIELDING_SPOTS["asperity"]
@@ -203,7 +203,7 @@ def _displacements(subject: Subject, given: Any, slides_at: np.ndarray) -> Any:
         given = np.linspace(0.0, 1.5 * farthest, _POINTS)
     moved = requested_points(subject, "displacement", given)
     if not np.size(moved):
-        raise InputError("displacement", "no values", "at least one value")
+        raise InputError("displacement", InWords("no values"), "at least one value")
     if float(np.min(moved)) < 0.0:
         raise InputError("displacement", subject.show(float(np.min(moved)), "displacement"), "0 or more")
     return moved

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from stiction.quantities.errors import InputError
+from stiction.quantities.errors import InputError, InWords
 from stiction.quantities.quotient import quotient
 from stiction.solving.moving_adhesive import AdhesiveMap, PeelingMap, without_mode_mixity
 from stiction.solving.moving_map import MovingMap
@@ -117,7 +117,9 @@ def _contacts(problem: MapProblem, loads: np.ndarray) -> "tuple[MapContact, ...]
     """Return the contacts of the map at normalised loads (m,); raise InputError if the solver finds none at one of them."""
     contacts = tuple(state for state in problem.curve(loads).contacts if state is not None)
     if len(contacts) < loads.size:
-        raise InputError("load", f"{loads.size - len(contacts)} loads without a solution", "loads that the solver can solve")
+        raise InputError(
+            "load", InWords(f"{loads.size - len(contacts)} loads without a solution"), "loads that the solver can solve"
+        )
     return contacts
 
 
@@ -222,7 +224,7 @@ def _at_forces(problem: MapProblem, moving: MovingMap, move: Move) -> np.ndarray
             "tangential_force", move.tangential_force, "no value, because shear changes the contact; give displacement instead"
         )
     if len(moving.strengths) != 1:
-        raise InputError("load", f"{len(moving.strengths)} loads", "one load together with tangential_force")
+        raise InputError("load", InWords(f"{len(moving.strengths)} loads"), "one load together with tangential_force")
     contact, strength = problem.contact, moving.strengths[0]
     forces = np.atleast_1d(np.asarray(problem.subject.read(move.tangential_force, "tangential_force"), dtype=float))
     most = float(strength.sum()) * moving.pixel(0) * float(contact.nominal_area) / moving.nominal_area

@@ -229,7 +229,7 @@ def _one_of(subject: Subject, **either: Any) -> Any:
     with field_named(name):
         value = requested_points(subject, quantity, either[name])
     if not np.size(value):
-        raise InputError(name, "no values", "at least one value")
+        raise InputError(name, InWords("no values"), "at least one value")
     if quantity not in getattr(value, "dims", ()) or name == "separation":
         return value
     return value.rename({quantity: name}) if hasattr(value, "coords") else variable((name,), value.values)
@@ -247,9 +247,9 @@ def _make_unloading(contact: Subject, choice: Choice, heights) -> _Unloading:
         reason = f"{tangential} is valid only for loading"
         raise InputError("tangential", tangential, f"none, or a law of interface strength: {reason}")
     if as_subject(contact).indices().meniscus_index is not None:
-        raise InputError("contact", "with a liquid", "a dry contact: unload() does not support menisci")
+        raise InputError("contact", InWords("with a liquid"), "a dry contact: unload() does not support menisci")
     if as_subject(contact).has_film:
-        raise InputError("contact", "with a film", "a bare contact: unload() does not support films")
+        raise InputError("contact", InWords("with a film"), "a bare contact: unload() does not support films")
     model = find(choice.model_key, RoughSurface)
     if not model.asperity:
         raise InputError("model", choice.model_key, "a sum over asperities, because unload() follows each asperity")

@@ -11,7 +11,7 @@ import numpy as np
 from stiction import __version__
 from stiction.case.read import Case, as_case
 from stiction.contact.subject import Subject
-from stiction.quantities.errors import InputError
+from stiction.quantities.errors import InputError, InWords
 from stiction.quantities.progress import Progress, silent
 from stiction.quantities.sampling import spread_rows
 from stiction.records.registry import RoughSurface, find
@@ -74,7 +74,7 @@ def solve_case(case: "CaseLike", choice: Choice | None = None, progress: Progres
     if choice.model == RECOMMENDED and is_predicted(chosen := replace(case, choice=choice)):
         return predict(chosen)
     if case.size > _MOST:
-        raise InputError("contact", f"{case.size} points", f"at most {_MOST}; `stiction sweep` computes more, on disk")
+        raise InputError("contact", InWords(f"{case.size} points"), f"at most {_MOST}; `stiction sweep` computes more, on disk")
     choice = choice_of_case(case, choice)
     data = solve(case.subject, separation=case.separation, load=case.load, **choice.arguments())
     data = with_bands(data, case, choice, progress("Sampling uncertain inputs"))
@@ -150,7 +150,7 @@ def slide_case(
     """
     case = as_case(case)
     if case.is_swept:
-        raise InputError("contact", "array parameters", "a single contact; st.slide accepts arrays")
+        raise InputError("contact", InWords("array parameters"), "a single contact; st.slide accepts arrays")
     choice = choice_of_case(case, case.choice if choice is None else choice)
     arguments = {name: value for name, value in choice.arguments().items() if name != "presliding"}
     given_at = {name: getattr(case, name) for name in ("separation", "load") if getattr(case, name) is not None}

@@ -132,7 +132,7 @@ def read_entry(path: Any) -> Entry:
         raise InputError("measured", table, f"a table [measured] with the source of the values, in {path}")
     unknown = [name for name in content if name not in _TABLES]
     if unknown:
-        raise InputError(unknown[0], "a table", f"{', '.join(_TABLES)}; loads are read from the measured values")
+        raise InputError(unknown[0], InWords("a table"), f"{', '.join(_TABLES)}; loads are read from the measured values")
     with field_below("measured"):
         origin = Origin(**table)
     load = {"load": "1 N"} if "indices" not in content else {"load": 1.0}
@@ -158,7 +158,9 @@ def _of_bands(bands: list[Band]) -> Measurements:
 def _check(values: Measurements, file: str) -> None:
     for quantity, value, line in zip(values.quantity, values.value, values.line, strict=True):
         if quantity in _NOT_COMPARED:
-            raise InputError(f"{file}, {quantity}", "a column", "a positive quantity; predictions are compared by ratio")
+            raise InputError(
+                f"{file}, {quantity}", InWords("a column"), "a positive quantity; predictions are compared by ratio"
+            )
         if not value > 0.0:
             raise InputError(f"{file}, line {line}, {quantity}", float(value), "above 0")
 

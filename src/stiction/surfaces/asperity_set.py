@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from stiction.quantities.errors import InputError
+from stiction.quantities.errors import InputError, InWords
 from stiction.surfaces.heightmap import HeightMap
 
 if TYPE_CHECKING:
@@ -65,18 +65,18 @@ def of_samples(
     Raises InputError for fewer than two asperities, a density of 0, or a mean curvature that is not positive.
     """
     if len(heights) < 2:
-        raise InputError(f"asperities by {method}", f"{len(heights)} found", f"2 or more: {remedy}")
+        raise InputError(f"asperities by {method}", InWords(f"{len(heights)} found"), f"2 or more: {remedy}")
     if not density > 0.0:
         raise InputError(
             f"asperities by {method}",
-            "no curvature in one direction",
+            InWords("no curvature in one direction"),
             "a surface that is rough in both directions; grooves have no asperities",
         )
     mean_curvature = float(curvatures.mean())
     if not mean_curvature > 0.0:
         raise InputError(
             f"asperities by {method}",
-            f"mean curvature {mean_curvature:g} 1/m",
+            InWords(f"mean curvature {mean_curvature:g} 1/m"),
             "> 0, the sign for asperities with a rounded top",
         )
     notes = [f"{len(heights)} {note}"]

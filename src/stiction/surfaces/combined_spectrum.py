@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from stiction.quantities.errors import InputError, field_as
+from stiction.quantities.errors import InputError, InWords, field_as
 from stiction.quantities.units import show
 from stiction.surfaces.heightmap import in_metres
 from stiction.surfaces.held import as_height_map
@@ -114,7 +114,7 @@ def combined_spectrum(scans: "Iterable[HeightMap]", tip_radius: "float | str | N
     if not maps:
         raise InputError("scans", 0, "at least one scan")
     if len({surface.is_profile for surface in maps}) > 1:
-        raise InputError("scans", "maps and profiles", "all maps or all profiles")
+        raise InputError("scans", InWords("maps and profiles"), "all maps or all profiles")
     radius = None if tip_radius is None else in_metres(tip_radius, "tip_radius")
     spectra = [_reliable(surface, radius, f"scans[{index}]") for index, surface in enumerate(maps)]
     ends = [spectrum.wavevector[end] for spectrum in spectra for end in (0, -1)]
@@ -125,7 +125,7 @@ def combined_spectrum(scans: "Iterable[HeightMap]", tip_radius: "float | str | N
     if not (total := waves.sum(axis=0)).all():
         gap = 2.0 * math.pi / wavevector[total == 0.0]
         text = " to ".join(show(length, "mean_separation") for length in (gap.min(), gap.max()))
-        raise InputError("scans", f"no reliable wavelength {text}", "scans whose wavelengths overlap")
+        raise InputError("scans", InWords(f"no reliable wavelength {text}"), "scans whose wavelengths overlap")
     mean = np.sum(waves * np.where(waves > 0.0, log_density, 0.0), axis=0) / total
     many = np.where(waves >= _MANY_WAVES, log_density, np.nan)
     span = np.nanmax(many, axis=0, initial=-np.inf) - np.nanmin(many, axis=0, initial=np.inf)

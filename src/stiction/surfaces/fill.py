@@ -6,7 +6,7 @@ import numpy as np
 from scipy import ndimage, sparse
 from scipy.sparse.linalg import LinearOperator, cg, splu
 
-from stiction.quantities.errors import InputError
+from stiction.quantities.errors import InputError, InWords
 from stiction.surfaces.heightmap import HeightMap
 
 
@@ -22,7 +22,7 @@ def fill_missing(surface: HeightMap, way: str = "harmonic") -> HeightMap:
     missing = np.isnan(surface.heights)
     count = int(np.count_nonzero(missing))
     if count == missing.size:
-        raise InputError("scan", f"all {count} points missing", "a scan with heights")
+        raise InputError("scan", InWords(f"all {count} points missing"), "a scan with heights")
     if count == 0:
         return surface.with_heights(surface.heights, "no missing points to fill")
     return surface.with_heights(FILLS[way](surface.heights, missing, surface.pitch), f"{count} missing points filled: {way}")
@@ -48,7 +48,7 @@ def _harmonic(heights: np.ndarray, missing: np.ndarray, pitch: tuple[float, floa
     within = _RESIDUAL * float(np.linalg.norm(known))
     solved, left = cg(matrix, known, rtol=0.0, atol=within, M=_multigrid(matrix, *np.nonzero(missing)), maxiter=5000)
     if left:
-        raise InputError("scan", f"{len(known)} points missing", 'fewer missing points, or fill = "nearest"')
+        raise InputError("scan", InWords(f"{len(known)} points missing"), 'fewer missing points, or fill = "nearest"')
     filled[missing] = solved
     filled += mean
     return filled

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from stiction.quantities.errors import InputError
+from stiction.quantities.errors import InputError, InWords
 from stiction.quantities.table import QUANTITIES
 from stiction.records.registry import AsperityMethod, Parameter, find, of_kind
 from stiction.surfaces.asperity_set import Asperities
@@ -83,7 +83,7 @@ def asperities(surface: HeightMap, method: str = "mccool", **options: "QuantityL
     """
     surface, record = as_height_map(surface), find(str(method), AsperityMethod)
     if not np.isfinite(surface.heights).any():
-        raise InputError("heights", "all points missing", "a map with heights")
+        raise InputError("heights", InWords("all points missing"), "a map with heights")
     if surface.is_profile and not record.of_profiles:
         shape = f"shape {surface.heights.shape}"
         raise InputError("heights", shape, "a map of 3 or more rows and columns: a profile has no summits")

@@ -183,7 +183,9 @@ class FinishedBodies(Input):
         """
         if len(self.bodies) > 1 or not isinstance(self.first, Finished):
             raise InputError(
-                next(iter(changes)), "one number", "the body before the name, first or second, because each has its own number"
+                next(iter(changes)),
+                InWords("one number"),
+                "the body before the name, first or second, because each has its own number",
             )
         return self.replace(first=self.first.replace(**changes))
 

@@ -4,7 +4,7 @@ McCool (1986) puts the spectral moments m0, m2, m4 (mean squares of height, slop
 Nayak's statistics of summits (1971). The relations are in stiction.surfaces.theory.moments.
 """
 
-from stiction.quantities.errors import InputError
+from stiction.quantities.errors import InputError, InWords
 from stiction.surfaces.asperity_set import Asperities
 from stiction.surfaces.theory.moments import LEAST_BANDWIDTH, SUMMIT_DEFICIT, Moments
 from stiction.surfaces.theory.moments import combine as added
@@ -25,7 +25,7 @@ def of_moments(method: str, moments: Moments, note: str) -> Asperities:
     alpha = float(moments.alpha)
     if alpha <= SUMMIT_DEFICIT:
         allowed = f"> {SUMMIT_DEFICIT:.4g}; isotropic Gaussian surfaces have 1.5 or more"
-        raise InputError(f"asperities by {method}", f"alpha = {alpha:.4g}", allowed)
+        raise InputError(f"asperities by {method}", InWords(f"alpha = {alpha:.4g}"), allowed)
     deviation, radius, density = (float(one) for one in moments.asperities())
     return Asperities(method, density, deviation, radius, float(moments.summit_height), 0.0, f"{note}; alpha = {alpha:.4g}")
 

@@ -30,7 +30,7 @@ import numpy as np
 from scipy.fft import irfft2, rfft2
 from scipy.special import ndtri
 
-from stiction.quantities.errors import InputError
+from stiction.quantities.errors import InputError, InWords
 from stiction.quantities.inputs import require_positive
 from stiction.quantities.keywords import with_keywords
 from stiction.surfaces.heightmap import HeightMap, size_in_metres
@@ -251,7 +251,7 @@ def with_slope(surface: HeightMap, slope: float) -> HeightMap:
     require_positive(slope=slope)
     found = rms_slope(surface)
     if not found > 0.0:
-        raise InputError("heights", "constant", "heights that differ")
+        raise InputError("heights", InWords("constant"), "heights that differ")
     return surface.with_heights(surface.heights * (slope / found), f"heights multiplied to an rms slope of {slope:g}")
 
 
@@ -262,7 +262,7 @@ def rms_slope(surface: HeightMap) -> float:
     points are missing.
     """
     if not surface.complete:
-        raise InputError("heights", f"{surface.missing} missing points", "a map without missing points")
+        raise InputError("heights", InWords(f"{surface.missing} missing points"), "a map without missing points")
     rows, columns = surface.heights.shape
     power = wave_power(surface.heights)
     total = 0.0

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from stiction.quantities.errors import InputError
+from stiction.quantities.errors import InputError, InWords
 from stiction.quantities.extras import how_to_install
 from stiction.quantities.units import to_si
 
@@ -61,10 +61,12 @@ class HeightMap:
     def __post_init__(self) -> None:
         heights = _unmasked(self.heights)
         if heights.ndim != 2 or heights.size == 0 or heights.dtype.kind not in "iuf":
-            raise InputError("heights", f"{heights.dtype} of shape {heights.shape}", "numbers of shape (rows, columns), in m")
+            raise InputError(
+                "heights", InWords(f"{heights.dtype} of shape {heights.shape}"), "numbers of shape (rows, columns), in m"
+            )
         heights = np.asarray(heights, dtype=np.float64)
         if np.isinf(heights).any():
-            raise InputError("heights", "infinite values", "finite heights in m, NaN where missing")
+            raise InputError("heights", InWords("infinite values"), "finite heights in m, NaN where missing")
         object.__setattr__(self, "heights", heights)
         object.__setattr__(self, "size", size_in_metres(self.size))
         object.__setattr__(self, "history", tuple(self.history))

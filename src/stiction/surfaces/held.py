@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from stiction.quantities.errors import InputError, field_as
+from stiction.quantities.errors import InputError, InWords, field_as
 from stiction.quantities.foreign import has_unit
 from stiction.surfaces.heightmap import HeightMap, metres, metres_per
 from stiction.surfaces.read import check_numbers, check_scale
@@ -72,7 +72,9 @@ def _made(heights: np.ndarray, size: tuple[float, float], what: str, history: tu
 def _of_pair(value: Any) -> tuple[np.ndarray, tuple[float, float]]:
     heights, size = np.atleast_2d(value[0]), value[1]
     if heights.ndim != 2:
-        raise InputError("heights", f"array of shape {heights.shape}", "heights (rows, columns), or (columns,) for a profile")
+        raise InputError(
+            "heights", InWords(f"array of shape {heights.shape}"), "heights (rows, columns), or (columns,) for a profile"
+        )
     rows, columns = heights.shape
     lengths = list(size) if isinstance(size, tuple | list) else [size]
     if len(lengths) not in (1, 2):
@@ -85,7 +87,9 @@ def _of_topography(topography: Any) -> HeightMap:
     from stiction.surfaces.readers.shared.topography import on_grid
 
     if topography.unit is None or topography.physical_sizes is None:
-        raise InputError("scan", "a topography without unit or size", 'a topography with both, e.g. Topography(..., unit="um")')
+        raise InputError(
+            "scan", InWords("a topography without unit or size"), 'a topography with both, e.g. Topography(..., unit="um")'
+        )
     factor = metres_per(str(topography.unit), "unit")
     heights, size, notes = on_grid(topography)
     name = str(getattr(topography, "info", {}).get("name", "") or "")
@@ -95,7 +99,7 @@ def _of_topography(topography: Any) -> HeightMap:
 
 def _of_labelled(array: Any) -> HeightMap:
     if array.ndim not in (1, 2):
-        raise InputError("scan", f"DataArray of shape {array.shape}", "heights (y, x), or (x,) for a profile")
+        raise InputError("scan", InWords(f"DataArray of shape {array.shape}"), "heights (y, x), or (x,) for a profile")
     if array.dims == ("x", "y"):
         array = array.transpose("y", "x")
     pitches = [_pitch(array, str(dim)) for dim in array.dims]
@@ -119,11 +123,11 @@ def _pitch(array: Any, dim: str) -> float:
     coordinate = array.coords[dim]
     places = np.asarray(coordinate.values)
     if places.dtype.kind not in "iuf" or len(places) < 2:
-        raise InputError(dim, f"{len(places)} positions of type {places.dtype}", "two or more positions as lengths")
+        raise InputError(dim, InWords(f"{len(places)} positions of type {places.dtype}"), "two or more positions as lengths")
     steps = np.diff(places.astype(float))
     pitch = float(steps.mean())
     if not (np.isfinite(pitch) and pitch != 0.0 and np.abs(steps - pitch).max() <= _ROUNDING * abs(pitch)):
-        raise InputError(dim, f"steps from {steps.min():.6g} to {steps.max():.6g}", "equally spaced positions")
+        raise InputError(dim, InWords(f"steps from {steps.min():.6g} to {steps.max():.6g}"), "equally spaced positions")
     return abs(pitch) * metres_per(_unit_of(coordinate, dim), dim)
 
 

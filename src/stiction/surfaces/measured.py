@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any, TypeVar
 
 from pydantic import BeforeValidator, Field, model_validator
 
-from stiction.quantities.errors import InputError, field_as
+from stiction.quantities.errors import InputError, InWords, field_as
 from stiction.quantities.inputs import Input
 from stiction.quantities.units import show
 from stiction.surfaces.finished import is_finished, roughness_of_finish
@@ -67,7 +67,7 @@ def _body(value):
         return Scan(**value) if isinstance(value, Mapping) else value
     numbers = Roughness(**value)
     if numbers.surface is not None:
-        raise InputError("surface", "a table", "no `surface` for this body, because the other body is a scan")
+        raise InputError("surface", InWords("a table"), "no `surface` for this body, because the other body is a scan")
     if numbers.height_distribution != "gaussian":
         raise InputError("height_distribution", numbers.height_distribution, "gaussian, because the other body is a scan")
     return numbers
@@ -260,7 +260,7 @@ def measure(wanted: MeasuredRoughness, folder: Path = Path()) -> Measured:
     if not found:
         raise InputError(
             "roughness",
-            "no asperities by any method",
+            InWords("no asperities by any method"),
             "scans with asperities; run `stiction surface` on each scan to see the asperities it has",
         )
     of_moments = method_of_moments()

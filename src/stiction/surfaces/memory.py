@@ -3,7 +3,7 @@
 import os
 from pathlib import Path
 
-from stiction.quantities.errors import InputError
+from stiction.quantities.errors import InputError, InWords
 
 _NUMBER = 8  # bytes
 # Number of arrays as large as the map that exist at once, with some margin. The largest resident size of a fresh process was up
@@ -55,4 +55,4 @@ def _require(shape: tuple[int, int], needed: int) -> None:
     there = available_memory()
     if there is not None and needed > there:
         allowed = f"a smaller map: this one needs {needed / _GIGA:.2g} GB of memory, and {there / _GIGA:.2g} GB are free"
-        raise InputError("heights", f"{shape[0]} x {shape[1]} points", allowed)
+        raise InputError("heights", InWords(f"{shape[0]} x {shape[1]} points"), allowed)

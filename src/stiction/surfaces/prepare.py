@@ -128,7 +128,9 @@ def _check_left(raw: HeightMap, surface: HeightMap) -> None:
     before, after = (float(np.nanmax(one.heights) - np.nanmin(one.heights)) for one in (raw, surface))
     offset = max(abs(float(np.nanmax(raw.heights))), abs(float(np.nanmin(raw.heights))))
     if after <= 1e-12 * before + 8.0 * np.finfo(float).eps * offset:
-        raise InputError("scan", f"{surface.name} is flat once its form is removed", "a scan that is rough after form removal")
+        raise InputError(
+            "scan", InWords(f"{surface.name} is flat once its form is removed"), "a scan that is rough after form removal"
+        )
 
 
 # ---- form
@@ -166,7 +168,7 @@ def _without_polynomial(surface: HeightMap, order: int) -> np.ndarray:
     if heights.size - surface.missing < len(terms):
         raise InputError(
             "scan",
-            f"{heights.size - surface.missing} points with heights",
+            InWords(f"{heights.size - surface.missing} points with heights"),
             f"at least {len(terms)} points with heights for this fit",
         )
     left = heights - np.nanmean(heights)
@@ -270,7 +272,9 @@ def filter_period(surface: HeightMap, shortest=None, longest=None) -> HeightMap:
     """
     low, high, band = _band(surface, shortest, longest)
     if not surface.complete:
-        raise InputError("heights", f"{surface.missing} missing points", "a map without missing points; fill them first")
+        raise InputError(
+            "heights", InWords(f"{surface.missing} missing points"), "a map without missing points; fill them first"
+        )
     along = [scipy.fft.fftfreq(surface.heights.shape[0], surface.pitch[0])]
     along.append(scipy.fft.rfftfreq(surface.heights.shape[1], surface.pitch[1]))
     squared = along[0][:, None] ** 2 + along[1] ** 2

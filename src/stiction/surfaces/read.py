@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from stiction.quantities.errors import InputError
+from stiction.quantities.errors import InputError, InWords
 from stiction.quantities.units import show
 from stiction.surfaces import readers as formats
 from stiction.surfaces.heightmap import HeightMap, metres, metres_per
@@ -165,11 +165,11 @@ def check_numbers(heights: np.ndarray, name: str) -> None:
     if columns < FEWEST_POINTS or (rows != 1 and rows < FEWEST_POINTS):
         hint = "; columns x z or x y z are read from .csv and .xyz" if columns in (2, 3) else ""
         allowed = f"at least {FEWEST_POINTS} points along a profile or each direction of a map{hint}"
-        raise InputError("scan", f"{name} of {rows} x {columns} points", allowed)
+        raise InputError("scan", InWords(f"{name} of {rows} x {columns} points"), allowed)
     if np.isnan(heights).all():
-        raise InputError("scan", f"{name}: all {heights.size} points missing", "a scan with heights")
+        raise InputError("scan", InWords(f"{name}: all {heights.size} points missing"), "a scan with heights")
     if np.nanmax(heights) == np.nanmin(heights):
-        raise InputError("scan", f"{name}: constant heights", "heights that differ")
+        raise InputError("scan", InWords(f"{name}: constant heights"), "heights that differ")
 
 
 def check_scale(heights: np.ndarray, size: tuple[float, float], name: str) -> None:
@@ -178,7 +178,7 @@ def check_scale(heights: np.ndarray, size: tuple[float, float], name: str) -> No
     The range must be 1e-10 to 10 times the longer side. name: name of the file, for the error.
     """
     if np.isinf(heights).any():
-        raise InputError("scan", f"{name} with infinite heights", "finite heights, nan where missing")
+        raise InputError("scan", InWords(f"{name} with infinite heights"), "finite heights, nan where missing")
     with np.errstate(over="ignore"):
         range_ = float(np.nanmax(heights) - np.nanmin(heights))
     if not _FLATTEST * max(size) <= range_ <= _STEEPEST * max(size):
@@ -232,7 +232,9 @@ def _size(raw: RawScan, size, unit, factor: float) -> tuple[tuple[float, float],
             raise InputError("size", None, 'the length along x ("10 um") or (y, x), because the file does not state it')
         y, x = raw.size[0] * factor, raw.size[1] * factor
         if not (np.isfinite([y, x]).all() and y > 0.0 and x > 0.0):
-            raise InputError("size", f"{y:g} m x {x:g} m in the file", "finite lengths > 0 m; state size if the file is wrong")
+            raise InputError(
+                "size", InWords(f"{y:g} m x {x:g} m in the file"), "finite lengths > 0 m; state size if the file is wrong"
+            )
         return (y, x), ()
     lengths = [_given(entry, unit) for entry in (size if isinstance(size, tuple | list) else (size,))]
     if len(lengths) not in (1, 2):

@@ -255,5 +255,5 @@ class Roughness(Input):
         if self.surface is not None and self.surface.height_distribution != "gaussian":
             raise InputError("surface.height_distribution", self.surface.height_distribution, "gaussian")
         if self.surface is not None and self.surface.surface is not None:
-            raise InputError("surface.surface", "a table", "no `surface` inside the table `surface`")
+            raise InputError("surface.surface", InWords("a table"), "no `surface` inside the table `surface`")
         return self

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from stiction.quantities.errors import InputError
+from stiction.quantities.errors import InputError, InWords
 
 if TYPE_CHECKING:
     from stiction.surfaces.heightmap import HeightMap
@@ -49,14 +49,14 @@ class SolvableMaps:
         if self.some_numbers or not self.maps:
             raise InputError(
                 "roughness",
-                "a body stated by sigma, R and N",
+                InWords("a body stated by sigma, R and N"),
                 "a scan of every rough body, because the heights are solved point by point",
             )
         for body, each in self.maps.items():
             if each.is_profile:
                 raise InputError(
                     f"roughness.{body}",
-                    "a profile",
+                    InWords("a profile"),
                     "a map with rows and columns, because the contact of a profile is not solved",
                 )
             if not each.complete:

@@ -34,7 +34,7 @@ import numpy as np
 import scipy.fft
 from scipy.signal.windows import hann
 
-from stiction.quantities.errors import InputError
+from stiction.quantities.errors import InputError, InWords
 from stiction.surfaces.heightmap import HeightMap
 
 LEAST_PERIODS = 3
@@ -299,11 +299,15 @@ def _complete(surface: HeightMap) -> np.ndarray:
     heights = surface.heights
     if surface.missing:
         raise InputError(
-            "heights", f"{surface.missing} of {heights.size} points missing", "no missing points; fill or crop the map first"
+            "heights",
+            InWords(f"{surface.missing} of {heights.size} points missing"),
+            "no missing points; fill or crop the map first",
         )
     short = heights.shape[1] if surface.is_profile else min(heights.shape)
     if short < LEAST_POINTS:
-        raise InputError("heights", f"{heights.shape[0]} x {heights.shape[1]} points", f"at least {LEAST_POINTS} along a side")
+        raise InputError(
+            "heights", InWords(f"{heights.shape[0]} x {heights.shape[1]} points"), f"at least {LEAST_POINTS} along a side"
+        )
     return heights
 
 

@@ -38,7 +38,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from stiction.quantities.errors import InputError
+from stiction.quantities.errors import InputError, InWords
 from stiction.surfaces.heightmap import HeightMap, in_metres
 from stiction.surfaces.theory.moments import Moments
 
@@ -191,7 +191,7 @@ def _height_parameters(heights: np.ndarray) -> tuple[float, tuple[float, float, 
     """
     count = int(np.count_nonzero(~np.isnan(heights)))
     if not count:
-        raise InputError("heights", "all missing", "a map with heights at some points")
+        raise InputError("heights", InWords("all missing"), "a map with heights at some points")
     highest, lowest = float(np.nanmax(heights)), float(np.nanmin(heights))
     if not highest > lowest:
         raise InputError("heights", highest, "heights that differ")

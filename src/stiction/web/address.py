@@ -13,7 +13,7 @@ from typing import Any
 
 from stiction.case.addresses import roughness_in
 from stiction.case.text import as_toml
-from stiction.quantities.errors import InputError
+from stiction.quantities.errors import InputError, InWords
 
 _LONGEST = 20_000  # characters of an address
 _LARGEST = 200_000  # bytes of the case in an address
@@ -32,13 +32,13 @@ def decoded(text: str) -> dict[str, Any]:
     Raises InputError for damaged text, or for a case above 200,000 bytes.
     """
     if len(text) > _LONGEST:
-        raise InputError("address", f"{len(text)} characters", f"at most {_LONGEST} characters")
+        raise InputError("address", InWords(f"{len(text)} characters"), f"at most {_LONGEST} characters")
     try:
         raw = base64.b64decode(text + "=" * (-len(text) % 4), altchars=b"-_", validate=True)
         unzipping = zlib.decompressobj()
         content = unzipping.decompress(raw, _LARGEST)
         if unzipping.unconsumed_tail or not unzipping.eof:
-            raise InputError("address", "a case that is cut off or too large", _STATE)
+            raise InputError("address", InWords("a case that is cut off or too large"), _STATE)
         return tomllib.loads(content.decode())
     except InputError:
         raise

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from stiction.contact.contact import Contact
-from stiction.quantities.errors import InputError
+from stiction.quantities.errors import InputError, InWords
 from stiction.quantities.units import show
 from stiction.report.method_pictures import resolution_figure
 from stiction.report.surface_pictures import asperity_figure, map_figure
@@ -78,7 +78,7 @@ def read_bounded(path: Path, stated: Mapping[str, str]) -> HeightMap:
     if surface.heights.size > _MOST_POINTS:
         raise InputError(
             "scan",
-            f"{surface.heights.size} points",
+            InWords(f"{surface.heights.size} points"),
             f"at most {_MOST_POINTS} points on this page; the command `stiction surface` accepts more",
         )
     return surface

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from stiction.quantities.errors import InputError
+from stiction.quantities.errors import InputError, InWords
 from stiction.solvers.boundary_elements.adhesive import AdhesiveContact, solve_adhesive
 from stiction.solvers.boundary_elements.bodies import Bodies
 from stiction.solvers.boundary_elements.compliance import Compliance
@@ -41,7 +41,7 @@ def adhesive_curve(surface: "HeightMap", bodies: Bodies, pressures: Sequence[flo
     for films on both bodies.
     """
     if not surface.periodic:
-        raise InputError("adhesion", "on a map that is not periodic", "left_out, or a periodic map (periodic = true)")
+        raise InputError("adhesion", InWords("on a map that is not periodic"), "left_out, or a periodic map (periodic = true)")
     if bodies.hardness is not None:
         raise InputError("yielding", "at_hardness", "none, because the adhesive solver assumes elastic bodies")
     if bodies.counter_film is not None:

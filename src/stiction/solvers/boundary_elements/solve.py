@@ -15,7 +15,7 @@ from dataclasses import dataclass, field, fields, replace
 
 import numpy as np
 
-from stiction.quantities.errors import InputError, nearest
+from stiction.quantities.errors import InputError, InWords, nearest
 from stiction.records.validity_warning import ValidityWarning
 from stiction.solvers.boundary_elements.arrays import factor, namespace, on_device, to_numpy
 from stiction.solvers.boundary_elements.certificate import certify
@@ -231,14 +231,16 @@ class _Request:
 def usable_map(heights) -> np.ndarray:
     heights = np.ascontiguousarray(heights, dtype=np.float64)
     if heights.ndim != 2 or min(heights.shape) < 4:
-        raise InputError("heights", f"shape {heights.shape}", "an array with at least 4 rows and 4 columns")
+        raise InputError("heights", InWords(f"shape {heights.shape}"), "an array with at least 4 rows and 4 columns")
     bad = int(heights.size - np.count_nonzero(np.isfinite(heights)))
     if bad:
         raise InputError(
-            "heights", f"{bad} of {heights.size} points not finite", "a height at every point; fill missing points first"
+            "heights",
+            InWords(f"{bad} of {heights.size} points not finite"),
+            "a height at every point; fill missing points first",
         )
     if float(heights.min()) == float(heights.max()):
-        raise InputError("heights", "all equal", "a rough map, because a flat surface touches everywhere")
+        raise InputError("heights", InWords("all equal"), "a rough map, because a flat surface touches everywhere")
     return heights
 
 

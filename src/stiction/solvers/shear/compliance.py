@@ -21,7 +21,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from stiction.quantities.errors import InputError
+from stiction.quantities.errors import InputError, InWords
 from stiction.solvers.boundary_elements.compliance import Film
 from stiction.solvers.layered.waves import CoatedBody, waves
 
@@ -63,7 +63,7 @@ class ShearCompliance:
 
     def __post_init__(self) -> None:
         if all(isinstance(body, HalfSpace) and math.isinf(body.modulus) for body in self.bodies):
-            raise InputError("bodies", "both rigid", "at least one elastic body")
+            raise InputError("bodies", InWords("both rigid"), "at least one elastic body")
 
     @property
     def layered(self) -> bool:

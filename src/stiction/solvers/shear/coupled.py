@@ -22,7 +22,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from scipy.fft import irfft2, next_fast_len, rfft2
 
-from stiction.quantities.errors import InputError
+from stiction.quantities.errors import InputError, InWords
 from stiction.solvers.boundary_elements.minimise import Problem, minimise
 from stiction.solvers.boundary_elements.operators import components
 from stiction.solvers.shear.compliance import ShearCompliance
@@ -65,7 +65,7 @@ class Coupling:
             self._grid = shape
             self._symbol = [-1j * mismatch * part / k**2 for part in (kx, ky)]
         elif compliance.layered:
-            raise InputError("film", "on a map that is not periodic", "no film, or a map that is periodic")
+            raise InputError("film", InWords("on a map that is not periodic"), "no film, or a map that is periodic")
         else:
             self._grid = tuple(next_fast_len(2 * count, real=True) for count in shape)
             pitch = size[0] / shape[0], size[1] / shape[1]

@@ -19,7 +19,7 @@ from functools import cached_property
 import numpy as np
 from scipy.fft import dctn, idctn, irfft2, next_fast_len, rfft2
 
-from stiction.quantities.errors import InputError
+from stiction.quantities.errors import InputError, InWords
 from stiction.solvers.boundary_elements.operators import components
 from stiction.solvers.shear.compliance import ShearCompliance
 
@@ -108,7 +108,7 @@ class FreeShear:
 
     def __init__(self, compliance: ShearCompliance, shape: tuple[int, int], size: tuple[float, float]):
         if compliance.layered:
-            raise InputError("film", "on a map that is not periodic", "no film, or a map that is periodic or mirrored")
+            raise InputError("film", InWords("on a map that is not periodic"), "no film, or a map that is periodic or mirrored")
         self.shape, self.near = shape, compliance.near
         pitch = size[0] / shape[0], size[1] / shape[1]
         self._doubled = tuple(next_fast_len(2 * count, real=True) for count in shape)

@@ -12,7 +12,7 @@ from typing import Any, TypeVar
 import numpy as np
 from scipy.optimize import brentq
 
-from stiction.quantities.errors import InputError, nearest
+from stiction.quantities.errors import InputError, InWords, nearest
 from stiction.solvers.shear.minimise import Sheared, shear, size_of
 from stiction.solvers.shear.operators import ShearOperator
 
@@ -196,7 +196,9 @@ def slide_map(
     """
     strength = np.asarray(strength, dtype=float)
     if not np.isfinite(strength).all() or strength.min() < 0.0 or not strength.max() > 0.0:
-        raise InputError("strength", "negative, infinite, NaN, or 0 everywhere", "finite, >= 0 Pa, and > 0 at some point")
+        raise InputError(
+            "strength", InWords("negative, infinite, NaN, or 0 everywhere"), "finite, >= 0 Pa, and > 0 at some point"
+        )
     if directions not in (1, 2):
         raise InputError("directions", directions, "1 or 2")
 

@@ -14,7 +14,7 @@ from stiction.case.study_tables import study_table
 from stiction.case.swept import Address, number_of
 from stiction.case.uncertain import Uncertain
 from stiction.contact.contact import Contact
-from stiction.quantities.errors import InputError, field_below, nearest
+from stiction.quantities.errors import InputError, InWords, field_below, nearest
 from stiction.quantities.inputs import require_names
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show
@@ -155,10 +155,10 @@ def _unknowns(design: Design, content: Mapping) -> tuple[tuple[Free, ...], tuple
             "design.choose", None, 'something to choose, e.g. coating.thickness = { low = "50 nm", high = "1 um" }'
         )
     if len(free) > _MOST_FREE:
-        raise InputError("design.choose", f"{len(free)} numbers with low and high", f"{_MOST_FREE} at most")
+        raise InputError("design.choose", InWords(f"{len(free)} numbers with low and high"), f"{_MOST_FREE} at most")
     ways = int(np.prod([float(len(one.entries)) for one in options if not one.is_number] or [1.0]))
     if ways > _MOST_WAYS:
-        raise InputError("design.choose", f"{ways} combinations of materials and bodies", f"{_MOST_WAYS} at most")
+        raise InputError("design.choose", InWords(f"{ways} combinations of materials and bodies"), f"{_MOST_WAYS} at most")
     return tuple(free), tuple(options)
 
 
@@ -181,7 +181,7 @@ def _path(name: str, content: Mapping, where: str) -> Address:
 
 def _options(path: Address, entries: list, where: str) -> Options:
     if not 1 <= len(entries) <= _MOST_OPTIONS:
-        raise InputError(where, f"{len(entries)} entries", f"a list of 1 to {_MOST_OPTIONS}")
+        raise InputError(where, InWords(f"{len(entries)} entries"), f"a list of 1 to {_MOST_OPTIONS}")
     if path[-1] not in _NAMED:
         numbers = tuple(number_of(one, path[-1], where) for one in entries)
         return Options(path, numbers, tuple(str(one) for one in entries), True)
@@ -193,7 +193,7 @@ def _options(path: Address, entries: list, where: str) -> Options:
 def _objectives(design: Design) -> tuple[tuple[Objective, ...], tuple[float, ...]]:
     given = design.objective if isinstance(design.objective, list) else [design.objective]
     if not 1 <= len(given) <= 2:
-        raise InputError("design.objective", f"{len(given)} objectives", "one or two")
+        raise InputError("design.objective", InWords(f"{len(given)} objectives"), "one or two")
     objectives, targets = [], []
     for at, one in enumerate(given):
         where = "design.objective" + (f"[{at}]" if len(given) > 1 else "")

@@ -13,7 +13,7 @@ from stiction.case.read import Case, case_of, wants_ranges
 from stiction.case.swept import Address
 from stiction.case.uncertain import Uncertain, with_ranges
 from stiction.quantities.dimensions import arranged
-from stiction.quantities.errors import InputError
+from stiction.quantities.errors import InputError, InWords
 from stiction.quantities.sampling import sobol_points
 from stiction.quantities.units import reason_of, show
 from stiction.records.validity_warning import ValidityWarning
@@ -79,7 +79,7 @@ class DesignSpace:
             ends = ("friction_coefficient_low", "friction_coefficient_high")
             self.names = list(dict.fromkeys([*self.names, *ends]))
         if self.case.load is None and LOAD not in (one.path for one in self.plan.unknowns):
-            raise InputError("solve.separation", "given", "a load, stated in [solve] or chosen in [design.choose]")
+            raise InputError("solve.separation", InWords("given"), "a load, stated in [solve] or chosen in [design.choose]")
         self.choice = self._choice()
 
     @property
@@ -98,8 +98,8 @@ class DesignSpace:
         if self.is_predicted:
             for name in self.names:
                 if name not in PREDICTED and name not in subject.all_groups():
-                    groups = "a group of the contact; or a named model, whose results may be objectives"
-                    raise InputError("design", name, f"{', '.join(PREDICTED)}, {groups}")
+                    allowed = f"{', '.join(PREDICTED)} or a group of the contact; for others, name a model as solve.model"
+                    raise InputError("design", name, allowed)
             return Choice(RECOMMENDED)
         choice = choice_of_case(case, case.choice)
         for name in set(self.names) & set(YIELDED):
@@ -121,10 +121,7 @@ class DesignSpace:
         return predict_many(self.case, numbers, points["load"], self._uncertain(list(numbers)), along=(_DESIGN,))
 
     def _alone(self, numbers: Mapping, points: Mapping) -> tuple[Any, Any]:
-        """Return case and results of one design; raise InputError or ArithmeticError if the design is refused.
-
-        numbers, points: as in `_evaluated`.
-        """
+        """Return case and results of one design; raise InputError or ArithmeticError if the design is refused."""
         if not self.is_predicted:
             return evaluate_together(self.case, numbers, points, self.choice, self._kept)
         ((_, case, solved),) = self._evaluated(numbers, points)

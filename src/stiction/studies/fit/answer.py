@@ -12,7 +12,7 @@ import numpy as np
 
 from stiction.case.free import Free
 from stiction.case.measurements import Measurements
-from stiction.quantities.errors import InputError
+from stiction.quantities.errors import InputError, InWords
 from stiction.quantities.units import show
 from stiction.studies.fit.model import ForwardModel
 from stiction.studies.fit.search import CONFIDENCE, FAR, Best, Profile, Residuals, profiles, search
@@ -168,7 +168,9 @@ def _errors(data: Measurements) -> tuple[np.ndarray, bool]:
     if len(data.quantities) > 1:
         missing = data.quantity[int(np.flatnonzero(~there)[0])]
         raise InputError(
-            "--data", f"{missing} without errors", f"a column {missing}_error, because several quantities were measured"
+            "--data",
+            InWords(f"{missing} without errors"),
+            f"a column {missing}_error, because several quantities were measured",
         )
     size = np.abs(data.value).max()
     return np.full(len(data), 0.05 * size if size > 0.0 else 1.0), False

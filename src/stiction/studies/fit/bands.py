@@ -14,7 +14,7 @@ import numpy as np
 from stiction.case.free import Free
 from stiction.case.swept import Address
 from stiction.quantities.dimensions import arranged
-from stiction.quantities.errors import InputError
+from stiction.quantities.errors import InputError, InWords
 from stiction.quantities.sampling import sobol_points
 from stiction.solving.pointwise import BatchResult
 from stiction.studies.evaluate_many import evaluate_together
@@ -128,7 +128,7 @@ def check_predicted(plan: FitPlan) -> None:
     sizes = {dim: size for array in arrays.values() for dim, size in getattr(array, "sizes", {}).items()}
     count = math.prod(sizes.values()) * (points if isinstance(points, int) else 1)
     if count > _MOST_PREDICTED:
-        raise InputError("fit.predict", f"{count} points with those of [solve]", f"{_MOST_PREDICTED} at most")
+        raise InputError("fit.predict", InWords(f"{count} points with those of [solve]"), f"{_MOST_PREDICTED} at most")
 
 
 def _predicted_numbers(plan: FitPlan) -> dict[Address, Any]:

@@ -148,13 +148,15 @@ def _check(plan: FitPlan) -> None:
             ".".join(RESISTANCE), None, "a number with its unit, or a free number, because resistance was measured"
         )
     if not resistance and has:
-        raise InputError(".".join(RESISTANCE), "given", "no value, because the data have no contact_resistance; delete it")
+        raise InputError(
+            ".".join(RESISTANCE), InWords("given"), "no value, because the data have no contact_resistance; delete it"
+        )
     count = sum(len(plan.data.samples) if one.each_sample else 1 for one in plan.free)
     if len(plan.data) < count:
         raise InputError("--data", InWords(f"{len(plan.data)} values"), f"at least {count}, one for each free parameter")
     if len(plan.data) == count and not np.isfinite(plan.data.error).all():
         allowed = f"at least {count + 1}, one more than there are free parameters, or a column of their errors"
-        raise InputError("--data", f"{count} values without errors", allowed)
+        raise InputError("--data", InWords(f"{count} values without errors"), allowed)
 
 
 def _has_scans(given: Mapping) -> bool:

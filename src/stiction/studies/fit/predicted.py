@@ -11,7 +11,7 @@ from stiction import __version__
 from stiction.case.addresses import as_numbers, with_numbers
 from stiction.case.read import Case, case_in, read_content, tables_of, with_files_read, without_studies
 from stiction.case.text import case_text, show_exactly
-from stiction.quantities.errors import InputError
+from stiction.quantities.errors import InputError, InWords
 from stiction.studies.fit.plan import WANTED, free_numbers, read_fit
 from stiction.studies.prediction.predict import is_predicted, predict
 
@@ -49,14 +49,14 @@ def _ends(content: Mapping[str, Any], plain: Mapping) -> dict[tuple[str, ...], A
     """Return each free parameter as an uncertain number of a case file, {low, high, spacing}, by address (tuple of keys).
 
     content: tables of the case with [fit]. plain: tables after reading all files, which give the addresses. Raises InputError
-    for keys of [fit] that need a named model.
+    for keys of [fit] that predictions do not support.
     """
     fit = read_fit(content)
     free = free_numbers(fit, plain)
     asked = [name for name in ("models", "predict", "specific_contact_resistance") if getattr(fit, name)]
     asked += [f"free.{one.name}.each_sample" for one in free if one.each_sample]
     if asked:
-        raise InputError(f"fit.{asked[0]}", "given", "not supported without a named model", "name one as solve.model")
+        raise InputError(f"fit.{asked[0]}", InWords("given"), "not supported by predictions", "name a model as solve.model")
     return {one.path: _between(one.path, one.low, one.high, "log" if one.log else "linear") for one in free}
 
 

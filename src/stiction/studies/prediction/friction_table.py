@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stiction.case.read import Case
-from stiction.quantities.errors import InputError
+from stiction.quantities.errors import InputError, InWords
 from stiction.solving.sliding import YIELDING_SPOTS, slide
 from stiction.studies.prediction.predict import case_given, predict
 from stiction.studies.pressing_loads import pressing_loads
@@ -47,7 +47,7 @@ def friction_table(contact: Any, *, load: Any = None, level: float = 0.5) -> "xa
         raise InputError("level", level, "a quantile above 0 and below 1, e.g. 0.05")
     case = case_given(contact, load)
     if case.is_swept:
-        raise InputError("contact", "array parameters", "a single contact for each table")
+        raise InputError("contact", InWords("array parameters"), "a single contact for each table")
     stated, working_index = pressing_loads(case)
     if not stated.size:
         raise InputError("load", None, "> 0 N; the case has no compressive load")

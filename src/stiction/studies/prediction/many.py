@@ -135,7 +135,7 @@ def _together(
         numbers = _one_finish(case, numbers)
         case = case.at(numbers)
         if not isinstance(case.subject, Contact):
-            raise InputError("indices", "given", "[contact] instead, because a prediction needs materials and lengths")
+            raise InputError("indices", InWords("given"), "[contact] instead, because a prediction needs materials and lengths")
         if (refusal := refusal_of(case)) is not None:
             raise refusal
         swept = {path: value for path, value in numbers.items() if hasattr(value, "dims")}
@@ -185,7 +185,7 @@ def predict_swept(case: Case, level: float = 0.9) -> "xarray.Dataset":
     import xarray
 
     if case.load is None:
-        raise InputError("solve.separation", "given", "a load; only a named model accepts separations")
+        raise InputError("solve.separation", InWords("given"), "a load; for separations, name a model as solve.model")
     sizes = dimensions([*case.swept.values(), xarray.DataArray(case.load, dims=("load",))])
     count, contacts = count_of(math.prod(sizes.values())), math.prod(size for dim, size in sizes.items() if dim != "load")
     pressing = np.flatnonzero(case.load > 0.0)

@@ -7,7 +7,7 @@ import numpy as np
 
 from stiction.case.measurements import Measurements, read_measurements
 from stiction.case.read import Case
-from stiction.quantities.errors import InputError
+from stiction.quantities.errors import InputError, InWords
 
 # Relative standard error of a measured coefficient whose error is not stated: the scatter of three or more values, but at least
 # _LEAST_ERROR; USUAL_ERROR for fewer values. Judgements (grade C).
@@ -42,15 +42,15 @@ def read_measured(path: str | PathLike, case: Case) -> Measured:
         raise InputError(
             "--data",
             ", ".join(sorted(others)),
-            "friction_coefficient or friction_force; other quantities need a named model",
-            "name one as solve.model",
+            "friction_coefficient or friction_force",
+            "for other quantities, name a model as solve.model",
         )
     if any(series.known):
         raise InputError(
             "--data",
-            "numbers of the contact",
-            "no columns with numbers of the contact; these need a named model",
-            "name one as solve.model",
+            InWords("numbers of the contact"),
+            "no columns with numbers of the contact",
+            "for such columns, name a model as solve.model",
         )
     force = np.array([quantity == "friction_force" for quantity in series.quantity])
     mu = np.where(force, series.value / series.load, series.value)

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from stiction.case.read import parse_case, read_content
-from stiction.quantities.errors import InputError
+from stiction.quantities.errors import InputError, InWords
 from stiction.quantities.table import QUANTITIES
 from stiction.studies.prediction.many import PREDICTED
 from stiction.studies.prediction.predict import predict
@@ -57,7 +57,7 @@ def predict_value(output: str, *pairs: str | float) -> float:
     if name not in PREDICTED:
         raise InputError("output", output, ", ".join(PREDICTED).replace(_MU, "mu"))
     if len(pairs) % 2:
-        raise InputError("pairs", f"{len(pairs)} words", "a value after each name")
+        raise InputError("pairs", InWords(f"{len(pairs)} words"), "a value after each name")
     named_values = dict(zip(pairs[::2], pairs[1::2], strict=True))
     for key, value in named_values.items():  # an empty cell is None, a range of cells a tuple, a date a datetime
         if not isinstance(value, str | Real) or isinstance(value, bool):
@@ -68,7 +68,7 @@ def predict_value(output: str, *pairs: str | float) -> float:
     if values.size != 1:
         raise InputError(
             "pairs",
-            f"{values.size} contacts or loads",
+            InWords(f"{values.size} contacts or loads"),
             'names and values that leave one contact at one load; the two arguments "load", 5 choose it',
         )
     return float(values.squeeze())

@@ -182,7 +182,7 @@ def case_given(given: Any, load: Any) -> Case:
     else:
         case = as_case(given)
     if not isinstance(case.subject, Contact):
-        raise InputError("indices", "given", "[contact] instead, because a prediction needs materials and lengths")
+        raise InputError("indices", InWords("given"), "[contact] instead, because a prediction needs materials and lengths")
     if load is None:
         return case
     read = case.subject.read

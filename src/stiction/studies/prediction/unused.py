@@ -26,9 +26,7 @@ def refusal_of(case: Case) -> InputError | None:
     stated = dict(contact.inputs())
     for name, model in _DECIDE.items():
         if name in stated and (name != "peeling" or contact.adheres):
-            return InputError(
-                name, InWords(stated[name]), "no value without a named model, because predictions cannot use it", f"use {model}"
-            )
+            return InputError(name, InWords(stated[name]), "no value in a prediction, which cannot use it", f"use {model}")
     return None
 
 

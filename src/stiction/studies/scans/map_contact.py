@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from stiction.quantities.errors import InputError
+from stiction.quantities.errors import InputError, InWords
 from stiction.quantities.inputs import floats
 from stiction.records.validity_warning import ValidityWarning
 from stiction.solvers.boundary_elements.bodies import Bodies
@@ -80,11 +80,11 @@ def contact_of_map(
     if hardness is not None and not 0.0 < hardness < math.inf:
         raise InputError("hardness", hardness, "> 0, over E* h'")
     if surface.is_profile:
-        raise InputError("scan", "a profile", "a map; the contact of a profile is not solved")
+        raise InputError("scan", InWords("a profile"), "a map; the contact of a profile is not solved")
     if not surface.complete:
         raise InputError("fill", None, f"harmonic or nearest: {surface.missing} points have no height")
     if float(np.ptp(surface.heights)) == 0.0:
-        raise InputError("scan", "heights all alike", "a rough map; a flat face touches everywhere")
+        raise InputError("scan", InWords("heights all alike"), "a rough map; a flat face touches everywhere")
     gradient = waves(surface.heights, surface.size, surface.periodic).gradient
     if hardness is not None and wanted.max() >= hardness:
         raise InputError("pressures", float(wanted.max()), f"< {hardness:g}, the hardness over E* h'")

@@ -10,7 +10,7 @@ import numpy as np
 
 from stiction.contact.contact import Contact
 from stiction.contact.indices import Groups
-from stiction.quantities.errors import InputError
+from stiction.quantities.errors import InputError, InWords
 from stiction.quantities.progress import Steps
 from stiction.quantities.units import to_si
 from stiction.records.registry import RoughSurface, find
@@ -86,10 +86,10 @@ class _Friction:
         if not isinstance(self.contact, Contact):
             raise InputError("contact", type(self.contact).__name__, "a stiction.Contact")
         for name, array in self.contact.arrays():
-            raise InputError(f"contact.{name}", f"array of shape {array.shape}", "one number")
+            raise InputError(f"contact.{name}", InWords(f"array of shape {array.shape}"), "one number")
         asked = to_si(self.load, "load")
         if np.ndim(asked) or not asked > 0.0:
-            raise InputError("load", self.load, "one load above 0 N")
+            raise InputError("load", self.load, "one load > 0 N")
         if self.choice is None:
             if (refusal := refusal_of(case_given(self.contact, self.load))) is not None:
                 raise refusal
@@ -152,7 +152,7 @@ def resolution_study(
     cutoffs : iterable of float [m] or str with a unit, optional
         Wavelengths at which the Gaussian low-pass halves the amplitude; 0 leaves the map unfiltered.
     methods : iterable of str, optional
-        Keys of ways of finding asperities; by default all that the map allows.
+        Keys of asperity methods; by default all that the map allows.
     options : dict of dict, optional
         Options of each method, by its key.
     points_per_cutoff : float, optional
@@ -170,8 +170,8 @@ def resolution_study(
     -------
     xarray.Dataset
         Over (asperity_method, cutoff): sigma [m], R [m] and N [1/m^2], the height deviation, radius and density of asperities;
-        mean_height [m], skewness and count of asperities; height_distribution, its name; with a contact also mu, its friction
-        coefficient; and `failure`, the reason where a number is NaN.
+        mean_height [m], skewness and count of asperities; height_distribution, the name of the fitted distribution; with a
+        contact also mu, its friction coefficient; and `failure`, the reason why numbers are NaN.
 
     Raises
     ------

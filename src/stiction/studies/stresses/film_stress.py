@@ -9,7 +9,7 @@ from stiction.contact.indices import Groups
 from stiction.contact.subject import Subject, as_subject
 from stiction.engine.heights import Heights
 from stiction.laws.validity import warnings_about, with_warnings
-from stiction.quantities.errors import InputError
+from stiction.quantities.errors import InputError, InWords
 from stiction.quantities.keywords import with_keywords
 from stiction.records.claims import Validity
 from stiction.solvers.layered.bodies import Bodies, bodies_of, per_root
@@ -95,7 +95,7 @@ def film_stresses(
     require_film(subject)
     groups, dims = Groups.of(subject.indices())
     if dims:
-        raise InputError("contact", f"arrays along {', '.join(dims)}", "one contact, with single numbers")
+        raise InputError("contact", InWords(f"arrays along {', '.join(dims)}"), "one contact, with single numbers")
     if groups.film_aspect is None or not np.isfinite(groups.film_aspect[0]):
         raise InputError("film_aspect", None, "film thickness over sqrt(R sigma), 0 or more")
     if (film := laws.get("film") or _FILM) != _FILM:
@@ -119,7 +119,9 @@ def require_film(subject: Subject) -> None:
 def require_proportion(radius: float) -> None:
     """Raise InputError if stresses were not checked at this `radius`, the contact radius over the film thickness."""
     if not LEAST <= radius <= MOST:
-        raise InputError("thickness", f"a/t = {radius:.3g}", f"contact radius over film thickness, {LEAST:g} to {MOST:g}")
+        raise InputError(
+            "thickness", InWords(f"a/t = {radius:.3g}"), f"contact radius over film thickness, {LEAST:g} to {MOST:g}"
+        )
 
 
 def part_that_yields(subject: Subject, where: str) -> str:

@@ -17,7 +17,7 @@ from zlib import crc32
 import numpy as np
 
 from stiction import __version__
-from stiction.quantities.errors import InputError, nearest
+from stiction.quantities.errors import InputError, InWords, nearest
 from stiction.quantities.paths import require_place
 from stiction.solving.choice import RECOMMENDED, Choice
 from stiction.solving.pointwise import NOT_COMPUTED, WHY_NOT, meanings_of, pieces
@@ -138,7 +138,9 @@ def _first(plan: Plan) -> tuple[Choice, Any]:
                 case = plan.case_at(one).at(plan.arrays(one))
                 choice = Choice(RECOMMENDED) if is_predicted(case) else choice_of_case(case, case.choice)
                 if choice.model == RECOMMENDED and case.load is None:
-                    raise InputError("solve.separation", "given", "load, or a named model, which accepts separations")
+                    raise InputError(
+                        "solve.separation", InWords("given"), "a load; for separations, name a model as solve.model"
+                    )
                 for _, solved in solved_of(plan, choice, one, None):  # a prediction may be refused at some of the loads
                     if solved is not None:
                         return choice, (case, solved)

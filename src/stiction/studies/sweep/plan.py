@@ -14,7 +14,7 @@ from stiction.case.read import Case, case_of, with_files_read
 from stiction.case.study_tables import study_table
 from stiction.case.swept import Address, SweptNumber
 from stiction.case.uncertain import SAMPLE, Uncertain
-from stiction.quantities.errors import InputError
+from stiction.quantities.errors import InputError, InWords
 from stiction.quantities.inputs import require_names
 from stiction.solving.pointwise import Region, pieces, tiles
 from stiction.studies.prediction.predict import is_predicted
@@ -176,7 +176,7 @@ def _plan_of_maps(content: Mapping[str, Any], folder: Path, sweep: Sweep) -> Pla
     content: tables of the case. folder: base folder of relative paths. Raises InputError.
     """
     if not isinstance(content.get("contact"), Mapping):
-        raise InputError("sweep.roughness", "given", "a case with [contact]")
+        raise InputError("sweep.roughness", InWords("given"), "a case with [contact]")
     maps = maps_of(sweep.roughness, roughness_in(content), folder)
     first = maps[0].roughness()
     opened_content, swept = with_files_read(with_roughness(content, first), folder)
@@ -211,7 +211,9 @@ def _lengths(plan: Plan) -> dict[str, int]:
     Raises InputError if there is no array parameter, or if two array parameters along one dimension differ in length.
     """
     if not plan.swept:
-        raise InputError("contact", "single numbers only", "at least one array parameter: a list or {start, stop, count}")
+        raise InputError(
+            "contact", InWords("single numbers only"), "at least one array parameter: a list or {start, stop, count}"
+        )
     sample = plan.sweep.sample
     if sample.is_drawn:
         assert sample.count is not None  # checked by the table
@@ -221,7 +223,7 @@ def _lengths(plan: Plan) -> dict[str, int]:
         dim, length = (SAMPLE if sample.method == "list" else one.dimension), len(one.numbers())
         other = found.setdefault(dim, (length, one))
         if other[0] != length:
-            raise InputError(one.where, f"{length} values", f"{other[0]}, as many as {other[1].where} has")
+            raise InputError(one.where, InWords(f"{length} values"), f"{other[0]}, as many as {other[1].where} has")
     return {dim: length for dim, (length, _) in found.items()}
 
 
@@ -237,5 +239,5 @@ def _cut(plan: Plan, lengths: Mapping[str, int]) -> Plan:
     cut = replace(plan, dims=dict(lengths), tile=tiles(lengths, room))
     if cut.blocks > _MOST_BLOCKS:
         allowed = f"{_MOST_BLOCKS} blocks at most: fewer points, or a larger sweep.block, up to {LARGEST_BLOCK}"
-        raise InputError("sweep", f"{cut.size} points in {cut.blocks} blocks", allowed)
+        raise InputError("sweep", InWords(f"{cut.size} points in {cut.blocks} blocks"), allowed)
     return cut

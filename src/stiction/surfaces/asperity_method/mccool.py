@@ -15,7 +15,7 @@ $$
 
 from math import inf
 
-from stiction.quantities.errors import InputError
+from stiction.quantities.errors import InputError, InWords
 from stiction.records.registry import AsperityMethod, Parameter, Validity
 from stiction.records.sources import Source
 from stiction.surfaces.asperity_set import Asperities
@@ -37,7 +37,7 @@ def mccool(surface: HeightMap, cutoff: float | None) -> Asperities:
     if moments is None:
         raise InputError(
             "asperities by mccool",
-            "slopes along one direction only",
+            InWords("slopes along one direction only"),
             "a surface that is rough in both directions; grooves have no summits",
         )
     return of_moments("mccool", moments, "from moments by finite differences")

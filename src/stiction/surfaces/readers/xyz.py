@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
-from stiction.quantities.errors import InputError
+from stiction.quantities.errors import InputError, InWords
 from stiction.surfaces.raw_scan import RawScan, Reader
 from stiction.surfaces.readers.shared.text import read_text
 
@@ -21,7 +21,7 @@ def read(path: Path, channel) -> RawScan | None:
 
 
 def _no_positions(table: np.ndarray, notes: tuple[str, ...], name: str) -> RawScan:
-    raise InputError("scan", f"{name} with {table.shape[1]} columns", "columns x y z, or x z for a profile")
+    raise InputError("scan", InWords(f"{name} with {table.shape[1]} columns"), "columns x y z, or x z for a profile")
 
 
 READER = Reader(

@@ -34,7 +34,7 @@ from scipy.linalg import cholesky, solve_triangular
 from scipy.special import ndtr, owens_t
 
 from stiction.engine.one_thread import on_one_thread
-from stiction.quantities.errors import InputError
+from stiction.quantities.errors import InputError, InWords
 
 _gauss = cache(leggauss)
 
@@ -70,7 +70,7 @@ def n_point_asperities(profile, spacing: float, level: float) -> NPointAsperitie
     """
     heights = np.asarray(profile, dtype=float)
     if heights.ndim != 1 or not np.isfinite(heights).all():
-        raise InputError("profile", f"shape {heights.shape}", "one row of finite heights")
+        raise InputError("profile", InWords(f"shape {heights.shape}"), "one row of finite heights")
     if not spacing > 0.0:
         raise InputError("spacing", spacing, "> 0")
     above = heights > level

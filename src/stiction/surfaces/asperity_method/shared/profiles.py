@@ -11,7 +11,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from stiction.quantities.errors import InputError
+from stiction.quantities.errors import InputError, InWords
 from stiction.records.registry import Parameter
 from stiction.surfaces.asperity_set import over_mean_plane
 from stiction.surfaces.heightmap import HeightMap
@@ -33,7 +33,7 @@ def profiles(surface: HeightMap, directions: str) -> list[tuple[np.ndarray, floa
     along = {"x": (heights, dx), "y": (heights.T, dy)}
     chosen = [along[one] for one in directions_of(surface, directions)]
     if any(lines.shape[1] < 3 for lines, _ in chosen):
-        raise InputError("heights", f"shape {surface.heights.shape}", "3 or more points along a profile")
+        raise InputError("heights", InWords(f"shape {surface.heights.shape}"), "3 or more points along a profile")
     return chosen
 
 

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from stiction.quantities.errors import InputError
+from stiction.quantities.errors import InputError, InWords
 from stiction.surfaces.raw_scan import FEWEST_POINTS
 
 _ROUNDED = 0.75  # deviation of positions that may be their rounding, in units of the last digit: half of it, and some margin
@@ -18,18 +18,18 @@ def equally_spaced(x: np.ndarray, z: np.ndarray) -> tuple[np.ndarray, tuple[floa
     """
     count = len(x)
     if count < FEWEST_POINTS:
-        raise InputError("scan", f"profile of {count} points", f"at least {FEWEST_POINTS} points")
+        raise InputError("scan", InWords(f"profile of {count} points"), f"at least {FEWEST_POINTS} points")
     if x[-1] < x[0]:
         x, z = x[::-1], z[::-1]
     if not (np.isfinite(x).all() and x[-1] > x[0]):
-        raise InputError("scan", "positions x that are missing or all equal", "finite positions x that increase")
+        raise InputError("scan", InWords("positions x that are missing or all equal"), "finite positions x that increase")
     place = np.arange(count) - (count - 1) / 2.0
     pitch = float(place @ (x - x.mean()) / (place @ place))
     off = float(np.abs(x - x.mean() - pitch * place).max())
     if off <= max(_ROUNDED * _last_digit(x), 1e-6 * pitch):
         return z[None, :], (pitch, pitch * count), _rounding(off, pitch)
     if not (np.diff(x) > 0.0).all():
-        raise InputError("scan", "positions x that decrease", "positions x that increase along the profile")
+        raise InputError("scan", InWords("positions x that decrease"), "positions x that increase along the profile")
     pitch = float(x[-1] - x[0]) / (count - 1)
     heights = np.interp(np.linspace(x[0], x[-1], count), x, z)
     note = f"positions not equally spaced: resampled by linear interpolation to {count} points with equal spacing"
@@ -47,12 +47,12 @@ def gridded(x: np.ndarray, y: np.ndarray, z: np.ndarray) -> tuple[np.ndarray, tu
     if columns * rows > 4 * len(z) + 16:
         raise InputError(
             "scan",
-            f"{len(z)} points on a grid of {rows} x {columns}",
+            InWords(f"{len(z)} points on a grid of {rows} x {columns}"),
             "points x y z on a regular grid, with a height at a quarter of its points or more",
         )
     flat = row * columns + column
     if np.bincount(flat).max() > 1:
-        raise InputError("scan", "several heights at one point x y", "one height per point of a regular grid")
+        raise InputError("scan", InWords("several heights at one point x y"), "one height per point of a regular grid")
     heights = np.full((rows, columns), np.nan)
     heights.flat[flat] = z
     dx, dy = dx or dy, dy or dx  # the width of a profile is its point spacing
@@ -69,7 +69,7 @@ def _places(x: np.ndarray, name: str) -> tuple[np.ndarray, float, int, tuple[str
     coordinates are not equally spaced.
     """
     if not np.isfinite(x).all():
-        raise InputError("scan", f"missing {name}", "finite positions x y of all points")
+        raise InputError("scan", InWords(f"missing {name}"), "finite positions x y of all points")
     start, extent = float(x.min()), float(x.max() - x.min())
     if extent == 0.0:
         return np.zeros(len(x), dtype=int), 0.0, 1, ()
@@ -81,7 +81,7 @@ def _places(x: np.ndarray, name: str) -> tuple[np.ndarray, float, int, tuple[str
         tried.append((float(np.abs((x - start) / pitch - np.rint((x - start) / pitch)).max()), pitch))
     off, pitch = min(tried)
     if off > max(0.1, min(_ROUNDED * _last_digit(x) / pitch, 0.45)):
-        raise InputError("scan", f"positions {name} that are not equally spaced", "points x y z on a regular grid")
+        raise InputError("scan", InWords(f"positions {name} that are not equally spaced"), "points x y z on a regular grid")
     place = np.rint((x - start) / pitch).astype(int)
     return place, pitch, int(place.max()) + 1, _rounding(off * pitch, pitch)
 

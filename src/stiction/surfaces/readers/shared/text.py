@@ -13,7 +13,7 @@ from pathlib import Path
 
 import numpy as np
 
-from stiction.quantities.errors import InputError
+from stiction.quantities.errors import InputError, InWords
 from stiction.surfaces.raw_scan import RawScan, ends_in_a_line, no_channel
 from stiction.surfaces.readers.shared.positions import equally_spaced, gridded
 
@@ -70,7 +70,9 @@ def _no_numbering(table: np.ndarray, name: str) -> None:
         and np.array_equal(table[0, 1:], np.arange(columns - 1))
         and np.array_equal(table[1:, 0], np.arange(rows - 1))
     ):
-        raise InputError("scan", f"{name} with row and column numbers", "heights only; delete the first row and column")
+        raise InputError(
+            "scan", InWords(f"{name} with row and column numbers"), "heights only; delete the first row and column"
+        )
 
 
 # ---- layout
@@ -107,7 +109,7 @@ def _layout(path: Path) -> _Layout | None:
     if len(names) != len(cells) or not any(map(_is_number, cells)):
         return None
     if not names[0]:
-        raise InputError("scan", f"{path.name} with row numbers", "columns x z, x y z, or heights only")
+        raise InputError("scan", InWords(f"{path.name} with row numbers"), "columns x z, x y z, or heights only")
     return _surveyed(path, delimiter, first)
 
 
@@ -123,7 +125,9 @@ def _surveyed(path: Path, delimiter: str | None, heading: str | None) -> _Layout
         points = points or "." in line
         ends_rows = ends_rows and line.endswith(delimiter or "")
     if commas and points:
-        raise InputError("scan", f"{path.name} with commas and points in its numbers", "decimal commas or decimal points")
+        raise InputError(
+            "scan", InWords(f"{path.name} with commas and points in its numbers"), "decimal commas or decimal points"
+        )
     return _Layout(delimiter, commas, ends_rows, heading)
 
 
