@@ -86,7 +86,7 @@ class StudiesTab:
             self._sensitivity()
         with _card("Design for a friction coefficient", "stiction design case.toml, with a table [design]"):
             self._design()
-        with _card("Fit to measured series", "stiction fit case.toml --data measured.csv, with a table [fit]"):
+        with _card("Fit to measured series", "stiction fit case.toml --data measured.csv"):
             self._calibration()
 
     def _study(self, label: str, work: Callable[[Query, Progress], View]) -> None:
