@@ -44,7 +44,7 @@ def run(
 ) -> None:
     """Predict the friction coefficient of a case with its interval, and show what the interval depends on.
 
-    Without a named model or law, all applicable models are combined. With --model, one model is solved along a curve of loads.
+    By default all applicable models are combined. With --model or a law, one model is solved along a curve of loads.
     --out writes curve.csv, curve.nc (netCDF4) and pictures. stiction models KEY lists the options of a model or law, such as
     --variant published. Command-line options replace those in the case file.
 

@@ -149,7 +149,7 @@ class Form:
         given = str(solve.get("model", _PREDICTION if answer.is_prediction else DEFAULT_MODEL))
         self._menu("model", [_PREDICTION, *names.pop("model")], given, ("solve", "model"), self._choose_model)
         if answer.is_prediction:
-            ui.label("recommended combines all models that apply; a named model is shown next to it").classes("text-xs")
+            ui.label("recommended combines all models that apply; a chosen model is shown next to it").classes("text-xs")
         with _folded("Replace its laws"):
             for choice, laws in names.items():
                 known = [_NONE, *laws, *(["none"] if choice in _MAY_BE_NONE else [])]

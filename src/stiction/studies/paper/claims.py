@@ -169,7 +169,7 @@ CLAIMS = (
     Claim(
         "b",
         "friction with a film stiffer than its substrate hardly depends on the thickness or hardness of the film at light load",
-        "(largest - smallest mu over n_H and tau) / mu uncoated at light load",
+        "(largest - smallest mu of all n_H and tau) / mu uncoated at light load",
         "n_E = 1.5, 2.5",
         _stiff_film_spread,
         0.2,
@@ -187,7 +187,7 @@ CLAIMS = (
     Claim(
         "d",
         "friction levels off at high load",
-        "largest / smallest mu over the upper half of the loads that a surface carries down to h = -4",
+        "largest / smallest mu in the upper half of the loads that a surface carries down to h = -4",
         "the uncoated surface and every film",
         _change_at_high_load,
         1.1,

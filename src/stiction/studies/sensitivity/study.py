@@ -1,6 +1,6 @@
 """Rank the inputs by their effect on friction, to see which should be measured better.
 
-For a prediction, the output has the share of each source of uncertainty in the variance of ln mu. For a named model, it has
+For a prediction, the output has the share of each source of uncertainty in the variance of ln mu. For a single model, it has
 Sobol indices with 95 % intervals and Morris effects of inputs, methods of finding asperities, and models, for friction, contact
 area, load and pull-off force. Both have logarithmic sensitivities, d ln mu/d ln x, for every number of the contact. --out
 writes sensitivity.csv, log_sensitivities.csv, sensitivity.nc (netCDF4) and sensitivity.png. A number of the case is uncertain
