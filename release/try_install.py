@@ -1,10 +1,10 @@
-"""Installs the wheel into empty environments, without extras and with each of them, and works there as a user does.
+"""Install the wheel into empty environments, without extras and with each of them, and work there as a user does.
 
     make try-install                                 # ten minutes; writes its tables into docs/how-to/installing.md
     python release/try_install.py none web           # these alone, or "each"; nothing is written
 
-Each environment solves the demo out of an empty folder, far from the source. Of each extra that it has the work is done; of
-each that it has not the command must end with exit code 2 and one line that says what to install.
+In each environment the demo is solved in an empty folder away from the source, and each installed extra is used. A command that
+that needs another extra must exit with code 2 and print one line that states what to install.
 """
 
 import datetime
@@ -188,15 +188,15 @@ def _written(found: list[Tried]) -> None:
     rest = sum(base.weights[name] for name in light)
     rows += [[f"{len(light)} others", f"{rest / MB:.0f}"], ["**all**", f"**{base.total / MB:.0f}**"]]
     shared.write_table(
-        "weights", ["package", "MB"], rows, f"Measured on {when}, with what Python compiles when it is installed."
+        "weights", ["package", "MB"], rows, f"Measured on {when}, including the bytecode that Python compiles at installation."
     )
     rows = [
         [f"`{one.extra}`" if one is not base else "no extra", len(one.weights), f"{one.total / MB:.0f}", f"{one.seconds:.0f}"]
         for one in found
     ]
-    said = f"""Tried on {when}, installed by pip: in each the demo was solved out of an empty folder, and the work of
-its extras was done (a report, a scan as an instrument writes it, a sweep, one on a cluster, a fit, the page); of every other
-extra the command said in one line what to install."""
+    said = f"""Tried on {when}, installed by pip: in each environment the demo was solved in an empty
+folder and the installed extras were used (a report, a scan in an instrument format, a sweep, a sweep on a cluster, a fit, the
+page). Commands that need a missing extra printed one line that states what to install."""
     shared.write_table("extras", ["installed with", "packages", "MB", "seconds of processor"], rows, said)
 
 
