@@ -1,6 +1,7 @@
 """A prediction that knows measured friction, against the closed form of normal numbers."""
 
 import math
+import tomllib
 
 import numpy as np
 import pytest
@@ -10,7 +11,7 @@ from typer.testing import CliRunner
 import stiction as st
 from refusals import refusal
 from stiction.cli import app
-from stiction.report.answer import answer_lines
+from stiction.report.answer import answer_lines, confidence_in
 
 SPREAD = math.log(2.5) / norm.ppf(0.95)  # of ln tau_0
 CASE = """
@@ -82,9 +83,9 @@ def test_one_draw_makes_no_interval(case, tmp_path):
 @pytest.mark.parametrize(
     ("text", "said"),
     [
-        ("load [N],contact_area [um^2]\n1,3\n", "name one as solve.model"),
+        ("load [N],contact_area [um^2]\n1,3\n", "solve.model"),
         ("load [N],friction_coefficient\n1,0\n", "above 0"),
-        ("load [N],friction_coefficient,nominal_area [mm^2]\n1,0.1,2\n", "name one as solve.model"),
+        ("load [N],friction_coefficient,nominal_area [mm^2]\n1,0.1,2\n", "solve.model"),
     ],
 )
 def test_what_cannot_be_used_is_refused(text, said, case, tmp_path):
@@ -162,7 +163,27 @@ def test_the_answer_offers_no_line_that_loses_the_measurement(slope, tmp_path):
     data = series(tmp_path, "load [N],friction_coefficient\n1,0.12\n")
     measured = dict(answer_lines(st.predict(path, load="1 N", measured=data)))["measured"]
     assert "interface strength" in measured and "low =" not in measured
-    assert ("the pressure coefficient of the state" in measured) is bool(slope)
+    assert ("pressure coefficient 0.1" in measured) is bool(slope)
+
+
+def test_the_answer_prints_the_fitted_pressure_coefficient(tmp_path):
+    """The state alone gives 0.12 (0.05 to 0.28); a measured mu that is high raises it, and is nearly its upper end."""
+    data = series(tmp_path, "load [N],friction_coefficient\n1,0.2\n")
+    contact = {**tomllib.loads(CASE)["contact"], "interface": "boundary lubricant"}
+    found = st.predict({"contact": contact, "solve": {"load": ["1 N"]}}, measured=data)
+    middle, low, high = found.attrs["pressure_coefficient"]
+    assert 0.12 < middle < high < 0.2 / 0.8 and low > 0.0
+    assert f"pressure coefficient {middle:.2g} (" in dict(answer_lines(found))["measured"]
+
+
+@pytest.mark.parametrize(("load", "far"), [("1 N", False), ("3 N", False), ("40 N", True), ("20 mN", True)])
+def test_a_load_far_from_the_measured_ones_is_said_and_not_sure(load, far, tmp_path):
+    path = tmp_path / "case.toml"
+    path.write_text(CASE, encoding="utf-8")
+    data = series(tmp_path, "load [N],friction_coefficient\n1,0.12\n2,0.12\n2,0.121\n")
+    found = st.predict(path, load=load, measured=data)
+    assert any("far from the measured loads" in text for text in found.warnings) is far
+    assert not far or confidence_in(found) != "high"
 
 
 def test_a_fit_predicts_another_load_as_precisely_as_the_fitted_one(tmp_path):

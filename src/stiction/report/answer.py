@@ -305,10 +305,9 @@ def _of_measured(data: "xarray.Dataset") -> str:
     values = "1 value" if count == 1 else f"{count} values"
     middle, low, high = (show(strength_value, "interfacial_shear_strength", 2) for strength_value in data.attrs["strength"])
     strength = f"interface strength {middle} ({low} to {high})"
-    coefficient = [number(value) for value in data.attrs["pressure_coefficient"]]
-    if coefficient[1] != coefficient[2]:
-        middle, low, high = coefficient
-        strength += f" at zero pressure, pressure coefficient {middle} ({low} to {high})"
+    middle, low, high = (number(value) for value in data.attrs["pressure_coefficient"])
+    if high != "0":
+        strength += f" at zero pressure, pressure coefficient {middle}{f' ({low} to {high})' if low != high else ''}"
     if "parameter" not in data.dims:
         return f"{values}: {strength}"
     names = data["parameter"].values.tolist()
