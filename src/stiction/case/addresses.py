@@ -119,8 +119,8 @@ def with_numbers(content: Any, numbers: Mapping[Address, Any]) -> Any:
 
 
 def _as_table(entry: Any) -> Any:
-    """Return a preset name as {"preset": name}, None as an empty table, and any other entry unchanged."""
-    return {"preset": entry} if isinstance(entry, str) else {} if entry is None else entry
+    """Return None as an empty table, and an entry that is no table or record, such as a preset name, as {"preset": entry}."""
+    return entry if isinstance(entry, Mapping | Input) else {} if entry is None else {"preset": entry}
 
 
 def roughness_in(content: Mapping) -> Any:

@@ -25,7 +25,6 @@ from stiction.engine.vectorised import exponential
 
 # Equally spaced separations in units of sigma. Above 10 almost nothing touches, and below -8 no model is valid.
 GRID = np.linspace(10.0, -8.0, 73)
-_STEP = float(GRID[0] - GRID[1])
 
 # Range of the displacements, in units of sigma, that contribute to the load at any of these separations.
 NODE_RANGE = -3.0 * math.sqrt(2.0 * NEGLIGIBLE) - GRID[0], 2.5 + math.sqrt(2.0 * NEGLIGIBLE) - GRID[-1]

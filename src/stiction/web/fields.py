@@ -153,12 +153,11 @@ class Choices:
 class Part:
     """Describe a part of the form: one table of the case, such as "coating", with its fields.
 
-    path: sequence of keys to the table. optional: whether the case may omit the whole table. Some fields are parts themselves:
-    a body, or the numbers that replace a named interface state.
+    path: sequence of keys to the table. Some fields are parts themselves: a body, or the numbers that replace a named interface
+    state.
     """
 
     path: Path
-    optional: bool
     fields: tuple["Number | Choices | Part", ...]
 
 
@@ -174,15 +173,15 @@ def numbers_of(part: Part) -> Iterator[Number]:
 def parts_of(tables: Mapping[str, Any]) -> list[Part]:
     """Return the parts of the form for a case with these tables."""
     if "indices" in tables:
-        return list(_parts(Indices, ("indices",), False))
-    found = list(_parts(Contact, ("contact",), False))
+        return list(_parts(Indices, ("indices",)))
+    found = list(_parts(Contact, ("contact",)))
     if is_finished(value_at(tables, ROUGHNESS)):
-        of_finish = next(_parts(Finished, ROUGHNESS, False))
+        of_finish = next(_parts(Finished, ROUGHNESS))
         return [of_finish if part.path == ROUGHNESS else part for part in found]
     return found
 
 
-def _parts(record: type[BaseModel], path: Path, optional: bool) -> Iterator[Part]:
+def _parts(record: type[BaseModel], path: Path) -> Iterator[Part]:
     fields: list[Number | Choices | Part] = []
     inner: list[Part] = []
     for name, field in record.model_fields.items():
@@ -195,12 +194,12 @@ def _parts(record: type[BaseModel], path: Path, optional: bool) -> Iterator[Part
         elif name in _WORDS:
             fields.append(Choices(place, *_WORDS[name]))
         elif name == "interface":
-            fields.append(Part(place, True, tuple(Number((*path, one), QUANTITIES[one], False) for one in _STRENGTH)))
+            fields.append(Part(place, tuple(Number((*path, one), QUANTITIES[one], False) for one in _STRENGTH)))
         elif below is Material:
-            fields += _parts(Material, place, False)
+            fields += _parts(Material, place)
         elif below is not None and below is not record:
-            inner += _parts(below, place, not field.is_required())
-    yield Part(path, optional, tuple(fields))
+            inner += _parts(below, place)
+    yield Part(path, tuple(fields))
     yield from inner
 
 

@@ -91,9 +91,6 @@ def in_draws(share: float, text: str) -> str:
     return f"in {share:.1%} of the random samples of the inputs: {text}"
 
 
-_FEW = 5  # rows in a short answer
-
-
 def run_view(case: "Case", data: "xarray.Dataset", all_rows: bool = False) -> View:
     """Return the view (texts, tables, files and pictures) of a case that one model solved.
 

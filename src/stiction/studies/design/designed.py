@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stiction import __version__
+from stiction.case.addresses import with_numbers
 from stiction.case.read import wants_ranges, without_studies
 from stiction.case.text import case_text, show_exactly, with_written
 from stiction.quantities.sampling import spread_rows
@@ -140,12 +141,8 @@ def _with_numbers(content: Any, numbers: Mapping[tuple[str, ...], Any]) -> Any:
         elif path[-1] in QUANTITIES:
             content = with_written(content, {path: entry})
         else:
-            content = _placed(content, path, entry)
+            content = with_numbers(content, {path: entry})
     return content
-
-
-def _placed(content: Any, path: tuple[str, ...], entry: Any) -> Any:
-    return {**content, path[0]: _placed(content.get(path[0], {}), path[1:], entry)} if path else entry
 
 
 def off_targets(plan: DesignPlan, known: Mapping[str, np.ndarray]) -> Iterator[tuple[str, np.ndarray]]:

@@ -126,7 +126,7 @@ def search(residuals: Residuals, start: np.ndarray, seed: int = 0) -> Best:
     from scipy.optimize import least_squares
 
     k = len(start)
-    trials = np.concatenate([np.clip(start, 0.0, 1.0)[None, :], _drawn(k, seed)])
+    trials = np.concatenate([np.clip(start, 0.0, 1.0)[None, :], sobol_points(k, 2 ** min(5 + k, 9), seed)])
     sums = (finite(residuals(trials)) ** 2).sum(axis=1)
     order = np.argsort(sums, kind="stable")[:_STARTS]
     begun = trials[order] if 0 in order else np.concatenate([trials[:1], trials[order[: _STARTS - 1]]])
@@ -141,10 +141,6 @@ def search(residuals: Residuals, start: np.ndarray, seed: int = 0) -> Best:
         gtol=_AGREED,
     )
     return Best(found.x, found.fun, found.jac, "" if found.success else found.message)
-
-
-def _drawn(k: int, seed: int) -> np.ndarray:
-    return sobol_points(k, 2 ** min(5 + k, 9), seed)
 
 
 def polished(residuals: Residuals, shares: np.ndarray, columns: Sequence[int]) -> tuple[np.ndarray, np.ndarray]:

@@ -1,11 +1,11 @@
 """Predict a single number from names and values, for spreadsheets and other languages."""
 
-from collections.abc import Mapping
 from functools import lru_cache
 from numbers import Real
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from stiction.case.addresses import with_numbers
 from stiction.case.read import parse_case, read_content
 from stiction.quantities.errors import InputError, InWords
 from stiction.quantities.table import QUANTITIES
@@ -86,7 +86,7 @@ def _predicted(given: tuple[tuple[str, Any], ...], changed: int) -> "xarray.Data
     tables: Any = {} if file is None else read_content(file)
     for name, value in pairs.items():
         path = ("solve", "load") if name == "load" else ("contact", *str(name).split("."))
-        tables = _with_value(tables, path, _with_unit(path[-1], value))
+        tables = with_numbers(tables, {path: _with_unit(path[-1], value)})
     return predict(parse_case(tables, Path() if file is None else Path(file).parent))
 
 
@@ -95,14 +95,3 @@ def _with_unit(name: str, value: Any) -> Any:
     if isinstance(value, str) or name not in QUANTITIES:
         return value
     return f"{float(value)!r} {QUANTITIES[name].unit}".rstrip()
-
-
-def _with_value(tables: Any, path: tuple[str, ...], value: Any) -> Any:
-    """Return a copy of case tables with this value at the address `path`.
-
-    A material named by its preset first becomes the table {"preset": name}.
-    """
-    if not path:
-        return value
-    table = tables if isinstance(tables, Mapping) else {} if tables is None else {"preset": tables}
-    return {**table, path[0]: _with_value(table.get(path[0]), path[1:], value)}
