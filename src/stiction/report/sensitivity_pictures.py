@@ -53,8 +53,15 @@ def _shares(axes: Axes, data: "xarray.Dataset") -> None:
     """Draw the fraction of the variance of ln mu that each source of uncertainty causes."""
     names = [part_name(name) for name in data["input"].values.tolist()]
     axes.barh(names, data["friction_coefficient_share"].values, color=BLUE)
+    _limit_height(axes, len(names))
     axes.invert_yaxis()
     finish(axes, xlim=(0.0, 1.0), xlabel=r"share of the variance of $\ln\,\mu$", title="sources of the interval")
+
+
+def _limit_height(axes: Axes, bars: int) -> None:
+    """Leave room above and below so that none of `bars` bars at 0, 1, ... takes more than a quarter of the height."""
+    room = 0.5 + max(4 - bars, 0) / 2.0
+    axes.set_ylim(-room, bars - 1 + room)
 
 
 def _symbol(name: str) -> str:
@@ -129,6 +136,7 @@ def _log_sensitivities(axes: Axes, data: "xarray.Dataset") -> None:
         values = [_known(results, name, place) for place in order]
         axes.barh(y + 0.4 - (number + 0.5) * height, values, height=height, color=colour, label=letters(head_of(name)))
     axes.set_yticks(y, [part_name(str(results["number"].values[number])) for number in order], fontsize=9)
+    _limit_height(axes, len(order))
     axes.axvline(0.0, color="black", linewidth=0.8)
     axes.xaxis.set_major_locator(MaxNLocator(_TICKS))
     heads = "the result" if len(names) > 1 else letters(head_of(names[0]))
