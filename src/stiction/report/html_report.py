@@ -126,11 +126,12 @@ def write_report(
     return report_record(findings)
 
 
-def case_as_html(case: Case, text: str, name: str = "case.toml", progress: Progress = silent) -> str:
+def case_as_html(case: Case, text: str, progress: Progress = silent) -> str:
     """Solve a case and return its report as one HTML page.
 
-    text: content of the case file. name: name of the case file, as shown on the page. Raises InputError if the case is invalid.
+    text: content of the case file, which the page calls case.toml. Raises InputError if the case is invalid.
     """
+    name = "case.toml"
     return as_html(collect_report_data(case, text, progress=progress), name, say.command(name, None, None), progress)
 
 

@@ -132,15 +132,15 @@ def _places(cutoffs: np.ndarray) -> np.ndarray:
     return np.where(cutoffs > 0.0, cutoffs, 0.5 * others.min() if others.size else 1.0)
 
 
-def _apart(places: np.ndarray, gap: float = 0.13) -> list[float]:
+def _apart(places: np.ndarray) -> list[float]:
     """Return the positions on a logarithmic axis that are far enough apart for their labels, including the first one.
 
-    places: ascending positions, > 0. gap: least distance, as a fraction of the length of the logarithmic axis.
+    places: ascending positions, > 0. The least distance is 0.13 of the length of the logarithmic axis.
     """
     logs = np.log(places / places[0])
     chosen = [0]
     for i in range(1, len(logs)):
-        if logs[i] - logs[chosen[-1]] > gap * logs[-1]:
+        if logs[i] - logs[chosen[-1]] > 0.13 * logs[-1]:
             chosen.append(i)
     return [float(places[i]) for i in chosen]
 

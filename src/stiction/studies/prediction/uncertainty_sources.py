@@ -21,21 +21,21 @@ def part_name(name: str) -> str:
     return words.replace("_", " ").replace("youngs", "Young's").replace("poissons", "Poisson's")
 
 
-def main_sources(shares: dict[str, float], most: int = _MOST_SOURCES) -> list[tuple[str, float]]:
+def main_sources(shares: dict[str, float]) -> list[tuple[str, float]]:
     """Return the main sources of uncertainty as pairs (name, share of the variance of ln mu), the largest first.
 
-    shares: share of the variance by name of the source. The list has at most `most` sources. All but the largest must have a
+    shares: share of the variance by name of the source. The list names at most three sources. All but the largest must have a
     share of at least 5 %. The last entry, "other", is the difference to 100 %; it is omitted below half a per cent.
     """
     ordered = sorted(shares.items(), key=lambda item: -item[1])
-    named = [item for rank, item in enumerate(ordered[:most]) if not rank or item[1] >= _LEAST]
+    named = [item for rank, item in enumerate(ordered[:_MOST_SOURCES]) if not rank or item[1] >= _LEAST]
     rest = 1.0 - sum(round(share, 2) for _, share in named)  # of the rounded shares, which a reader adds up
     return [*named, ("other", rest)] if named and rest > _NO_REST else named
 
 
-def sources_in_words(shares: dict[str, float], most: int = _MOST_SOURCES) -> str:
+def sources_in_words(shares: dict[str, float]) -> str:
     """Return the main sources of uncertainty with their shares of the variance as text: "60% interface strength, 9% load".
 
     shares: share of the variance of ln mu, by name of the source.
     """
-    return ", ".join(f"{share:.0%} {part_name(name)}" for name, share in main_sources(shares, most))
+    return ", ".join(f"{share:.0%} {part_name(name)}" for name, share in main_sources(shares))

@@ -64,14 +64,11 @@ class ContactOfMap:
         return list(said)
 
 
-def contact_of_map(
-    surface: HeightMap, pressures: Sequence[float] = PRESSURES, hardness: float | None = None, *, sampled: bool = False
-) -> ContactOfMap:
+def contact_of_map(surface: HeightMap, pressures: Sequence[float] = PRESSURES, hardness: float | None = None) -> ContactOfMap:
     """Solve the contact of a prepared map with a flat at given nominal pressures.
 
     Pressures and hardness are above 0 and divided by E* h'; E* is the contact modulus, h' the root mean square gradient of the
-    map. sampled: whether to skip points of the map that are not needed for an accurate contact area. Raises InputError for a
-    profile, missing points, or pressures above the hardness.
+    map. Raises InputError for a profile, missing points, or pressures above the hardness.
     """
     allowed = "a list of numbers > 0, nominal pressures over E* h'"
     wanted = floats(list(pressures), "pressures", allowed)
@@ -89,7 +86,7 @@ def contact_of_map(
     if hardness is not None and wanted.max() >= hardness:
         raise InputError("pressures", float(wanted.max()), f"< {hardness:g}, the hardness over E* h'")
     bodies = Bodies(1.0, hardness=None if hardness is None else hardness * gradient)
-    curve = curve_of_map(surface, bodies, (wanted * gradient).tolist(), sampled=sampled)
+    curve = curve_of_map(surface, bodies, (wanted * gradient).tolist())
     of_map = warnings_of_map(surface.heights, surface.size, None, surface.periodic)
     return ContactOfMap(wanted, gradient, hardness, float(np.std(surface.heights)), curve, of_map)
 

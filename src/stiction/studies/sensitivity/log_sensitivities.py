@@ -142,13 +142,13 @@ def _of_interface(case: Case, load: float) -> dict[str, float]:
             ends = {name: tuple(end * times for end in state.range[name])} if name in state.range else {}
             moved = state.replace(**{name: value * times, "range": state.range | ends})
             stepped = replace(case, subject=contact.replace(interface=moved))
-            mu += [solved.variables["friction_coefficient"][1].item() for *_, solved in _predicted(stepped, load) if solved]
+            mu += [
+                solved.variables["friction_coefficient"][1].item()
+                for *_, solved in predict_many(stepped, {}, np.array([load]), stepped.uncertain)
+                if solved
+            ]
         slopes[f"interface.{name}"] = float(np.log(mu[1] / mu[0]) / np.ptp(_WIDE)) if len(mu) == 2 else math.nan
     return slopes
-
-
-def _predicted(case: Case, load: float) -> Iterator[tuple]:
-    return predict_many(case, {}, np.array([load]), case.uncertain)
 
 
 def _stepped_case(case: Case, stencil: np.ndarray) -> tuple[list[str], Case, np.ndarray]:
