@@ -29,9 +29,9 @@ def surface(
     case: Path | None = option("Case file; the resolution study then includes its mu with this surface."),
     load: str | None = option('Load of --case, e.g. "1 N"; default: the middle load of the case.'),
     contact: str | None = option(
-        "Solve the contact of the scan at these nominal pressures over E* h' (h': rms gradient), e.g. \"0.01 0.1\"."
+        "Solve the contact of the scan at these nominal pressures divided by E* h' (h': rms gradient), e.g. \"0.01 0.1\"."
     ),
-    hardness: float | None = option("Hardness of --contact, over E* h'; by default the contact is elastic."),
+    hardness: float | None = option("Hardness of --contact, divided by E* h'; by default the contact is elastic."),
     periodic: bool = option("Treat the scan as one period of an infinite surface; no form is removed.", False, "--periodic"),
     save_map: Path | None = option("Write the prepared map to this file: .gwy (Gwyddion), .x3p or .sdf."),
     details: bool = option("Also print spectral moments, and the asperities by every method.", False, "--details"),

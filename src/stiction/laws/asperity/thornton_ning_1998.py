@@ -21,7 +21,7 @@ and $p_1=\sqrt{2\gamma E^*/(\pi a)}$; it is largest in the centre. After yield t
 JKR's pressure outside. This is not the same as JKR's pressure limited to $p_y$, which falls below $p_y$ closer to the centre
 and gives a slightly smaller $P$; without adhesion both agree. Load and stiffness are continuous at $u_y$. If $p_y$ is below
 JKR's central pressure at zero displacement, $(2E^{*2}\gamma/(\pi^2R))^{1/3}$, the asperity yields at first touch, and the same
-formulas hold from then on.
+formulas hold afterwards.
 
 The source does not say how to choose $p_y$. With `limiting_pressure="first_yield"`, the default, it is $H/k$ times the exact
 $p_0/Y$ of the table under [`hertz`](#hertz); with `"hardness"` it is $H$. *Check*: at $\theta=40$, $\lambda=10$, $\nu=0.3$,

@@ -61,5 +61,5 @@ RECORD = Contamination(
     tangential_resistance=tangential_resistance,
     verified="closed form for exponential heights; simulation with random strengths; sums over heights at 20 digits",
     needs=("hardness_group", "shear_strength", "strength_variation", "roughness_parameter", "nominal_width", "sharpness"),
-    notes="The result is the standard deviation between contacts. Their mean friction is the one without contamination.",
+    notes="The result is the standard deviation between contacts. Their mean friction is that without contamination.",
 )

@@ -108,8 +108,9 @@ RECORD = FilmLaw(
         PLASTIC_FILM,
         SOFT_FILM,
     ),
-    notes="The contact's interfacial shear strength is that of the film. The substrate shears at Y/sqrt(3), with the contact's "
-    "k = H/Y. Friction rises as the film gets thinner if the film's shear strength over the pressure on it is below "
-    "1/(sqrt(3) k), which is 0.206 for k = 2.8. With rim_pressure = substrate_hardness this holds for every film weaker in "
-    "shear than its substrate; with film_hardness it does not hold for a metal film that shears at its own shear yield stress.",
+    notes="The contact's interfacial shear strength is that of the film. The substrate shears at Y/sqrt(3), with the "
+    "contact's k = H/Y. Friction rises as the film gets thinner if the film's shear strength divided by the pressure on it is "
+    "below 1/(sqrt(3) k), which is 0.206 for k = 2.8. With rim_pressure = substrate_hardness this holds for every film weaker "
+    "in shear than its substrate; with film_hardness it does not hold for a metal film that shears at its own shear yield "
+    "stress.",
 )

@@ -50,9 +50,10 @@ RECORD = FilmLaw(
         Departure("thick", "contact_area", -0.67, 1.7),
         Departure("thick", "friction_force", -0.67, 1.7),
     ),
-    verified="friction coefficient of plastic asperities equals shear strength over hardness",
+    verified="friction coefficient of plastic asperities equals shear strength divided by hardness",
     needs=("shear_strength",),
     validity=(Validity("tau", 0.0, 1.0, "the law assumes a film that is thinner than the roughness"),),
-    notes="Modulus, hardness and thickness of the film have no effect. shear_strength is that of the film over the hardness of "
-    "the substrate. The source solved the contact of given rough surfaces numerically; here asperity laws take its place.",
+    notes="Modulus, hardness and thickness of the film have no effect. shear_strength is that of the film divided by the "
+    "hardness of the substrate. The source solved the contact of given rough surfaces numerically; here asperity laws take "
+    "its place.",
 )

@@ -127,7 +127,8 @@ RECORD = FilmLaw(
         PLASTIC_FILM,
         SOFT_FILM,
     ),
-    notes="For each asperity mu = (C t/W)^(1/3), limited to the range from shear strength over substrate hardness to shear "
-    "strength over film hardness. C is friction_constant of the coating. If it is not given, the substrate takes part once the "
-    "displacement exceeds the film thickness. The load of an asperity between the limits is counted as the substrate's.",
+    notes="For each asperity mu = (C t/W)^(1/3), limited to the range from shear strength divided by substrate hardness to "
+    "shear strength divided by film hardness. C is friction_constant of the coating. If it is not given, the substrate takes "
+    "part once the displacement exceeds the film thickness. The load of an asperity between the limits is counted as the "
+    "substrate's.",
 )

@@ -78,6 +78,6 @@ RECORD = RoughSurface(
         Validity("elastic_over_adhesion", 0.0, 0.49, "the contact may be partial at small loads, and mu lower than computed"),
         ELASTIC_CONTACT,
     ),
-    notes="mu is the shear strength of the interface over the nominal pressure. The model raises an error if flattening the "
-    "roughness needs more energy than the work of adhesion.",
+    notes="mu is the shear strength of the interface divided by the nominal pressure. The model raises an error if flattening "
+    "the roughness needs more energy than the work of adhesion.",
 )

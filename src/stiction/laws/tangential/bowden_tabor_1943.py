@@ -61,5 +61,5 @@ RECORD = TangentialLaw(
     verified="evaluation in SI units at 30 digits; mu = tau_0/H where the mean pressure is the hardness",
     needs=("hardness_group", "shear_strength"),
     notes="With a soft film, the area is the outer contact area of the asperity and tau_0 the film's shear strength. If all "
-    "contacts are plastic, mu is tau_0 over their mean pressure, Bowden and Tabor's s/p.",
+    "contacts are plastic, mu is tau_0 divided by their mean pressure, Bowden and Tabor's s/p.",
 )

@@ -64,5 +64,5 @@ RECORD = TangentialLaw(
     verified="evaluation in SI units at 30 digits; bowden_tabor_1943 for alpha = 0",
     needs=("hardness_group", "shear_strength", "pressure_coefficient"),
     limits=(Limit("bowden_tabor_1943", {"pressure_coefficient": 0.0}, ("friction_force",), 1e-12),),
-    notes="For heavy loads mu tends to alpha plus tau_0 over the mean pressure.",
+    notes="For heavy loads mu tends to alpha plus tau_0 divided by the mean pressure.",
 )

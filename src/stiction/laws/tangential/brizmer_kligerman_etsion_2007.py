@@ -63,7 +63,7 @@ def resistance(u, w, load, area, L_c):
 def tangential_resistance(segment: NormalSegment, groups: Groups) -> TangentialResistance:
     L_c = critical_values(groups.eta, groups.nu, groups.hardness_to_yield)[1]
     first = np.ascontiguousarray(segment.edges[:, 0])
-    # T grows as P^0.65 from zero load on, a fractional power in any smooth coordinate. The load is zero at first touch or, for
+    # T grows as P^0.65 with the load, a fractional power in any smooth coordinate. The load is zero at first touch or, for
     # an adhesive plastic junction, where its tension ends.
     begins = zero_load(segment)
     begins = first if begins is None else begins

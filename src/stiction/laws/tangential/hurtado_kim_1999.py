@@ -47,8 +47,8 @@ from stiction.laws.segment import NormalSegment, TangentialResistance
 from stiction.records.registry import TangentialLaw, Validity
 from stiction.records.sources import Source
 
-# Contact radius over Burgers vector up to which a contact slips as a whole, and from which on many dislocations glide;
-# strength over shear modulus in both cases.
+# Contact radius divided by Burgers vector: up to SMALL a contact slips as a whole, from LARGE many dislocations glide. Each
+# limit has its own strength divided by the shear modulus.
 SMALL, LARGE = 28.0, 8e4
 STRONGEST, WEAKEST = 1.0 / 43.0, 1.0 / 1290.0
 EXPONENT = math.log(STRONGEST / WEAKEST) / math.log(LARGE / SMALL)

@@ -95,8 +95,8 @@ RECORD = TangentialLaw(
             "effect",
         ),
     ),
-    notes="The friction coefficient of one asperity against its interference is the authors' with any asperity law; the force "
-    "is this coefficient times the load of that law. plastic_junctions names another law for asperities beyond six critical "
-    "interferences. The published segments do not meet: mu falls from 0.520 to 0.511 at one critical interference (with the "
-    "authors' load the force rises by 1.2 %), and from 0.036 to 0 at six.",
+    notes="With any asperity law, the friction coefficient of one asperity is the authors' function of its interference; the "
+    "force is this coefficient times the load of the law. plastic_junctions names another law for asperities beyond six "
+    "critical interferences. The published segments do not meet: mu falls from 0.520 to 0.511 at one critical interference "
+    "(with the authors' load the force rises by 1.2 %), and from 0.036 to 0 at six.",
 )

@@ -211,7 +211,7 @@ RECORD = AsperityMethod(
             {"threshold": 0.0, "fit_points": 9},
         ),
     ),
-    notes="It finds only summits that stand out. These are fewer, higher and, with a fine pitch, sharper than summits by "
+    notes="Only summits that stand out are counted. These are fewer, higher and, with a fine pitch, sharper than summits by "
     "other methods. The default threshold is larger on larger maps, which have higher extremes, and on maps with spikes. A "
     "plateau counts as one summit.",
 )

@@ -293,7 +293,7 @@ def _fill(parameters, tau, edges, part, levels, branch):
         before = count
         count = _add_zeros(NUMBERS[REAL], scan[:size], samples[REAL], law, out, count)
         count = _add_branches(start, samples[REAL, 0], law, out, before, count, branch[i])
-        plastic = size - 1  # index of the first sample from which on the asperity is fully plastic and has no resistance
+        plastic = size - 1  # index of the first of the last samples, which are fully plastic and have no resistance
         while plastic > 0 and samples[1, plastic - 1] > 0.0:
             plastic -= 1
         count = _add_zeros(NUMBERS[SQUEEZED], scan[: plastic + 1], samples[SQUEEZED], law, out, count)
