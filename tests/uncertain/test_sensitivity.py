@@ -146,7 +146,7 @@ def test_pictures_and_tables_rank_what_matters(of_power_law):
     assert log_sensitivities_table(of_power_law).rows[0][1] == "+1"
     indices, over_load, screening, slopes = sensitivity_figure(of_power_law).axes
     assert [text.get_text() for text in indices.get_yticklabels()] == ["interfacial shear strength", "asperity radius"]
-    assert screening.get_xlabel() == r"mean size of its effect on ln $\mu$, from end to end"
+    assert screening.get_xlabel() == r"mean size of the effect on ln $\mu$"
     widths = sorted(patch.get_width() for patch in indices.patches[:2])
     assert widths == pytest.approx(sorted(of_power_law["friction_coefficient_total_order"].values[:, 0]))
     assert len(over_load.lines) == 2 and len(screening.texts) == 2 and slopes.patches[0].get_width() == pytest.approx(1.0)

@@ -140,7 +140,7 @@ def pictures_of_curve(findings: ReportData) -> Iterator[Picture]:
             continue  # `all_of_one` describes it in a sentence
         names = ", ".join(part_in_words(name, total) for name in parts)
         tension = any(np.nanmin(data[name].values, initial=0.0) < 0.0 for name in parts)
-        words = f"Shares of the {what}, over the load: {names}" + (
+        words = f"Shares of the {what} against the load: {names}" + (
             "; shares of absolute values, because some parts are in tension." if tension else "."
         )
         yield _picture(partial(share_figure, data, what), f"share{number}", words)

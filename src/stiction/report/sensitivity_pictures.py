@@ -117,7 +117,7 @@ def _screening(axes: Axes, data: "xarray.Dataset", name: str) -> None:
             axes.annotate(text, (size[place], deviation[place]), fontsize=8, textcoords="offset points", **side)
     axes.set_xlim(0.0, 1.1 * max(float(np.nanmax(size)), 1e-9))
     axes.xaxis.set_major_locator(MaxNLocator(_TICKS))
-    axes.set(xlabel=f"mean size of its effect on ln {_symbol(name)}, from end to end", ylabel="deviation: it depends on others")
+    axes.set(xlabel=f"mean size of the effect on ln {_symbol(name)}", ylabel="deviation of the effect over other inputs")
     axes.set_ylim(0.0, 1.15 * max(float(np.nanmax(deviation)), 1e-9))
     finish(axes, title="effects of Morris")
 

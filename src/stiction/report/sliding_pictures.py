@@ -74,7 +74,7 @@ def _forces(axes: Axes, rows: list["xarray.Dataset"]) -> None:
         share = 0.99 if "energy_loss" in row else 1.0  # without weakening, the force approaches its limit and never reaches it
         axes.plot(row["sliding_displacement"], share * row["largest_friction_coefficient"], "o", color=colour, markersize=5)
     axes.plot([], [], ":", color="black", label="static friction coefficient $\\mu$")
-    axes.plot([], [], "o", color="black", label="99 % of it" if "energy_loss" in rows[0] else "largest")
+    axes.plot([], [], "o", color="black", label="99 % of $\\mu$" if "energy_loss" in rows[0] else "largest")
     axes.set_ylim(bottom=0.0)
     along(axes, "x", "displacement", rows[0]["displacement"].values, log=False)
 

@@ -49,16 +49,18 @@ class AsperityTab:
         self._picture.show(_section_chart(found, self._explorer.view.dark))
         place = f"in the {found.where}, at x = {found.at[0]:.2f} a, z = {found.at[1]:.2f} a"
         if found.largest >= 1.0:
-            text = f"It has yielded, first {place}: an elastic stress would be {found.largest:.3g} times the yield stress."
+            text = (
+                f"The asperity has yielded, first {place}: elastic stresses reach {found.largest:.3g} times the yield stress."
+            )
         else:
-            text = f"Elastic: the largest stress is {found.largest:.3g} of the yield stress, {place}."
+            text = f"Elastic: the largest stress is {found.largest:.3g} times the yield stress, {place}."
         self._answer.set_text(text)
         self._sizes.set_text(self._sizes_of(found))
 
     def _sizes_of(self, found: OneAsperity) -> str:
         """Return contact radius, load and mean pressure of the asperity as text, with units if the contact has units."""
         subject: Any = self._explorer.answer.case.subject
-        pressure = f"mean pressure {found.pressure:.3g} of the hardness of the bodies"
+        pressure = f"mean pressure {found.pressure:.3g} times the hardness of the bodies"
         rough = getattr(subject, "roughness", None)
         if rough is None:
             return f"Load {found.load:.3g} K √R σ√σ, {pressure}; elastic, without adhesion."

@@ -170,7 +170,7 @@ def _bands(curve: xarray.Dataset, name: str) -> dict[str, list[np.ndarray]]:
     """
     bands = {}
     if f"{name}_low" in curve:
-        text = f"{curve.attrs['level']:.0%} interval" if "level" in curve.attrs else "over ways to find asperities"
+        text = f"{curve.attrs['level']:.0%} interval" if "level" in curve.attrs else "range over asperity methods"
         bands[text] = [_positive(curve[f"{name}_{end}"].values) for end in ("low", "high")]
     if f"{name}_quantile" in curve:
         shares = curve["quantile"].values[[0, -1]]
@@ -251,5 +251,5 @@ def share_chart(curve: xarray.Dataset, what: str, against: str, dark: bool) -> d
         area = {"opacity": 0.75, "decal": {"symbol": _HATCHES[at % len(_HATCHES)], "color": "rgba(255,255,255,0.5)"}}
         series.append(line(said, x, share, at, stack="all", areaStyle=area))
     tension = any(np.nanmin(curve[name].values, initial=0.0) < 0.0 for name in parts)
-    named = f"share of {what}" + (", of their sizes: some pull" if tension else "")
+    named = f"share of {what}" + (", absolute values: some parts are in tension" if tension else "")
     return chart(named, x_axis, {"name": f"share of {what.partition(',')[0]}", "min": 0, "max": 1}, series, dark)

@@ -31,7 +31,7 @@ from stiction.web.fields import INTERFACE, with_points, with_value_at
 _MAX_POINTS = 20_000  # largest number of points, because the curve is computed again while a slider moves
 _MAX_SAMPLES = 4096  # largest number of samples of uncertain inputs
 _MAX_PREDICTED = 500  # largest number of loads of a prediction
-_MORE = "on a page; `stiction run` takes more"
+_MORE = "on a page; `stiction run` accepts more"
 
 
 @dataclass(frozen=True)

@@ -34,7 +34,7 @@ def content(table: "xarray.Dataset") -> str:
         mu *= (2.0 * x - 3.0) / (2.0 * x)  # load over Hertz's force
     lines = [f"# {text}" for text in sphere_comments(table)]
     lines += ["# pair_style gran model hertz tangential history cohesion sjkr2"]
-    lines += [f"# cohesion for E* = {1.0 / compliance:.6g}; with softer spheres it is as E*^(2/3)"]
+    lines += [f"# cohesion for E* = {1.0 / compliance:.6g}; with softer spheres it is proportional to E*^(2/3)"]
     lines += ["# sphere on wall: twice the cohesion, the same friction"]
     values = {"stictionFriction": mu, "stictionCohesion": density}
     return "\n".join([*lines, *(f"variable {name} equal {value:.8g}" for name, value in values.items())]) + "\n"

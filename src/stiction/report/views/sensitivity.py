@@ -178,5 +178,5 @@ def sensitivity_view(data: "xarray.Dataset", groups: Mapping[str, float] | None 
         for name, dim in _TABLES.items()
         if dim in data.dims
     }
-    pictures = {"sensitivity.png": picture("inputs by what they change", "sensitivity_pictures.sensitivity_figure", data)}
+    pictures = {"sensitivity.png": picture("inputs by their effect", "sensitivity_pictures.sensitivity_figure", data)}
     return View("sensitivity", plain(data), parts, as_record, files, pictures)

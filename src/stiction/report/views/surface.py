@@ -321,7 +321,7 @@ def _pictures(analysis: "Analysis", resolution: "xarray.Dataset | None") -> dict
         "asperities.png": picture("asperities by every method", "surface_pictures.asperity_figure", asperities, surface),
     }
     if resolution is not None:
-        pictures["fan.png"] = picture("what the resolution decides", "method_pictures.resolution_figure", resolution)
+        pictures["fan.png"] = picture("effect of the resolution", "method_pictures.resolution_figure", resolution)
     return pictures
 
 
