@@ -199,7 +199,7 @@ def pictures_of_comparison(findings: ReportData) -> Iterator[Picture]:
 
 
 def pictures_of_uncertainty(findings: ReportData) -> Iterator[Picture]:
-    """Yield pictures of friction by the named model: with its band over uncertain inputs, and by each asperity method."""
+    """Yield pictures of friction by the model of the case: with its band over uncertain inputs, and by each asperity method."""
     data = findings.data
     if "friction_coefficient_quantile" in data and not findings.case.is_swept:
         caption = "The friction coefficient with its band over the uncertain inputs."

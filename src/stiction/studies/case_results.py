@@ -82,7 +82,7 @@ def solve_case(case: "CaseLike", choice: Choice | None = None, progress: Progres
 
 
 def sources_of_case(case: "CaseLike") -> list[str]:
-    """Return the bibliography keys of the result of a case: of its prediction, or of its named model.
+    """Return the bibliography keys of the result of a case: of its prediction, or of the model that it names.
 
     Raises InputError as `solve_case` and `predict`.
     """

@@ -31,9 +31,9 @@ if TYPE_CHECKING:
 class ReportData:
     """Store the results that a report of one case shows.
 
-    text: the case file as written; "" without a file. data: the prediction, or the results of the named model at all points of
-    the case. load: working load in N, or dimensionless for [indices]; None if no load is above 0, or if a number of the case is
-    an array. working_results: results of the named model at the working load; None for a prediction. comparison: results of all
+    text: the case file as written; "" without a file. data: the prediction, or the results of the model of the case at all its
+    points. load: working load in N, or dimensionless for [indices]; None if no load is above 0, or if a number of the case is
+    an array. working_results: results of this model at the working load; None for a prediction. comparison: results of all
     models at the working load, or None. not_compared: reason why models are not compared; "" if they are. analyses: analysis of
     the scan of each body, by body. input_warnings: warnings of unlikely inputs. recommended: the prediction, also if the case
     names a model; None if no prediction is possible. curve: the prediction over a range of loads, also if the case states a
@@ -59,7 +59,7 @@ class ReportData:
 
     @property
     def result(self) -> Any:
-        """Return the results of the named model at the working load; `data` for a prediction or without a working load."""
+        """Return the results of the model at the working load; `data` for a prediction or without a working load."""
         return self.data if self.working_results is None else self.working_results
 
 

@@ -111,7 +111,7 @@ class DesignSpace:
         return choice
 
     def _evaluated(self, numbers: Mapping, points: Mapping) -> Iterator[tuple[Region, Any, Any]]:
-        """Solve designs in batches, by the named model or the prediction, and yield (region, case, results) of each batch.
+        """Solve designs in batches, by the chosen model or the prediction, and yield (region, case, results) of each batch.
 
         region: {"design": slice}. numbers: values of the choices by address (tuple of keys). points: {"load": loads}. For a
         refused design, case and results are None.

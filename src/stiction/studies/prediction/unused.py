@@ -10,7 +10,7 @@ from stiction.quantities.errors import InputError, InWords
 from stiction.studies.prediction.sampled_case import SampledCase
 from stiction.studies.prediction.strength import Strength
 
-# Inputs that decide friction but that only named models use: dotted name -> options of the command that select such a model.
+# Inputs that decide friction but that only single models use: dotted name -> options of the command that select such a model.
 _DECIDE = {
     "coating.friction_constant": "--model greenwood_williamson_1966 --film ravindran_ramasamy_laddha_1980",
     "burgers_vector": "--model greenwood_williamson_1966 --tangential hurtado_kim_1999",
