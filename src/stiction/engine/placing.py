@@ -19,7 +19,9 @@ from stiction.engine.sum_kernels import LONGEST, WIDEST, placing, reaching
 
 @cache
 def spanning(window: Callable) -> Any:
-    """Return a compiled loop that finds which displacements of an asperity contribute to a sum at any of many separations.
+    """Return a compiled loop that finds the integration intervals of a sum at many separations.
+
+    The intervals serve all separations: they contain every displacement that contributes at one or more of them.
 
     window: formula of the height distribution, as in `Heights`, that limits an interval to heights that are not negligible.
     """

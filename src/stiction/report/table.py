@@ -181,9 +181,10 @@ def prefix(quantity: str, largest: float) -> tuple[float, str]:
 
 
 def unit_for(quantity: str, largest: float) -> tuple[float, str]:
-    """Return (factor, unit) for drawing SI values of a quantity whose largest value is `largest`.
+    """Return (factor, unit) for drawing a quantity: SI values times the factor are in the unit.
 
-    Only lengths and asperity densities get a unit; other quantities are drawn in SI, as (1.0, "").
+    largest: largest SI value to be drawn. Only lengths and asperity densities get a unit; other quantities are drawn in SI, as
+    (1.0, "").
     """
     if quantity == "asperity_density":
         return next(((per, unit) for per, unit in ((1e-12, "1/µm²"), (1e-6, "1/mm²")) if largest * per >= 0.1), (1.0, "1/m²"))

@@ -1,4 +1,4 @@
-"""Run computations in threads, outside the event loop that serves browsers, and only for the newest query."""
+"""Run computations in threads, outside the event loop that serves browsers; skip outdated queries; time out studies."""
 
 import asyncio
 import ctypes

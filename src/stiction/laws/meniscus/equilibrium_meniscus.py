@@ -91,7 +91,7 @@ PULL_ON_MAPS = Validity(
     "meniscus_share",
     0.0,
     0.005,
-    "on solved maps menisci pulled 0.9 to 4 times as much as computed: mu may be too low",
+    "menisci solved on height maps pulled 0.9 to 4 times as much: mu may be too low",
     "assumption",
 )
 

@@ -86,7 +86,7 @@ def comparison(data: "xarray.Dataset") -> dict[str, Any]:
 def _over_methods(result: "xarray.Dataset") -> dict[str, Any]:
     """Return the friction of one model at the working load by each asperity method, with its range, as entries for JSON.
 
-    The dict is empty if the roughness was not measured in scans.
+    The dict is empty without a working load, or if fewer than two methods found asperities in a scan.
     """
     name = "friction_coefficient_at_load"
     if f"{name}_by_method" not in result:

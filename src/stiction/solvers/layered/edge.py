@@ -75,7 +75,7 @@ def half_space(nu: float) -> Radial:
 
 
 def _forms(radial: Radial) -> tuple[float, float, float]:
-    """Return the coefficients ln D, A and B of the von Mises stress at the trailing edge of the contact.
+    """Return ln D, A and B of D (A s^2 + 2 B s q + q^2), the squared von Mises stress at the trailing edge (see the module).
 
     radial: stresses at the contact edge. At the trailing edge the stress under traction is largest.
     """

@@ -260,8 +260,9 @@ def where(claims: ClaimMap, chosen: np.ndarray) -> str:
     """Return a text that describes where the chosen points lie in the (theta, lambda) plane.
 
     chosen: mask (theta, lam). The text names one or two bounds on theta, lambda or the hardness group eta that best separate
-    the chosen points from the others, and the fraction of points that these bounds classify correctly. It is "everywhere",
-    "nowhere" or "scattered" if no bounds do.
+    the chosen points from the others, and the fraction of points that these bounds classify correctly. It is "everywhere"
+    or "nowhere" if all points or none are chosen, "almost everywhere" or "almost nowhere" if this holds but for a few points,
+    and "scattered" if no bounds separate them well.
     """
     share = float(np.mean(chosen))
     if share in (0.0, 1.0):

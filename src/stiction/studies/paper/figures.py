@@ -1,7 +1,7 @@
 """Compute the curves behind figures 1 to 3 of the 2015 paper: friction coefficient against load, coated and uncoated.
 
-Source: soft_coating_2015, section 4. The paper prints the film's n_E, n_H and tau and the range of h. It prints neither the
-theta and lambda of its figures nor the film values that a panel holds fixed: those here are chosen.
+Source: soft_coating_2015, section 4. The paper prints the film's n_E, n_H and tau and the range of h. It does not print
+theta and lambda of any figure, nor the film values that the panels of figures 1 and 2 hold fixed: those here are chosen.
 """
 
 from collections.abc import Iterable, Iterator, Mapping

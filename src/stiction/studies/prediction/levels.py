@@ -67,8 +67,8 @@ def draw_levels(inputs: int, count: int, seed: int) -> Levels:
 
     Notes
     -----
-    Owen scrambling (Owen 1997) makes the points uniform. The same seed gives the same samples. The levels of "spots" are not
-    part of the sequence: they are evenly spaced, in random order.
+    Owen scrambling (Owen 1997) makes the points uniform. The same seed gives the same samples. The column "spots" of COLUMNS is
+    not part of the sequence: its levels are evenly spaced, in random order.
     """
     names = [name for columns in COLUMNS.values() for name in columns if name != _APART]
     points = sobol_points(inputs + len(names), count, seed)

@@ -1,7 +1,7 @@
 """Read text files with a table of numbers, as in .csv files.
 
-Lines that begin with # may specify the units of columns x y z. A file with other statements in such lines is left to the reader
-of instrument formats.
+Lines that begin with # may specify the units of columns x y z. A file with any other line "# name: value"
+(except "# Channel: ..."), or with an unknown or a single unit, is left to the reader of instrument formats.
 """
 
 import re
@@ -18,8 +18,8 @@ from stiction.surfaces.readers.shared.text import matrix, read_text
 def read(path: Path, channel) -> RawScan | None:
     """Read a text file: a matrix of heights (rows along x), or columns x z of a profile or x y z of a map.
 
-    channel: must be None. Returns None for a file whose # lines contain more than units, or that begins with more than one line
-    of words.
+    channel: must be None. Returns None for a file whose # lines make other statements with a colon, or that begins with more
+    than one line of words.
     """
     units = _units(path)
     if units is None:
