@@ -261,6 +261,21 @@ async def test_the_number_on_the_page_is_that_of_a_closed_form():
 
 
 @in_a_loop
+async def test_a_slider_that_moves_faster_than_the_answers_ends_at_its_last_load():
+    """Each event scales the range of loads from the load before it, not from that of the last answer."""
+    label = "normal load, adhesion included P"
+    async with _page() as user:
+        slider = UserInteraction(user, {_labelled(user, ui.slider, f"{label}, slider")}, None)
+        for load in (2.0, 4.0, 3.0, 3.0):
+            slider.trigger("update:modelValue", math.log10(load))
+        await _until(user, lambda: "at 3 N" in _card(user))
+        assert _input(user, label).value == "3 N"
+        tables = first_case()
+        tables["solve"]["load"] |= {"start": "0.3 N", "stop": "30 N"}
+        assert _mu(user) == _predicted(tables)
+
+
+@in_a_loop
 async def test_no_field_shows_python():
     tables = first_case()
     tables["contact"]["work_of_adhesion"] = {"median": "1 J/m^2", "factor": 3}

@@ -71,6 +71,8 @@ def draw_number(explorer: Explorer, number: Number, otherwise: str = "") -> ui.i
     async def moved(value: float) -> None:
         attributes(slider, aria_valuetext=number.text(value))
         new = number.moved(given(), value)
+        if as_written(new) == as_written(given()):  # a slider sends its last value twice
+            return
         put = explorer.put(number.path, new)
         text.set_value(as_written(new))
         await put
@@ -90,9 +92,13 @@ def draw_load(explorer: Explorer, inputs: dict[tuple[str, ...], Any]) -> Callabl
         ui.label("No load is compressive: see the points of the curve.").classes("text-sm")
         return lambda: None
 
+    asked = explorer.load  # working load of the newest query, which may wait for its answer
+
     async def put(value: float) -> None:
-        if value > 0.0 and _LOAD.text(value) != _LOAD.text(explorer.load):
-            await explorer.ask(_at_load(explorer.query.tables, explorer.load, value))
+        nonlocal asked
+        if value > 0.0 and _LOAD.text(value) != _LOAD.text(asked):
+            before, asked = asked, value
+            await explorer.ask(_at_load(explorer.query.tables, before, value))
 
     async def typed(wanted: str) -> None:
         try:
@@ -104,7 +110,11 @@ def draw_load(explorer: Explorer, inputs: dict[tuple[str, ...], Any]) -> Callabl
         await put(value)
 
     def follow() -> None:
+        nonlocal asked
+        if explorer.waits:
+            return
         load, typed_load = explorer.load, _LOAD.si(text.value)
+        asked = load
         if load > 0.0:
             if typed_load is None or _LOAD.text(load) != _LOAD.text(typed_load):
                 text.set_value(_LOAD.text(load))
