@@ -3,6 +3,7 @@
 import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from functools import cache, partial
 from numbers import Real
 from typing import TYPE_CHECKING, Any
 
@@ -112,14 +113,14 @@ class _Friction:
     def coefficient(
         self, seen: HeightMap, to_solve: HeightMap, found: Asperities, heights: HeightModel, options: Mapping[str, Any]
     ) -> float:
-        """Return the static friction coefficient of the contact with this surface, for a prediction its median.
+        """Return the static friction coefficient of the contact with this surface by the chosen model.
 
         seen: filtered map; theories of the whole surface use its spectral moments. to_solve: map for models that solve a map.
         found, heights: asperities of the surface and their height distribution, for all other models. options: options of
         asperity methods, by method.
         """
-        assert self.contact is not None
-        if self.choice is not None and takes_surface_moments(self.choice.model_key):
+        assert self.contact is not None and self.choice is not None
+        if takes_surface_moments(self.choice.model_key):
             key = method_of_moments()
             found = asperities(seen, key, **options.get(key, {}))
             heights = height_model(found)
@@ -127,8 +128,12 @@ class _Friction:
         if self.of_map:
             one = one.attached(measured=of_one_map(one, found, to_solve))
         other = self.contact.model_copy(update={"roughness": one})
-        result = predict(other, load=self.load) if self.choice is None else solve(other, load=self.load, **self.arguments)
-        return float(result["friction_coefficient"])
+        return float(solve(other, load=self.load, **self.arguments)["friction_coefficient"])
+
+    def predicted(self, surface: HeightMap) -> float:
+        """Return the median of the predicted friction coefficient of the contact with this surface, as from `predict`."""
+        assert self.contact is not None
+        return float(predict(self.contact.replace(roughness=surface), load=self.load)["friction_coefficient"])
 
 
 def resolution_study(
@@ -180,7 +185,8 @@ def resolution_study(
 
     Notes
     -----
-    Theories of the whole surface take its moments and boundary_elements takes the map: their mu is the same for every method.
+    Predictions and boundary_elements take the map, and theories of the whole surface its moments: their mu is the same for
+    every method.
 
     Examples
     --------
@@ -203,7 +209,8 @@ def resolution_study(
     words = {name: np.full((len(keys), len(wanted)), "", dtype=object) for name in ("height_distribution", "failure")}
     for j, cutoff in enumerate(progress(wanted.tolist())):
         seen = _seen(surface, cutoff, points_per_cutoff)
-        to_solve = seen if not asked.of_map else _to_solve(surface, seen, cutoff)
+        to_solve = _to_solve(surface, seen, cutoff) if asked.of_map or choice is None else seen
+        predicted = cache(partial(asked.predicted, to_solve))  # the same for every method
         for i, key in enumerate(keys):
             try:
                 found = asperities(seen, key, **given.get(key, {}))
@@ -212,7 +219,8 @@ def resolution_study(
                 heights = height_model(found)
                 words["height_distribution"][i, j] = heights.name
                 if contact is not None:
-                    numbers[_FRICTION][i, j] = asked.coefficient(seen, to_solve, found, heights, given)
+                    by_model = partial(asked.coefficient, seen, to_solve, found, heights, given)
+                    numbers[_FRICTION][i, j] = predicted() if choice is None else by_model()
             except InputError as error:
                 if error.field in (*given.get(key, {}), *asked.arguments):
                     raise  # an argument is wrong, not the asperities at this cutoff
