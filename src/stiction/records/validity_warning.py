@@ -79,7 +79,7 @@ class ValidityWarning:
 
     @property
     def in_brief(self) -> str:
-        """Return the short name of the quantity outside its range and its values, as text; `why` if `points` is 0."""
+        """Return the quantity's short name and its values as text; `why` if `points` is 0."""
         return f"{QUANTITIES[self.quantity].short or self.quantity} {self._values}" if self.points else self.why
 
     @property

@@ -13,7 +13,7 @@ from stiction.quantities.units import show
 from stiction.records.registry import GRADES
 from stiction.report.html_words import letters
 from stiction.solving.choice import LAWS
-from stiction.studies.prediction.measured import USUAL_ERROR
+from stiction.studies.prediction.measured import CONTRADICTS, USUAL_ERROR
 from stiction.studies.prediction.regime import without_commands
 from stiction.studies.prediction.uncertainty_sources import sources_in_words
 
@@ -73,10 +73,14 @@ def confidence_in(data: "xarray.Dataset") -> str:
     The width of the interval decides, see `confidence`. With a warning the confidence is at most "fair". It is "low" in any
     case if predictions for this interface state agree with fewer than two thirds of the contacts whose friction is printed in
     handbooks. That condition does not apply if friction measured by the user is part of the prediction. With fewer than three
-    measured values the confidence is at most "fair". data: result of `predict`.
+    measured values the confidence is at most "fair"; it is "low" if they contradict the stated contact.
+
+    data: result of `predict`.
     """
     held, contacts = data.attrs["in_handbooks"]
     if "measured" not in data.attrs and held < _ENOUGH * contacts:
+        return "low"
+    if CONTRADICTS in data.attrs["warnings"]:
         return "low"
     word = confidence(*ends_of_mu(data))
     few = data.attrs.get("measured", _FEW_VALUES) < _FEW_VALUES
@@ -306,6 +310,8 @@ def _of_measured(data: "xarray.Dataset") -> str:
     middle, low, high = (show(strength_value, "interfacial_shear_strength", 2) for strength_value in data.attrs["strength"])
     strength = f"interface strength {middle} ({low} to {high})"
     middle, low, high = (number(value) for value in data.attrs["pressure_coefficient"])
+    if data.attrs["fixed_strength"]:
+        strength += ", fixed by the case (state an error to fit it)"
     if high != "0":
         strength += f" at zero pressure, pressure coefficient {middle}{f' ({low} to {high})' if low != high else ''}"
     if "parameter" not in data.dims:

@@ -20,7 +20,7 @@ _HEAVIEST, _OF_HARDNESS = 0.5, 0.5  # largest pressure over modulus times gradie
 
 
 def spread_on_map(problem: MapProblem, loads: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the standard deviation of the shear displacement of contact spots as a function of contact area.
+    """Return the standard deviation of shear displacement over all points in contact, as a function of contact area.
 
     Parameters
     ----------
@@ -33,7 +33,7 @@ def spread_on_map(problem: MapProblem, loads: np.ndarray) -> tuple[np.ndarray, n
     -------
     tuple of numpy.ndarray
         Ratio of real to nominal area (k,), rising to 1, and s/tau_p (k,) [m/Pa], where s is the standard deviation of the
-        displacement if every spot bears the stress tau_p.
+        displacement over all points in contact if each bears the stress tau_p.
 
     Raises
     ------

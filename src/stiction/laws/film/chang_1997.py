@@ -114,7 +114,7 @@ FLOWING = (
         "tau",
         0.1,
         math.inf,
-        "the film carries too much load around substrate contacts: this load does not vanish with the film thickness",
+        "the law gives the film around substrate contacts too much load, even at zero film thickness",
     ),
     Validity("film_plasticity_index", 8.0, math.inf, "the film is modelled as plastic from first touch"),
     Validity(

@@ -12,6 +12,7 @@ from stiction.quantities.table import QUANTITIES
 from stiction.report.files import record, write_csv
 from stiction.report.table import Table, numbers, shown
 from stiction.report.view import View, picture
+from stiction.solving.choice import RECOMMENDED
 from stiction.studies.design.plan import quantity_of
 
 if TYPE_CHECKING:
@@ -112,7 +113,12 @@ def design_view(design: "DesignSearch", folder: Path | None = None) -> View:
     def parts() -> Iterator[Any]:
         if "case" in data.attrs:
             yield Text(data.attrs["case"], style="bold")
-        yield from (f"model {data.attrs['model']}; {data.attrs['evaluated']} designs evaluated", "")
+        model = data.attrs["model"]
+        by = "the prediction" if model == RECOMMENDED else f"the model {model}"
+        yield from (
+            f"{data.attrs['evaluated']} designs evaluated by {by}; with several loads, each column is at its worst one",
+            "",
+        )
         yield "best for each choice from the lists" if data.sizes["design"] > 1 else "best"
         yield from (design_table(data, "design"), "", *design_notes(data))
         if data.sizes.get("pareto"):

@@ -13,6 +13,8 @@ from stiction.quantities.errors import InputError, InWords
 # _LEAST_ERROR; USUAL_ERROR for fewer values. Judgements (grade C).
 _LEAST_ERROR, USUAL_ERROR = 0.05, 0.15
 _ENOUGH = 3  # number of values from which their scatter gives their error
+CONTRADICTS = "The measured friction contradicts the stated contact: do not use this mu; check interface and roughness."
+_DISAGREES = 2.0  # enlargement of the errors above which the measured friction contradicts the contact
 _FEW = 50.0  # smallest effective number of samples behind an interval
 
 
@@ -107,8 +109,8 @@ def chosen_draws(measured: Measured, mu: np.ndarray, count: int) -> tuple[np.nda
     weights = _weights(chi, larger)
     order = np.argsort(mu[:, 0], kind="stable")  # even steps along a Sobol sequence would favour some of its regions
     rows = order[np.minimum(np.searchsorted(np.cumsum(weights[order]), (np.arange(count) + 0.5) / count), len(order) - 1)]
-    if chi.min() / len(measured.log_mu) > 9.0:
-        return rows, ["The measured friction is outside what the stated contact allows: check the interface and the inputs."]
+    if chi.min() / len(measured.log_mu) > 9.0 or larger > _DISAGREES:
+        return rows, [CONTRADICTS]
     text = f"Few samples agree with the measured friction: its errors are enlarged {larger:.2g} times. Check the inputs."
     return rows, [text] if larger > 1.0 else []
 

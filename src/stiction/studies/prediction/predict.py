@@ -268,6 +268,7 @@ def _given(
         "models": weights,
         "measured": len(known.load),
         "measured_error": known.assumed,
+        "fixed_strength": int(mixture.strength.stated is not None and len(mixture.strength.stated) == 1),
         "bare_metal": [],
         "next_step": "",
     }
