@@ -84,8 +84,8 @@ def _largest_force_squared(start, load, row, root, curve):
 
     theta: adhesion index. zeta: weight of the tangential energy release. n_g: work of adhesion of the film divided by the
     substrate's. The value depends on c, from 0 to 1, the fraction of JKR's adhesive force that acts; golden section search
-    finds its single maximum over c. start: coordinate at which the secant method starts, of a contact wider than the result. load: normal load. row: parameters of the coated
-    JKR asperity. root, curve: as in `_compliance`.
+    finds its single maximum over c. start: coordinate at which the secant method starts, of a contact wider than the result.
+    load: normal load. row: parameters of the coated JKR asperity. root, curve: as in `_compliance`.
     """
     low, high = 0.0, 1.0
     at_first, at_second, best = -1.0, -1.0, 0.0
