@@ -82,9 +82,9 @@ def append_nodes(evaluated, nodes):
     """Append evaluated integration nodes, in place, to the table of nodes of each law (parameter set).
 
     evaluated: fields of `nodes.Evaluated`. nodes: displacements (n, room) of the nodes of n laws, with space for `room` nodes
-    per law; weights times summed values (n, rows, room); and number (n,) of nodes in use, which is increased. rows: one for
-    the load alone; three for load, area and total resistance; or five for number touching, load, area, slip-limited and
-    yield-limited resistance.
+    per law; products of weight, quantity and dw/du (n, rows, room), ready to be summed; and the number (n,) of nodes in use,
+    which is increased. rows: one for the load alone; three for load, area and total resistance; or five for number touching,
+    load, area, slip-limited and yield-limited resistance.
     """
     (owner, counts, weights, states), (places, values, used) = evaluated, nodes
     rows = values.shape[1]

@@ -370,8 +370,9 @@ def _deepest(problem: Problem) -> np.ndarray | float:
 def _touches(loads: np.ndarray, size: np.ndarray, smallest: np.ndarray) -> np.ndarray:
     """Return a mask (n,) of contacts that still touch at the largest separation, which is the first column of `loads` (n, H).
 
-    Either their load at this separation is not negligible or not below the smallest target, or their largest tension may
-    lie at larger separations. size: scale (n,) of the loads. smallest: smallest target (n,).
+    Their load at
+    this separation is not negligible, or is at least the smallest target, or their largest tension may lie at larger
+    separations. size: scale (n,) of the loads. smallest: smallest target (n,).
     """
     farthest = loads[:, 0]
     tension = (farthest < -NO_TENSION * size) & (np.argmin(loads, axis=1) == 0)

@@ -11,7 +11,7 @@ from stiction.web.explorer import Explorer
 
 
 class ContactTab:
-    """Draw the curves of every new answer of a visitor."""
+    """Draw the curves of the current answer, and redraw them after every new one."""
 
     def __init__(self, explorer: Explorer):
         self._explorer = explorer

@@ -154,7 +154,7 @@ def _between(low: np.ndarray, high: np.ndarray, inside: np.ndarray) -> np.ndarra
 
 
 def segments(groups: Groups, modulus: str, hardness: str, soft_film_exponent: str) -> list[tuple[NormalSegment, str]]:
-    """Return four pairs (segment, body) for elastic or plastic asperities that count as "film" or as "substrate".
+    """Return four pairs (segment, body): elastic and plastic asperities, each with the body "film" or "substrate".
 
     An asperity counts as film up to a displacement equal to the film thickness, and as substrate beyond it. groups:
     dimensionless groups of n coated contacts. modulus, hardness: keys of the composite laws. soft_film_exponent: exponent m for

@@ -263,7 +263,7 @@ def pressure_difference(
 def squared_distance(parts: Iterable[Difference]) -> np.ndarray:
     """Add the squared differences in all features; return the squared distance (k or 1, s) of each point from each surface.
 
-    For films it is (k or 1, s, f).
+    For films the shape is (k or 1, s, f), with f films per surface.
     """
     return np.asarray(sum(one.squared for one in parts))
 

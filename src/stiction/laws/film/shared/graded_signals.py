@@ -95,8 +95,8 @@ def zero(which, low, at_low, high, at_high, law, level):
     """Return the coordinate between low and high at which the function `which` is zero, by the method of false position.
 
     which, law, level: as in `signal`. at_low, at_high: values at low and high, of opposite sign. The method is from Anderson &
-    Bjorck 1973; some steps bisect the bracket. The relative accuracy is 4e-15 for zeros of the load, of its slope, and of
-    REAL, where the yield resistance jumps; it is 1e-9 for the other functions.
+    Bjorck 1973; some steps bisect the bracket. The relative accuracy is 4e-15 for ABOVE, SLOPE and REAL, and 1e-9
+    for the other functions. The yield resistance jumps at the zero of REAL.
     """
     fine, small = (4e-15, 0.0) if which == REAL or which >= SLOPE else (1e-9, 1e-11)
     u = last = low
