@@ -154,7 +154,7 @@ RECORD = AsperityLaw(
             "nu",
             LEAST_NU,
             0.5,
-            f"the fit starts at {LEAST_NU}; smaller values use the stick-to-slip ratios of load and displacement there",
+            f"the fit starts at {LEAST_NU}; below it, the stick-to-slip ratios of load and displacement are kept constant",
         ),
     ),
     limits=(

@@ -82,7 +82,7 @@ VALIDITY = (
         "meniscus_over_radius",
         0.0,
         0.01,
-        "menisci are not small compared with asperities: they pull at least 3 % less than computed",
+        "menisci are not small compared with asperities, and pull at least 3 % less than computed",
     ),
     Validity("meniscus_tabor_parameter", 0.0, 0.1, "menisci deform asperities this soft, which the law neglects"),
     Validity("meniscus_coverage", 0.0, 0.2, "neighbouring menisci merge and pull less than computed, by a tenth or more"),

@@ -249,7 +249,7 @@ class _Curve:
             self._find_lightest()
 
     def _touching(self, pressure: float) -> float:
-        """Estimate by the formula how many points touch at a pressure (divided by E* h') at the finest sampling step."""
+        """Estimate from the area formula how many points touch at a pressure (divided by E* h') at the finest sampling step."""
         return self._area.by_formula(pressure, self._hardness) * self._area.finest_points
 
     def _find_lightest(self) -> None:

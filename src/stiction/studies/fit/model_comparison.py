@@ -1,4 +1,4 @@
-"""Compare alternative models by the same data: Akaike's criterion and cross-validation."""
+"""Compare alternative models on the same data, by Akaike's criterion and cross-validation."""
 
 from dataclasses import dataclass
 

@@ -314,9 +314,9 @@ def _add_branches(start, at_start, law, out, first, count, branch):
     """Fill `branch` with the branch points of the yield resistance, and return the new number of edges.
 
     start: first coordinate of the contact. at_start: value there of a signal that is positive where the yield resistance is
-    real. law: parameters of an asperity on a graded film. The first branch point is below the start, the others are
-    out[first:count]. An edge is added between two of them, because the substitution that removes a square root works at one
-    end of a segment only.
+    real. law: parameters of an asperity on a graded film. out[:count]: edges; out[first:count]: those that are
+    branch points. If at_start > 0, one more branch point is estimated at the start or below (-inf if there is none). An edge is
+    added between neighbouring branch points, because the substitution that removes a square root works at one end of a segment.
     """
     branch[:] = -math.inf
     kinks = out[first:count]
