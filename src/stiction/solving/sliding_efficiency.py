@@ -83,7 +83,7 @@ def spread_of_spots(radius, share, roughness_parameter):
 def spread_of_edges(side, share):
     """Return the standard deviation of the shear displacement due to the edges of a square nominal area.
 
-    The result is divided by strength times shear compliance, so its unit is [m]; it is the second term of equation (3) of this
-    module. side: side of the square [m]. share: ratio of real to nominal contact area.
+    The result [m] is the standard deviation divided by tau_p S (tau_p: strength, S: shear compliance), k_L c L of equation (3)
+    of this module. side: side of the square [m]. share: ratio of real to nominal contact area.
     """
     return _OF_EDGES * side * share

@@ -15,7 +15,9 @@ if TYPE_CHECKING:
 
 
 def claims_table(rows: Iterable[Mapping[str, Any]], point: str) -> Table:
-    """Return a table of the fractions of the theta-lambda plane in which each claim holds, with a row for each model variant.
+    """Return a table with a row for each claim and model variant.
+
+    It holds the fractions of the theta-lambda plane in which the claim holds for all, some or no films.
 
     rows: results of `claims.summary`. point: theta and lambda of the last column, as text. That column has the fraction of the
     films for which the claim holds at this point.

@@ -3,7 +3,7 @@
 Every point of the contact, of radius 1, moves by delta in the direction x. The traction has a component along x with the Hankel
 transform Q0(k) (k: wavenumber). A second harmonic Q2(k) is added, because the compliances C_L(k)/k along a wave and C_T(k)/k
 across it have a different ratio than on a half-space. For a wave in the direction phi, (Q0 - Q2) cos(phi) is along the wave and
--(Q0 + Q2) sin(phi) across it. For all tractions q0, q2 on the contact (Galerkin's equations)
+-(Q0 + Q2) sin(phi) across it. By Galerkin's method, the following holds for the transforms q0(k), q2(k) of all test tractions
 
     (2/pi) Integral C_L (q0 - q2)(Q0 - Q2) + C_T (q0 + q2)(Q0 + Q2) dk = (4/pi) delta q0(0),   T = 2 pi Q0(0).
 

@@ -369,8 +369,8 @@ def _outside(solved: BatchResult, validity: str) -> np.ndarray:
 def _validity_bits(solved: BatchResult, validity: str) -> dict[np.uint32, str]:
     """Return the bits of `validity_warnings` that count as violations, each with its text.
 
-    validity: "claimed" counts all ranges except those about statistics, "possible" those that make a result impossible, "any"
-    none. The bits of refused contacts always count.
+    validity: "claimed" counts all ranges except those about statistics, "possible" only those that make a result impossible,
+    and "any" allows any violation. The bits of refused contacts always count.
     """
     found = {np.uint32(1 << at): why for at, why in enumerate(WHY_NOT)}
     for at, rule in enumerate(solved.rules, start=len(WHY_NOT)):
