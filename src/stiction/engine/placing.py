@@ -145,10 +145,10 @@ class Placing:
     def on(self, laws: int, rules: Rules) -> Callable:
         """Return append(reach, shape, block, nodes), which adds the integration nodes of a block of laws to the table `nodes`.
 
-        laws: largest number of laws (parameter sets) in a block. rules: nodes and weights of the integration rules. The
-        arguments of append: reach: lowest and highest displacement that is integrated and smallest separation, in units of
-        sigma. shape: parameters of the height distribution. block: slice of the laws. nodes: (displacements, weights times
-        values, numbers of nodes), one row for each law of the block.
+        laws: largest number of laws (parameter sets) in a block. rules: nodes and weights of the integration rules. Arguments
+        of append. reach: lowest and highest displacement of the integral, and smallest separation, in units of sigma. shape:
+        parameters of the height distribution. block: slice of the laws. nodes: (displacements, weights times values, numbers of
+        nodes), one row for each law of the block.
         """
         regime, displaced = self.regime, self.displaced
         if displaced is None:

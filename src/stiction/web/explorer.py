@@ -95,7 +95,7 @@ class Explorer:
         await self._ask(tables)
 
     async def undo(self) -> None:
-        """Go back to the case before the last change; changes within a second, as by a slider, are undone together."""
+        """Go back to the case before the last change; changes less than a second apart are undone together."""
         self._changed = 0.0
         if self._history:
             await self._ask(self._history.pop())

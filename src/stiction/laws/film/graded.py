@@ -75,8 +75,8 @@ def graded_regimes(
     in which the asperity is elastic or plastic and counts as film or as substrate (PARTS). An asperity counts as film while its
     displacement is below the film thickness, and as plastic if its elastic mean pressure exceeds the hardness at its depth.
 
-    substrate, film: groups with the Poisson's ratio, K beta and hardness divided by yield stress of substrate and film; the
-    adhesion indices of `substrate` are used, scaled by n_E, n_H and n_g. n_E, n_H, n_g (n,): modulus, hardness and work of
+    substrate, film: groups with Poisson's ratio, K beta, and the ratio of hardness to yield stress, of substrate and film; only
+    the adhesion indices of `substrate` are used, scaled by n_E, n_H and n_g. n_E, n_H, n_g (n,): modulus, hardness and work of
     adhesion of the film divided by the substrate's. tau, film_aspect (n,): film thickness in units of sigma and of sqrt(R
     sigma), 0 to infinity. exponents: m of (S5.13), 1 or 2, for a film softer than the substrate and for a harder one.
     """

@@ -91,7 +91,7 @@ PULL_ON_MAPS = Validity(
     "meniscus_share",
     0.0,
     0.005,
-    "menisci solved on height maps pulled 0.9 to 4 times as much: mu may be too low",
+    "on solved height maps, menisci pull 0.9 to 4 times as strongly: mu may be too low",
     "assumption",
 )
 

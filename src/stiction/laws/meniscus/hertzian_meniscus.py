@@ -123,7 +123,7 @@ RECORD = Meniscus(
         *equilibrium_meniscus.VALIDITY,
         replace(
             equilibrium_meniscus.PULL_ON_MAPS,
-            why="menisci solved on height maps pulled up to 3.8 times as much: mu may be too low",
+            why="on solved height maps, menisci pull up to 3.8 times as strongly: mu may be too low",
         ),
         ELASTIC,
         Validity("penetration_over_meniscus", 0.0, 0.1, "contact area and friction are larger than computed"),

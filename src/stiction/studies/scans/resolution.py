@@ -263,7 +263,8 @@ def _methods(surface: HeightMap, methods: Iterable[str] | None) -> tuple[str, ..
 def _seen(surface: HeightMap, cutoff: float, points_per_cutoff: float | None) -> HeightMap:
     """Return the map without wavelengths below the cutoff [m]; a cutoff of 0 returns the map unchanged.
 
-    points_per_cutoff: smallest number of points in a cutoff wavelength to keep; None keeps all points.
+    points_per_cutoff: the map is thinned to every k-th point with at least this many in a cutoff wavelength; None
+    keeps all points.
     """
     if cutoff == 0.0:
         return surface

@@ -89,8 +89,7 @@ def _unloading_formulas(normal: Callable, coordinate: Callable, parameters: int)
     """Return the formulas `normal` and `coordinate` of an asperity after unloading.
 
     normal, coordinate: formulas of its loading law, with `parameters` parameters. The returned formulas take these parameters,
-    then the increase of the separation in units of sigma, and the loading coordinate of the asperity that has just lost
-    contact.
+    then the increase of the separation in units of sigma, and the loading coordinate below which asperities have lost contact.
     """
 
     @formula

@@ -4,9 +4,9 @@ This project's own composition (grade C) of published parts: the modulus of film
 (Gao, Chiu & Lee 1992), their hardness at a given depth (Bhattacharya & Nix 1988), the JKR contact, and the transition to full
 plasticity of Zhao, Maietta & Chang 2000. Without a film the same law is the bare asperity without a jump at yield.
 
-The coordinate is u = x^(1/4), elastic or plastic; x = a^2/(R sigma), with the contact radius a that the elastic contact would
-have at this displacement. Units: displacements in sigma, loads in K R^(1/2) sigma^(3/2), areas in pi R sigma, with
-K = (4/3) E* of the substrate.
+For elastic and plastic asperities alike, the coordinate is u = x^(1/4); x = a^2/(R sigma), with the contact radius a that the
+elastic contact would have at this displacement. Units: displacements in sigma, loads in K R^(1/2) sigma^(3/2), areas in pi R
+sigma, with K = (4/3) E* of the substrate.
 """
 
 import math
