@@ -176,6 +176,16 @@ def test_the_answer_prints_the_fitted_pressure_coefficient(tmp_path):
     assert f"pressure coefficient {middle:.2g} (" in dict(answer_lines(found))["measured"]
 
 
+@pytest.mark.parametrize(("mu", "warns"), [(0.05, ""), (0.14, "outside the interval predicted"), (1.5, "contradicts")])
+def test_a_measurement_beyond_the_prediction_is_said(mu, warns, tmp_path):
+    """The prediction of this contact is tau_0/H = 0.05, 0.02 to 0.125, by the range of its strength."""
+    path = tmp_path / "case.toml"
+    path.write_text(CASE, encoding="utf-8")
+    found = st.predict(path, load="1 N", measured=series(tmp_path, f"load [N],friction_coefficient\n1,{mu}\n"))
+    said = [text for text in found.warnings if "measured friction" in text]
+    assert len(said) == bool(warns) and all(warns in text for text in said)
+
+
 @pytest.mark.parametrize(("load", "far"), [("1 N", False), ("3 N", False), ("40 N", True), ("20 mN", True)])
 def test_a_load_far_from_the_measured_ones_is_said_and_not_sure(load, far, tmp_path):
     path = tmp_path / "case.toml"

@@ -14,6 +14,8 @@ from stiction.quantities.errors import InputError, InWords
 _LEAST_ERROR, USUAL_ERROR = 0.05, 0.15
 _ENOUGH = 3  # number of values from which their scatter gives their error
 CONTRADICTS = "The measured friction contradicts the stated contact: do not use this mu; check interface and roughness."
+# Fraction of the samples beyond the measured friction below which it contradicts the contact, or is outside its 90 % interval.
+_IMPOSSIBLE, _OUTSIDE = 0.005, 0.05
 _DISAGREES = 2.0  # enlargement of the errors above which the measured friction contradicts the contact
 _FEW = 50.0  # smallest effective number of samples behind an interval
 
@@ -109,8 +111,12 @@ def chosen_draws(measured: Measured, mu: np.ndarray, count: int) -> tuple[np.nda
     weights = _weights(chi, larger)
     order = np.argsort(mu[:, 0], kind="stable")  # even steps along a Sobol sequence would favour some of its regions
     rows = order[np.minimum(np.searchsorted(np.cumsum(weights[order]), (np.arange(count) + 0.5) / count), len(order) - 1)]
-    if chi.min() / len(measured.log_mu) > 9.0 or larger > _DISAGREES:
+    below = np.mean(np.log(mu[np.isfinite(squares).all(axis=1)]) < measured.log_mu, axis=0)
+    tail = float(np.median(np.minimum(below, 1.0 - below)))
+    if chi.min() / len(measured.log_mu) > 9.0 or larger > _DISAGREES or tail < _IMPOSSIBLE:
         return rows, [CONTRADICTS]
+    if tail < _OUTSIDE:
+        return rows, ["The measured friction lies outside the interval predicted without it: check interface and roughness."]
     text = f"Few samples agree with the measured friction: its errors are enlarged {larger:.2g} times. Check the inputs."
     return rows, [text] if larger > 1.0 else []
 
