@@ -310,8 +310,8 @@ def _of_measured(data: "xarray.Dataset") -> str:
     middle, low, high = (show(strength_value, "interfacial_shear_strength", 2) for strength_value in data.attrs["strength"])
     strength = f"interface strength {middle} ({low} to {high})"
     middle, low, high = (number(value) for value in data.attrs["pressure_coefficient"])
-    if data.attrs["fixed_strength"]:
-        strength += ", fixed by the case (state an error to fit it)"
+    if data.attrs.get("fixed_strength"):
+        strength += ", fixed by the case" + ("" if "parameter" in data.dims else " (state an error to fit it)")
     if high != "0":
         strength += f" at zero pressure, pressure coefficient {middle}{f' ({low} to {high})' if low != high else ''}"
     if "parameter" not in data.dims:
