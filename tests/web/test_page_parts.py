@@ -17,6 +17,7 @@ import stiction as st
 import stiction.web
 import stiction.web.explorer as explorer_module
 from cases import of_one_model
+from stiction.engine.compiled import lazy_kernel
 from stiction.quantities.errors import InputError
 from stiction.report.html_report import report_record
 from stiction.studies.report_data import collect_report_data
@@ -105,9 +106,14 @@ def test_panels_of_a_picture_stand_below_one_another_on_a_narrow_page():
     assert figure.get_figwidth() < 6.0 and left.get_position().y0 > right.get_position().y1
 
 
+_nothing = lazy_kernel(10**12)(lambda numbers: None)
+
+
 def _endless(progress):
+    """A step that never asks its progress whether it may go on, but runs kernels."""
     while True:
-        time.sleep(0.002)  # a step that asks nobody whether it may go on
+        time.sleep(0.002)
+        _nothing(0.0)
 
 
 @pytest.mark.parametrize("objective", [0.0, -1.0, math.nan, math.inf])
@@ -138,6 +144,22 @@ def test_a_study_ends_within_a_step_after_its_time_which_begins_with_it():
         progress.watched(_endless)
     assert progress.too_long and time.monotonic() - began > 0.25
     assert Progress(seconds=60.0).watched(lambda progress: 3) == 3
+
+
+def test_a_study_is_not_stopped_within_a_library():
+    """It might hold a lock there, for ever: one of Numba's once kept every later computation of the server waiting."""
+    progress, done = Progress(), []
+
+    def work(progress):
+        progress.stop()
+        time.sleep(0.05)
+        done.append("library")
+        _nothing(0.0)
+        done.append("study")
+
+    with pytest.raises(KeyboardInterrupt):
+        progress.watched(work)
+    assert done == ["library"]
 
 
 def test_a_study_that_is_stopped_before_its_turn_does_not_begin():

@@ -1,8 +1,6 @@
 """One asperity in section and the place in the plane, against closed forms; shares; how studies are told and stopped."""
 
 import math
-import subprocess
-import sys
 
 import numpy as np
 import pytest
@@ -103,14 +101,3 @@ def test_a_study_is_stopped_at_its_next_step_and_after_its_time():
     with pytest.raises(KeyboardInterrupt):
         late.tell(1, "best so far")
     assert late.too_long
-
-
-def test_no_study_is_interrupted_within_the_import_of_the_compiler():
-    """A second import of what was half imported fails until the server is started again."""
-    script = """
-import sys
-from stiction.web.background import Progress
-assert "numba" not in sys.modules
-print(Progress().watched(lambda progress: "numba.core.types.misc" in sys.modules))
-"""
-    assert subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True).stdout == "True\n"

@@ -81,8 +81,8 @@ def test_visitors_who_have_left_leave_no_memory_behind(server):
 
 
 @pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning")  # a file of a half imported module stays open
-def test_a_computation_that_is_killed_leaves_the_next_one_right():
-    """A kill may come within a kernel that is compiled, a cache that is filled, or a module that is imported."""
+def test_a_computation_that_is_stopped_leaves_the_next_one_right():
+    """A stop may come before a kernel that is compiled, and at any step."""
     query, chance = Query(first_case()), random.Random(1)
     for _ in range(6):
         progress = Progress()

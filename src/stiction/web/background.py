@@ -1,7 +1,6 @@
 """Run computations in threads, outside the event loop that serves browsers; skip outdated queries; time out studies."""
 
 import asyncio
-import ctypes
 import threading
 import time
 from collections.abc import Callable, Iterable, Iterator
@@ -9,6 +8,7 @@ from concurrent.futures import Executor, ThreadPoolExecutor
 from functools import partial
 from typing import Any, Generic, TypeVar
 
+from stiction.engine.stopping import stopped_by
 from stiction.quantities.errors import InputError
 
 _T = TypeVar("_T")
@@ -72,13 +72,10 @@ class Progress:
         self.share = 0.0
         self.too_long = False
         self._stop = threading.Event()
-        self._thread: int | None = None
-        self._guard = threading.Lock()
 
     def stop(self) -> None:
-        """Stop the study at once, even within a step."""
+        """Stop the study before its next kernel or its next step."""
         self._stop.set()
-        self._interrupt()
 
     def watched(self, work: Callable[["Progress"], _T]) -> _T:
         """Call `work` with this Progress in the current thread, and return its result.
@@ -86,32 +83,10 @@ class Progress:
         Raises KeyboardInterrupt within `work` when the study is stopped or times out. The time limit starts here, so that
         waiting for earlier studies does not count.
         """
-        import numba  # noqa: F401  Interrupted, its import could not be repeated in this process.
-
         self._end = time.monotonic() + self._seconds
-        late = threading.Timer(self._seconds, self._interrupt)
-        late.daemon = True
-        try:
-            with self._guard:
-                self.check()
-                self._thread = threading.get_ident()
-            late.start()
+        self.check()
+        with stopped_by(self.check):
             return work(self)
-        finally:
-            late.cancel()
-            with self._guard:  # waits for an interrupt that is being sent
-                self._thread = None
-
-    def _interrupt(self) -> None:
-        """Raise KeyboardInterrupt in the thread that runs the study.
-
-        A check between steps would come too late, because one step may take minutes.
-        """
-        with self._guard:
-            if self._thread is not None:
-                self.too_long = time.monotonic() > self._end
-                ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(self._thread), ctypes.py_object(KeyboardInterrupt))
-                self._thread = None
 
     def check(self) -> None:
         """Raise KeyboardInterrupt, as Ctrl+C in a terminal does, if the study was stopped or its time is over."""

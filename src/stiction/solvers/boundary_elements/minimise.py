@@ -5,9 +5,9 @@ given mean with 0 <= p <= H, the solution is the one that minimises
 
     1/2 <p u> - <p h>                                                                                                      (1)
 
-This is contact without friction (Kalker & van Randen 1972; Polonsky & Keer 1999, Wear 231, 206) of bodies that are elastic
-below the hardness H and flow at p = H (Almqvist, Sahlin, Larsson & Glavatskih 2007, Tribology Int. 40, 574). The minimum is
-unique. It satisfies the Karush-Kuhn-Tucker conditions with an offset a and the gap g = u - h - a:
+This is frictionless contact (Kalker & van Randen 1972; Polonsky & Keer 1999, Wear 231, 206) of bodies that are elastic below
+H and flow at p = H, the hardness (Almqvist, Sahlin, Larsson & Glavatskih 2007, Tribology Int. 40, 574). The unique minimum
+satisfies the Karush-Kuhn-Tucker conditions with an offset a and the gap g = u - h - a:
 
     p = 0: g >= 0        0 < p < H: g = 0        p = H: g <= 0, the depth of plastic flow                                 (2)
 
@@ -22,7 +22,7 @@ where points flow, in a number of steps that hardly grows with the map size. Equ
 - The energy must fall in each step. If not, a projected gradient step is taken, and shortened until the energy falls (Bertsekas
   1999, Nonlinear Programming, section 2.3; it converges from any start).
 - Steps are in single precision. From time to time the gap is recomputed in double precision (iterative refinement: Moler 1967,
-  J. ACM 14, 316). The reported `residual` is always in double precision.
+  J. ACM 14, 316), as is the reported `residual`.
 """
 
 import math
@@ -33,14 +33,14 @@ from typing import Protocol
 
 import numpy as np
 
+from stiction.engine.stopping import may_go_on
 from stiction.solvers.boundary_elements.arrays import blocks, clip_into, dot, factor, namespace
 
 
 class Boundary(Protocol):
     """Define the compliance operator of a map, which computes displacements from pressures.
 
-    Results have the precision of the argument. inverts: whether `inverse` is exact. knows_approach: whether displacements are
-    absolute; if not, their mean over the map is zero.
+    Results have the precision of the argument. inverts: whether `inverse` is exact. knows_approach: False if means are unknown.
     """
 
     inverts: bool
@@ -66,8 +66,7 @@ class Problem:
     """Describe the contact of a map under a mean pressure, as a minimisation problem for the pressure.
 
     displacement: compliance operator, from pressure [Pa] to displacement [m]. heights: (rows, columns) [m]. mean: mean pressure
-    [Pa]. hardness: largest pressure [Pa]; infinite for elastic bodies. length: length by which gaps are divided in the residual
-    [m].
+    [Pa]. hardness: largest pressure [Pa]; infinite for elastic bodies. length: the residual divides gaps by it [m].
     """
 
     displacement: Boundary
@@ -220,6 +219,7 @@ class _Search:
         self._restart()
         self._settle()
         while True:
+            may_go_on()
             if self._seen is not None:
                 self._seen(self.steps, self._residual)
             if self._residual <= aim or self.steps >= most:
