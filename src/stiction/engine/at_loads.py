@@ -2,10 +2,12 @@
 
 Under Gaussian heights the load at a separation h is a sum over integration nodes of a weight times exp(-(h + w)^2 / 2), where w
 is the displacement at the node; h and w are in units of sigma. The nodes therefore do not depend on h and are placed once. On a
-grid of equally spaced separations, the term of a node at the next h is its term at the last h times a constant factor (a
-recurrence). Between grid points, the slope and curvature of the load need no exponentials beyond those of the load itself.
+grid of equally spaced separations, the term of a node at one grid point is its term at the previous grid point times a constant
+factor (a recurrence). Between grid points, the slope and curvature of the load are computed from the same exponentials as the
+load.
 
-The results are starting values. The caller refines them with the sums of `summation`, which place new nodes at each separation.
+The results are starting values. The caller refines them with the functions of `summation`, which place new nodes at each
+separation.
 """
 
 import math
@@ -28,16 +30,16 @@ GRID = np.linspace(10.0, -8.0, 73)
 
 # Range of the displacements, in units of sigma, that contribute to the load at any of these separations.
 NODE_RANGE = -3.0 * math.sqrt(2.0 * NEGLIGIBLE) - GRID[0], 2.5 + math.sqrt(2.0 * NEGLIGIBLE) - GRID[-1]
-_BLOCK = 256  # number of laws in a block, so few that their nodes stay in the processor's cache
+_BLOCK = 256  # number of laws in a block; their nodes fit into the processor's cache
 
-# Iterations end with a step below these. The error left is of the order of the step cubed for Halley's method, and of the
-# step squared for Newton's.
+# Iterations end when the step is smaller than these tolerances (in sigma). The remaining error is of the order of the step
+# cubed for Halley's method, and of the step squared for Newton's method.
 _NEAR, _NEARER = 1e-5, 1e-7
-# Loads below the first fraction of the largest load count as no contact. Tensions below the second count as no tension: heights
-# beyond nine sigma cause them.
+# Both are fractions of the largest load. Loads below the first count as no contact. Tensions below the second count as no
+# tension, because only heights beyond nine sigma cause them.
 NOTHING, NO_TENSION = 1e-12, 1e-20
 _MOST_STEPS = 60
-# Number of sums that take plain Python as long as the starting values of one law (see `tiers.ENGINE`).
+# Plain Python takes as long for this number of sums as for the starting values of one law (see `tiers.ENGINE`).
 _PAIRS = 8
 
 
@@ -77,9 +79,9 @@ def _sample(grid, w_top, nodes):
 def _sums(h, place, weights, count):
     """Return the load of one law at the separation h, its first two derivatives with respect to h, and its size.
 
-    A law is one parameter set of an asperity law. The size is the sum of the absolute terms of the load, a measure of its
-    round-off. h: in units of sigma. place, weights: displacements in units of sigma and weights of the integration nodes (one
-    array each). count: number of nodes.
+    A law is one parameter set of an asperity law. The size is the sum of the absolute values of the terms of the load; the
+    round-off is proportional to it. h: in units of sigma. place, weights: displacements in units of sigma and weights of the
+    integration nodes (one array each). count: number of nodes.
     """
     total = first = second = size = 0.0
     for node in range(8 * (count // 8)):
@@ -185,8 +187,8 @@ def _root(target, far, near, x, place, weights, count):
     """Find the separation at which the load equals `target`; return it with the slope and the size of the load there.
 
     Halley's method starts at the separation x and stays between the separations `far` and `near`, all in units of sigma. slope:
-    derivative of the load with respect to the separation. size: sum of the absolute terms of the load. place, weights, count:
-    displacements, weights and number of the integration nodes with which the load is summed.
+    derivative of the load with respect to the separation. size: sum of the absolute values of the terms of the load. place,
+    weights, count: displacements, weights and number of the integration nodes with which the load is summed.
     """
     slope = size = 0.0
     for _ in range(_MOST_STEPS):
@@ -207,23 +209,23 @@ def _root(target, far, near, x, place, weights, count):
 
 
 @engine_kernel
-def _carried(h, loads, slopes, start, first, most, could, odd):
-    """Fill `most`, `could` and `odd` (H,) with bounds of the load on approach, beginning at grid point `start`.
+def _carried(h, loads, slopes, start, first, most, bound, unsure):
+    """Store in `most`, `bound` and `unsure` (H,) how the load may vary on approach, beginning at grid point `start`.
 
     h, loads, slopes (H,): separations in units of sigma, in descending order, the loads at them, and the derivatives of these
     loads with respect to h. first: (separation, load, slope) of the point before grid point `start`. most: largest load at the
-    grid points so far. could: upper bound of the load so far, also between grid points. odd: True if the load rises on approach
-    at both ends of an interval, but the cubic between them is not certainly monotonic (circle of Fritsch & Carlson 1980).
+    grid points so far. bound: upper bound of the load so far, also between grid points. unsure: True if the load rises on
+    approach at both ends of an interval, but the cubic between them may not be monotonic (criterion of Fritsch & Carlson 1980).
     """
-    most[:start], could[:start] = -np.inf, -np.inf
+    most[:start], bound[:start] = -np.inf, -np.inf
     for k in range(start, h.size):
         far, before, slope = first if k == start else (h[k - 1], loads[k - 1], slopes[k - 1])
         most[k] = max(most[k - 1], loads[k])
         steepest, rise = (far - h[k]) * max(abs(slopes[k]), -slope), loads[k] - before
         squares = (far - h[k]) ** 2 * (slope * slope + slopes[k] * slopes[k])
-        odd[k] = slopes[k] <= 0.0 and slope <= 0.0 and not squares <= 9.0 * rise * rise
-        peaks = odd[k] or slopes[k] > 0.0 >= slope
-        could[k] = max(could[k - 1], max(before, loads[k]) + (steepest if peaks else 0.0))
+        unsure[k] = slopes[k] <= 0.0 and slope <= 0.0 and not squares <= 9.0 * rise * rise
+        peaks = unsure[k] or slopes[k] > 0.0 >= slope
+        bound[k] = max(bound[k - 1], max(before, loads[k]) + (steepest if peaks else 0.0))
 
 
 @formula
@@ -247,30 +249,30 @@ def _find_roots(grid, lowest, targets, nodes, roots):
     """Find the separation at which each law i (parameter set) carries the load targets[i, k], and store it in roots[i, k].
 
     roots[i, k] receives the separation in units of sigma, the derivative of the load with respect to the separation, and the
-    sum of the absolute terms of the load. All three are NaN if the load is not reached on the grid, or if two such separations
-    may be too close together for the grid to tell them apart. If more than one separation carries the load, the first on
-    approach is stored. The approach starts at the separation of the largest tension, or at the far end of the grid if the law
-    has no tension. grid, lowest, nodes: as in `_find_lowest`.
+    sum of the absolute values of the terms of the load. All three are NaN if the load is not reached on the grid, or if two
+    such separations may be too close together for the grid to resolve them. If more than one separation carries the load, the
+    first on approach is stored. The approach starts at the separation of the largest tension, or at the far end of the grid if
+    the law has no tension. grid, lowest, nodes: as in `_find_lowest`.
     """
     h, loads, slopes = grid
     tension, where, nearer = lowest
     place, weights, used = nodes
-    most, could, odd = np.empty(h.size), np.empty(h.size), np.empty(h.size, dtype=np.bool_)
+    most, bound, unsure = np.empty(h.size), np.empty(h.size), np.empty(h.size, dtype=np.bool_)
     for i in range(used.size):
         start = nearer[i]
         first = h[start - 1], loads[i, start - 1], slopes[i, start - 1]
         if tension[i] > 0.0:
             first = where[i], -tension[i], 0.0
-        _carried(h, loads[i], slopes[i], start, first, most, could, odd)
+        _carried(h, loads[i], slopes[i], start, first, most, bound, unsure)
         for k in range(targets.shape[1]):
             target = targets[i, k]
             roots[i, k, :] = np.nan
-            index, sooner = _first_not_below(most, target), _first_not_below(could, target)
+            index, sooner = _first_not_below(most, target), _first_not_below(bound, target)
             if sooner == h.size or not target >= first[1] - _NEARER * tension[i]:
                 continue
             near, load_near, slope_near = 0.0, -np.inf, 0.0
             # The load may reach the target at a peak between two grid points at which it is smaller.
-            while sooner < index and load_near < target and not odd[sooner]:
+            while sooner < index and load_near < target and not unsure[sooner]:
                 far, slope = (first[0], first[2]) if sooner == start else (h[sooner - 1], slopes[i, sooner - 1])
                 if slopes[i, sooner] > 0.0 >= slope:
                     near = _turning_point(far, h[sooner], slope, slopes[i, sooner], place[i], weights[i], used[i])
@@ -278,7 +280,7 @@ def _find_roots(grid, lowest, targets, nodes, roots):
                 sooner += 1
             if load_near >= target:
                 index = sooner - 1
-            elif sooner >= index and index < h.size and not odd[index]:
+            elif sooner >= index and index < h.size and not unsure[index]:
                 near, load_near, slope_near = h[index], loads[i, index], slopes[i, index]
             else:
                 continue
@@ -296,8 +298,8 @@ class Starts:
 
     tension (n,): largest tension, 0 without tension. where (n,): separation of the largest tension. h (n, m): separations at
     the loads. All separations are in units of sigma. slope, size (n, m): at h, derivative of the load with respect to h, and
-    sum of the absolute terms of the load. plain (n,): True if the grid of separations covers the whole approach: from no load
-    to at least the largest tension in compression.
+    sum of the absolute values of the terms of the load. plain (n,): True if the grid of separations covers the whole approach,
+    from zero load to a compressive load at least as large as the largest tension.
     """
 
     tension: np.ndarray
@@ -331,7 +333,7 @@ class Approach:
         return self._lowest
 
     def starts(self, targets: np.ndarray) -> Starts:
-        """Return the largest tension of each of n laws, and the separations at which it carries the loads `targets` (n, m).
+        """Return the largest tension of n laws, and the separations at which each law carries its loads targets[i] (m,).
 
         Separations are in units of sigma and accurate to about 1e-9. A separation is NaN if none was found.
         """

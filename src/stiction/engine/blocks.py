@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterator
 
 import numpy as np
 
-_TOGETHER = 400_000  # most points in a block; half as many still exceed the number from which loops are compiled (tiers)
+_TOGETHER = 400_000  # largest number of points in a block; even half of it is enough that loops are compiled (see `tiers`)
 
 
 def blocks(rows: int, points: int = 1) -> Iterator[slice]:
@@ -14,7 +14,7 @@ def blocks(rows: int, points: int = 1) -> Iterator[slice]:
     a slice of its own. With rows = 0 one empty slice is yielded.
     """
     largest = max(1, _TOGETHER // max(points, 1))
-    step = -(-rows // max(1, -(-rows // largest)))  # blocks of one size all use the same loops, which are chosen by size
+    step = -(-rows // max(1, -(-rows // largest)))  # equal blocks, so that all use the same loops, which are chosen by size
     for start in range(0, max(rows, 1), max(step, 1)):
         yield slice(start, min(start + step, rows))
 

@@ -60,14 +60,14 @@ def loop(function: Callable) -> Any:
 
 
 def _inlined(function: Any, options: dict[str, Any]) -> Any:
-    # The wrapper for C, which nothing calls, would take a tenth of the time of compilation.
+    # Without a wrapper for C, which is never called, compilation takes a tenth less time.
     function.targetoptions = {**options, "forceinline": True, "no_cfunc_wrapper": True}
     _waiting.append(function)
     return function
 
 
 class Kernel:
-    """Run a loop over many inputs in plain Python at first, and compiled as soon as this saves time.
+    """Run a loop over many inputs in plain Python at first, and as compiled code once compilation saves time.
 
     function: the loop. allowance: work that plain Python may do, None if the kernel is always compiled. size: function of the
     last argument that returns the work of one call.
@@ -163,7 +163,7 @@ def _register_formulas() -> None:
 def digest(function: Callable) -> str:
     """Return a hash, as hexadecimal text, of everything that determines the compiled code of a function.
 
-    That is its own code and, recursively, the code and values of everything it refers to.
+    The hash covers the function's own code and, recursively, the code and values of everything to which it refers.
     """
     return hashlib.sha256(_description(function, []).encode()).hexdigest()
 
@@ -216,7 +216,7 @@ def _referenced(function: types.FunctionType) -> dict[str, Any]:
     for name, cell in zip(function.__code__.co_freevars, function.__closure__ or (), strict=True):
         named[name] = cell.cell_contents
     modules = [item for item in named.values() if isinstance(item, types.ModuleType)]
-    for module in modules:  # the list grows in the loop by modules that are imported in modules
+    for module in modules:  # the loop appends modules that these modules import
         if not _known(module.__name__):
             inside = {f"{module.__name__}.{name}": getattr(module, name) for name in names if hasattr(module, name)}
             modules += [item for item in inside.values() if isinstance(item, types.ModuleType) and item not in modules]

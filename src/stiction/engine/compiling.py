@@ -1,4 +1,4 @@
-"""Report the compilation of loops to callbacks, because the first use of a model on a computer takes some seconds longer."""
+"""Report the compilation of loops to callbacks, because the first use of a model on a computer takes several seconds longer."""
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager

@@ -8,7 +8,7 @@ from stiction.engine.compiled import formula, lazy_kernel, unpack
 
 SAMPLES, MOST = 24, 6  # samples on a segment; largest number of sign changes that callers look for
 _STEPS, _SECANTS = 80, 24  # largest number of steps; secants are tried in the first 24 steps, every third of which bisects
-_CLOSE = 1e-15  # the search ends when two successive places differ by less than this, relative to their size
+_CLOSE = 1e-15  # the search ends when two successive values of u differ by less than this, relative to u
 
 
 @cache
@@ -50,7 +50,7 @@ def crossing(excess: Callable, parameters: int, samples: int = SAMPLES) -> Any:
 
     @lazy_kernel(worth=300)
     def fill_crossings(table, edges, out):
-        """Fill out[i] with the first k values of u at which excess(u, table[i]) changes sign, in ascending order.
+        """Store in out[i] the first k values of u at which excess(u, table[i]) changes sign, in ascending order.
 
         table (n, p): parameters. edges (n, m): ends and kinks of the formula, finite and ascending; sign changes are sought
         between them. out: (n, k); unused entries hold the first edge.

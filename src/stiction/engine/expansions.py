@@ -1,9 +1,9 @@
 """Sum asperity laws at many separations by Taylor series about a few separations, for Gaussian heights.
 
-An asperity at the displacement w touches at the mean separation h if its height is z = h + w (all in units of sigma). The
-height density at a separation h + d is exp(-(z + d)^2/2) = exp(-z^2/2) exp(-d z) exp(-d^2/2), up to a constant. The sum of a
-law at h + d is therefore exp(-d^2/2) times a power series in d, whose coefficients are sums at h of the values of the law times
-(-z)^k/k!. These coefficients are summed once for all separations within half a step of h, at the integration nodes for h.
+At the mean separation h, an asperity of height z has the displacement w = z - h (all in units of sigma). The height density at
+a separation h + d is exp(-(z + d)^2/2) = exp(-z^2/2) exp(-d z) exp(-d^2/2), up to a constant. The sum of a law at h + d is
+therefore exp(-d^2/2) times a power series in d, whose coefficients are sums at h of the values of the law times (-z)^k/k!.
+These coefficients are summed once for all separations within half a step of h, at the integration nodes for h.
 """
 
 import math
@@ -14,11 +14,11 @@ from stiction.engine.compiled import engine_kernel
 from stiction.engine.heights import gaussian_density
 from stiction.engine.sum_kernels import LONGEST
 
-# Distance of neighbouring series, and terms of a series. |d z| is at most 13/8 where the density is not negligible (h up to
-# 10), and the first omitted term is below 1e-16 of the sum.
+# Distance between neighbouring series in units of sigma, and number of terms in a series. |d z| is at most 13/8 where the
+# density is not negligible (h up to 10), and the first omitted term is below 1e-16 of the sum.
 STEP, TERMS = 0.25, 22
 _FARTHEST = 10.0
-# Series save time from _MANY sums on, if each series serves at least _EACH sums on average.
+# Series save time for _MANY sums or more, if each series is used for at least _EACH sums on average.
 _MANY, _EACH = 1000, 10
 
 
@@ -47,10 +47,10 @@ def series_for(h: np.ndarray, law: np.ndarray) -> tuple[np.ndarray, np.ndarray, 
 
 @engine_kernel
 def expand(h, shape, evaluated, out):
-    """Fill out (s, TERMS, 5) with the coefficients of s Taylor series, each about its mean separation h (s,).
+    """Store the coefficients of s Taylor series, each about its mean separation h (s,), in `out` (s, TERMS, 5).
 
-    The last axis holds the number of touching asperities, load, area, slip-limited and yield-limited resistance. h: in units of
-    sigma. shape: parameters of the height density. evaluated: the fields of `nodes.Evaluated`, the values of the laws at
+    The last axis contains the number of touching asperities, load, area, slip-limited and yield-limited resistance. h: in units
+    of sigma. shape: parameters of the height density. evaluated: the fields of `nodes.Evaluated`, the values of the laws at
     integration nodes.
     """
     owner, counts, weights, states = evaluated
@@ -73,11 +73,11 @@ def expand(h, shape, evaluated, out):
 
 @engine_kernel
 def read_series(d, number, coefficients, out):
-    """Fill out (m, 5) with the values of Taylor series for m sums, at distances d (m,) from the separations of the series.
+    """Evaluate Taylor series for m sums, and store the values in `out` (m, 5).
 
-    d: separation minus separation of the series, in units of sigma. number (m,): index of the series. coefficients (s, TERMS,
-    5): coefficients that `expand` computed. The five values are number of touching asperities, load, area, slip-limited and
-    yield-limited resistance.
+    d (m,): separation of each sum minus separation of its series, in units of sigma. number (m,): index of the series.
+    coefficients (s, TERMS, 5): coefficients that `expand` computed. The five values are number of touching asperities, load,
+    area, slip-limited and yield-limited resistance.
     """
     for i in range(d.size):
         series, x = coefficients[number[i]], d[i]

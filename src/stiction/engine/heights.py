@@ -168,7 +168,7 @@ def empirical(samples: np.ndarray, cells: int | None = None) -> Heights:
     step = edges[1] - edges[0]
     knots = np.concatenate([[edges[0] - step / 2], (edges[:-1] + edges[1:]) / 2, [edges[-1] + step / 2]])
     density = np.concatenate([[0.0], counts / (samples.size * step), [0.0]])
-    # Moments of the polygon itself: each knot carries a triangle of half-width `step`, of variance step^2/6.
+    # Moments of the polygon itself: the sum of one triangle per knot, each of half-width `step` and variance step^2/6.
     mass = density * step
     mean = np.sum(mass * knots)
     deviation = math.sqrt(np.sum(mass * (knots - mean) ** 2) + step**2 / 6.0)
@@ -190,7 +190,7 @@ def discrete(samples: np.ndarray) -> Heights:
         )
     z = (samples - samples.mean()) / samples.std()
     if samples.std() <= _ALIKE * np.abs(samples).max():
-        why = InWords(f"{samples.size} heights of {samples.mean():.4g} with the deviation {samples.std():.2g}")
+        why = InWords(f"{samples.size} heights of {samples.mean():.4g} with the standard deviation {samples.std():.2g}")
         raise InputError("height_distribution.samples", why, "heights that differ by more than rounding")
     shape = np.array([z[0], z[-1] - z[0], 0.0, 0.0])  # a polygon without density between the lowest and the highest
     return Heights("discrete", empirical_density, empirical_window, shape, tops=np.unique(z), listed=z)

@@ -20,7 +20,7 @@ from stiction.engine.compiled import engine_kernel, lazy_kernel, unpack
 from stiction.engine.regime import Regime, columns
 from stiction.engine.sum_kernels import LONGEST, SHORT, clipping, map_segment
 
-_BLOCK = 1024  # number of laws in a block, so few that their values stay in the processor's cache
+_BLOCK = 1024  # number of laws in a block; their values fit into the processor's cache
 # Nodes and weights (rules, 2, longest) on [0, 1] of each integration rule, and their number (rules,).
 Rules = tuple[np.ndarray, np.ndarray]
 
@@ -80,7 +80,7 @@ class Evaluated(NamedTuple):
 
     owner (r,): index of the sum to which the row is added. counts (r,): number of nodes. weights (r, LONGEST): integration
     weights. states (r, 6 LONGEST): displacement, its derivative with respect to the coordinate, load, area, slip-limited and
-    yield-limited resistance, LONGEST places for each.
+    yield-limited resistance, LONGEST elements for each.
     """
 
     owner: np.ndarray
@@ -99,11 +99,11 @@ def evaluating(along: Callable, parameters: int, values: int = 6) -> Any:
 
     @lazy_kernel(worth=400_000)
     def evaluate(u, law, count, table, out):
-        """Fill out[i] with the values of the law law[i] at the coordinates u[i, :count[i]].
+        """Store in out[i] the values of the law law[i] at the coordinates u[i, :count[i]].
 
-        law (r,): index of the parameter set, a row of `table`. count (r,): number of coordinates; only the largest multiple of
-        eight in it is evaluated. Each value occupies LONGEST places of the row out[i]. With this fixed distance the compiler
-        can prove that the stores do not overlap, and vectorises the loop.
+        law (r,): index of the parameter set, a row of `table`. count (r,): number of coordinates, rounded down to a multiple of
+        eight. Each value has LONGEST elements in the row out[i]. With this fixed distance the compiler can prove that the
+        stores do not overlap, and vectorises the loop.
         """
         for i in range(law.size):
             places, row, filled = u[i], unpack(table[law[i]], parameters), out[i]
@@ -237,7 +237,7 @@ class Rows(NamedTuple):
     """Store r rows of at most LONGEST integration nodes, which `place_nodes` and `evaluating` fill.
 
     u, weights (r, LONGEST): coordinates and integration weights. law, owner, counts (r,): index of the parameter set, index of
-    the sum to which the row is added, number of nodes. states (r, 6 LONGEST): the six values of the law, LONGEST places for
+    the sum to which the row is added, number of nodes. states (r, 6 LONGEST): the six values of the law, LONGEST elements for
     each.
     """
 
@@ -318,7 +318,7 @@ def adding(density: Callable) -> Any:
 
     @engine_kernel
     def add(h, shape, evaluated, out):
-        """Fill out (m, 5) with m sums: number touching, load, area, slip-limited and yield-limited resistance.
+        """Store m sums in `out` (m, 5): number touching, load, area, slip-limited and yield-limited resistance.
 
         h (m,): mean separation of each sum in units of sigma. shape: parameters of the density. evaluated: fields of
         `Evaluated`, the values of the laws at nodes; each row of nodes is added to the sum that is its owner. Sums are averages

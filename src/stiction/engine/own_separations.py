@@ -1,7 +1,7 @@
 """Sum asperity laws at several separations, which differ between the laws, for Gaussian heights.
 
 A law is one parameter set of a regime. Its integration nodes are placed once for all its separations, which takes a fifth of
-the time of new nodes at each separation. The sums differ from those with new nodes by round-off only.
+the time that new nodes at each separation would take. The sums differ from those with new nodes by round-off only.
 """
 
 import numpy as np
@@ -10,15 +10,15 @@ from stiction.engine.at_loads import GRID, NODE_RANGE
 from stiction.engine.compiled import engine_kernel
 from stiction.engine.heights import gaussian_density, gaussian_window
 from stiction.engine.placing import Placing
-from stiction.engine.summation import _COUNTS, _RULES, QUANTITIES, Scattered, _shares, in_threads
+from stiction.engine.summation import _COUNTS, _RULES, QUANTITIES, Scattered, _slices, in_threads
 from stiction.engine.tiers import ENGINE, specialised
 
-_BLOCK = 128  # number of laws in a block, so few that their nodes stay in the processor's cache
+_BLOCK = 128  # number of laws in a block; their nodes fit into the processor's cache
 
 
 @engine_kernel
 def _sum_each(h, nodes, out):
-    """Fill out (n, m, 5) with five sums over asperity heights, for each law i (parameter set) at its separations h[i, k].
+    """Store in out[i, k] five sums over asperity heights, for law i (parameter set) at its separation h[i, k].
 
     The sums are number touching, load, area, slip-limited and yield-limited resistance. h: in units of sigma. nodes:
     displacements (n, room), integration weights times each quantity (n, 5, room), and number of nodes of each law (n,).
@@ -74,7 +74,7 @@ def _fill(scattered: Scattered, laws: np.ndarray, h: np.ndarray, sums: np.ndarra
     for regime, out in zip(scattered.regimes, sums, strict=True):
         placed = Placing.of(regime, gaussian_window, NODE_RANGE[1] - w_low, len(QUANTITIES), specialised(len(h)))
 
-        def fill_share(share: slice, placed: Placing = placed, out: np.ndarray = out) -> None:
+        def fill_slice(share: slice, placed: Placing = placed, out: np.ndarray = out) -> None:
             append = placed.on(_BLOCK, (_RULES, _COUNTS))
             places, values = np.empty((_BLOCK, placed.room)), np.empty((_BLOCK, len(QUANTITIES), placed.room))
             for start in range(share.start, share.stop, _BLOCK):
@@ -84,4 +84,4 @@ def _fill(scattered: Scattered, laws: np.ndarray, h: np.ndarray, sums: np.ndarra
                 _sum_each(h[rows], nodes, some)
                 out[rows] = some
 
-        in_threads(fill_share, _shares(laws.size, threads), threads)
+        in_threads(fill_slice, _slices(laws.size, threads), threads)

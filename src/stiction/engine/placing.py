@@ -70,8 +70,8 @@ def _copy(state, count, out):
 def _weigh(weight, state, count, quantity, out):
     """Fill `out` with weight * value * dw/du at each node, for one quantity (w: displacement; u: coordinate of the law).
 
-    weight: integration weights. state: six values of the law at the nodes, stored one after the other, with LONGEST places for
-    each value; dw/du is the second value. count: number of nodes. quantity: index of the value that is summed.
+    weight: integration weights. state: six values of the law at the nodes, stored one after the other, with LONGEST elements
+    for each value; dw/du is the second value. count: number of nodes. quantity: index of the value that is summed.
     """
     for node in range(8 * (count // 8)):
         out[node] = weight[node] * state[LONGEST + node] * state[quantity * LONGEST + node]
@@ -146,7 +146,7 @@ class Placing:
         """Return append(reach, shape, block, nodes), which adds the integration nodes of a block of laws to the table `nodes`.
 
         laws: largest number of laws (parameter sets) in a block. rules: nodes and weights of the integration rules. Arguments
-        of append. reach: lowest and highest displacement of the integral, and smallest separation, in units of sigma. shape:
+        of append: reach: lowest and highest displacement of the integral, and smallest separation, in units of sigma. shape:
         parameters of the height distribution. block: slice of the laws. nodes: (displacements, weights times values, numbers of
         nodes), one row for each law of the block.
         """

@@ -111,7 +111,7 @@ def _add_four(few, row, column, tile, product):
     """Add four terms of the matrix product of four rows of `few` and one tile to `product`.
 
     few: (rows, L), left factor. row: index of the first of the four rows. column: index of the first of the four terms. tile
-    (L, width): columns of the right factor. `product` stores one row every 128 places. With this fixed distance the compiler
+    (L, width): columns of the right factor. In `product`, rows begin 128 elements apart. With this fixed distance the compiler
     can prove that the rows do not overlap, and vectorises the loop. Each value of the tile is loaded once for the four rows.
     """
     a0, a1, a2, a3 = few[row, column], few[row, column + 1], few[row, column + 2], few[row, column + 3]

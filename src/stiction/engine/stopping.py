@@ -1,7 +1,7 @@
-"""Let long computations be stopped from another thread: their loops ask before each step whether they may go on.
+"""Let another thread stop long computations, by a check that their loops call before each step.
 
-An exception raised in the thread from outside would not do, because it may come while a library holds a lock. The lock is then
-never released. Numba's lock of the compiler, for example, would block every later computation of the process.
+An exception raised in the thread from outside would not be safe, because it may arrive while a library holds a lock. The lock
+is then never released. For example, the lock of Numba's compiler would block every later computation of the process.
 """
 
 from collections.abc import Callable, Iterator

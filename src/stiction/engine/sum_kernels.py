@@ -23,7 +23,7 @@ from stiction.engine.compiled import engine_kernel, formula, kernel, loop, unpac
 SHORT = 1.0
 # Segments longer than this, in units of sigma, are divided. Adhering asperities that are stretched have such segments.
 WIDEST = 17.0
-# Number of places in one row of a table of nodes, and largest number of nodes of a segment part on a grid.
+# Number of elements in one row of a table of nodes, and largest number of nodes of a segment part on a grid.
 LONGEST = 56
 
 
@@ -111,7 +111,7 @@ def scattering(along: Callable, coordinate: Callable, density: Callable, window:
 
     @kernel
     def scatter(h, law, heights, laws, rules, out):
-        """Fill out[i] with five sums over asperity heights, for parameter set law[i] at the mean separation h[i].
+        """Store in out[i] five sums over asperity heights, for parameter set law[i] at the mean separation h[i].
 
         The sums are averages over all asperities: number touching, load, area, slip-limited and yield-limited resistance. h: in
         units of sigma. heights: parameters and knots of the density. laws: fields of `nodes.Laws`. rules: nodes and weights on
@@ -154,7 +154,7 @@ def listing(along: Callable, coordinate: Callable, parameters: int) -> Any:
 
     @engine_kernel
     def average(h, law, listed, laws, out):
-        """Fill out[i] with five averages over the heights `listed`, for the law with index law[i] at separation h[i].
+        """Store in out[i] five averages over the heights `listed`, for the law with index law[i] at separation h[i].
 
         They are the fraction touching, load, area, slip-limited and yield-limited resistance. h (m,), listed: separations and
         heights in units of sigma; `listed` ascends. law (m,): index of the parameter set. laws: fields of `nodes.Laws`. out:
@@ -192,7 +192,7 @@ def _putting(along: Callable, rows: int) -> Any:
         """Fill `scratch` with displacements, and weights times values to be summed, at the nodes of one integration interval.
 
         mapped: (low, linear, square) of the change of variable u = low + linear t + square t^2. row: parameters of the law.
-        rule: nodes t and weights on [0, 1]; the first `count` are used. Each quantity occupies LONGEST places. With this fixed
+        rule: nodes t and weights on [0, 1]; the first `count` are used. Each quantity has LONGEST elements. With this fixed
         distance the compiler can prove that the stores do not overlap, and vectorises the loop.
         """
         low, linear, square = mapped
@@ -297,7 +297,7 @@ def summing(density: Callable, totals: bool) -> Any:
 
     @kernel
     def sum_rows(h, reach, shape, nodes, wanted, out):
-        """Fill out[i, row, k] with sum number `row` of parameter set i at the mean separation h[k], if wanted[i, k] is True.
+        """Store in out[i, row, k] sum number `row` of parameter set i at the mean separation h[k], if wanted[i, k] is True.
 
         The rows are listed in `summing`. h and displacements are in units of sigma. nodes: three arrays, displacements (i,
         node), integration weight times each quantity (i, row, node), and number of nodes of each parameter set (i). shape:
@@ -307,12 +307,12 @@ def summing(density: Callable, totals: bool) -> Any:
         last = values.shape[1] - 1
         for i in range(used.size):
             x, a, b, c = places[i], values[i, 0], values[i, 1], values[i, 2]
-            d, e = values[i, min(3, last)], values[i, last]  # these rows do not exist with totals, and are then not read
+            d, e = values[i, min(3, last)], values[i, last]  # with totals these rows do not exist and are not read
             for k in range(h.size):
                 if not wanted[i, k]:
                     continue
                 eights = used[i] // 8
-                while eights > 0 and x[8 * eights - 8] > reach[k]:  # works because the nodes of a segment ascend
+                while eights > 0 and x[8 * eights - 8] > reach[k]:  # the nodes of a segment are in ascending order
                     eights -= 1
                 sum_a = sum_b = sum_c = sum_d = sum_e = 0.0
                 for node in range(8 * eights):

@@ -35,9 +35,9 @@ _TOTALS = ("load", "area", "resistance")
 
 # Largest separation, in units of sigma. Larger ones have no physical meaning, and their squares lose all digits to rounding.
 FARTHEST = 1e6
-# Nodes on a segment that is short or long against sigma. Errors are below 1e-10 over all inputs the package is made for, with
-# and without a film: docs/measure_accuracy.py measures them, docs/explanation/numerics.md shows them.
-# Multiples of eight, which the loops over nodes make explicit, so that the compiler needs no loop over a remainder.
+# Numbers of nodes on a segment that is short or long compared with sigma. Errors are below 1e-10 for all valid inputs, with and
+# without a film: docs/measure_accuracy.py measures them, docs/explanation/numerics.md shows them. They are multiples of eight,
+# as the loops over nodes state explicitly, so that the compiler needs no loop over a remainder.
 _COUNTS = np.array([24, LONGEST])
 
 
@@ -84,7 +84,7 @@ def in_threads(work: Callable, parts: Iterable, threads: int) -> None:
             future.result()
 
 
-def _shares(size: int, threads: int) -> list[slice]:
+def _slices(size: int, threads: int) -> list[slice]:
     """Return at most `threads` slices of about equal length that together cover `size` elements."""
     ends = np.linspace(0, size, min(threads, max(size, 1)) + 1).astype(int)
     return [slice(int(start), int(stop)) for start, stop in pairwise(ends)]
@@ -127,14 +127,14 @@ class Scattered:
             return out
         for fill, sums in zip(self._fills(h.size), out, strict=True):
 
-            def fill_share(part: slice, fill=fill, sums=sums) -> None:
+            def fill_slice(part: slice, fill=fill, sums=sums) -> None:
                 fill(h[part], law[part], sums[part])
 
-            in_threads(fill_share, _shares(h.size, threads), threads)
+            in_threads(fill_slice, _slices(h.size, threads), threads)
         return out
 
     def _fill_by_series(self, h: np.ndarray, about: np.ndarray, law: np.ndarray, number: np.ndarray, out: np.ndarray) -> None:
-        """Fill out (regimes, m, 5) with sums computed from Taylor series about a few separations.
+        """Store sums computed from Taylor series about a few separations in `out` (regimes, m, 5).
 
         h (m,): separations in units of sigma. about, law (s,): separation, and index of the parameter set, of each series.
         number (m,): index of the series of each sum.
@@ -214,7 +214,7 @@ def _summing_in_stages(regime: Regime, heights: Heights, add: Callable) -> Calla
 _PARTS = 4096  # most integration intervals at a time, to bound the memory; most separations use a quarter of them
 # Fewer pairs of a law and a separation are summed one by one, which then takes less time than the matrix.
 _MANY = 4000
-_BLOCK = 128  # number of laws in a block, so few that their nodes stay in the processor's cache
+_BLOCK = 128  # number of laws in a block; their nodes fit into the processor's cache
 
 
 def on_grid(regimes: Sequence[Regime], h: np.ndarray, heights: Heights, threads: int = 1) -> np.ndarray:
@@ -307,5 +307,5 @@ def _by_skeleton(regimes, h, heights, sums, threads) -> bool:
             if carry_over(few.reshape(-1, few_h.size), tiles, doubtful_below, nodes, signed, sums[block], doubtful):
                 sum_rows(h, everywhere, heights.shape, nodes, doubtful, sums[block])
 
-    in_threads(fill, _shares(len(sums), threads), threads)
+    in_threads(fill, _slices(len(sums), threads), threads)
     return True

@@ -16,9 +16,9 @@ from stiction.quantities.errors import InputError
 
 TIERS = ("auto", "interpreted", "shared", "specialised")
 VARIABLE = "STICTION_LOOPS"
-# From this number of sums on, a loop compiled for one regime pays: compiling takes a second, and the loop runs twice as fast.
+# Above this number of sums, a loop compiled for one regime saves time: compiling takes a second, and the loop is twice as fast.
 _WORTH_COMPILING = 100_000
-_PAIRS_OF_A_LAW = 8  # least number of sums of one law: the separation at a load is found by iteration
+_PAIRS_OF_A_LAW = 8  # smallest number of sums of one law, because the separation at a load is found by iteration
 
 
 class Allowance:

@@ -20,10 +20,10 @@ _SQRT_HALF_BITS = int(np.float64(math.sqrt(0.5)).view(np.int64))
 @formula
 def exponential(x):
     """Return exp(x) for x <= 0, with a relative error of at most 2e-16; the result is 0 for x <= -708."""
-    shifted = x * _LOG2E + _ROUNDS  # its last digits are the whole number k next to x/ln 2
+    shifted = x * _LOG2E + _ROUNDS  # the last bits are the integer k nearest to x/ln 2
     k = shifted - _ROUNDS
     r = (x - k * _LN2_HIGH) - k * _LN2_LOW
-    # exp on |r| <= ln(2)/2 through the zeros of a Chebyshev polynomial, degree 11: to 1.7e-17.
+    # The polynomial of degree 11 interpolates exp on |r| <= ln(2)/2 at Chebyshev nodes, to within 1.7e-17.
     p = 2.5110049204818658e-08
     p = p * r + 2.763265472252779e-07
     p = p * r + 2.755724088722987e-06
@@ -36,7 +36,7 @@ def exponential(x):
     p = p * r + 5.000000000000019e-01
     p = p * r + 1.0
     p = p * r + 1.0
-    power = np.int64(np.float64(shifted).view(np.int64) << np.int64(52))  # k in the place of the exponent
+    power = np.int64(np.float64(shifted).view(np.int64) << np.int64(52))  # k moved to the exponent bits
     return np.int64(np.float64(p).view(np.int64) + power).view(np.float64) if x > -708.0 else 0.0
 
 
