@@ -49,11 +49,11 @@ from stiction.solvers.boundary_elements.solve import usable_map
 from stiction.surfaces.heightmap import size_in_metres
 from stiction.surfaces.memory import require_memory
 
-_ARRAYS = 20  # number of arrays as large as the map that the minimisation needs
-_BETWEEN = 2.5  # most times that the grid is finer than the map
+_ARRAYS = 20  # number of arrays of the size of the map that the minimisation needs
+_BETWEEN = 2.5  # largest refinement of the grid relative to the map, along each side
 _AT_EDGE = 0.085  # in equation (2)
-# Largest pressure error where faces do not touch, divided by the largest attraction, and by the tension. A larger error would
-# hold faces together beyond the largest pull.
+# Largest pressure error where faces do not touch: divided by the largest attraction, and divided by the tension. With a larger
+# error, faces could still touch beyond the largest pull.
 _LEFT, _OF_TENSION = 0.1 * MOST_ATTRACTION_LEFT, 3e-3
 
 
@@ -238,7 +238,7 @@ class _Grid:
     def validity_warnings(self) -> tuple[ValidityWarning, ...]:
         if self.points >= LEAST_POINTS * (1.0 - 1e-9):
             return ()
-        why = f"adhesion acts over {self.points:.2g} points beside the edge of contact; at least {LEAST_POINTS:g} are needed"
+        why = f"adhesion acts over {self.points:.2g} points at the contact edge; at least {LEAST_POINTS:g} are needed"
         return (ValidityWarning(why, "points_at_edge", self.points, self.points, low=LEAST_POINTS),)
 
 

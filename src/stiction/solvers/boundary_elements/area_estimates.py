@@ -1,8 +1,8 @@
 """Estimate the elastic contact area of a map without solving it, from slopes or ranks of its points.
 
-These are formulas of this project, grade B: their evidence is solved maps. All start from Persson's theory (2001), A/A0 =
+These formulas are this project's own (grade B: fitted to solved maps). All start from Persson's theory (2001), A/A0 =
 erf(2^(1/2) p), where A/A0 is the area fraction, p the mean pressure divided by E* h', and h' the rms gradient of the map.
-Formulas (1) and (2) are implemented in surfaces.theory.widened_area, (3) and (4) here. All are extensions of it:
+Formulas (1) and (2) are implemented in surfaces.theory.widened_area, (3) and (4) here. All extend Persson's theory:
 
     G(p, c) = erf(2^(1/2) p [1 + c (1 - erf(2^(1/2) p)^(1/2))])                                                           (1)
 
@@ -12,15 +12,15 @@ Formulas (1) and (2) are implemented in surfaces.theory.widened_area, (3) and (4
                     c = .655 - .071 ln alpha + .183 ln R
 
 alpha is Nayak's m0 m4/m2^2. R is the root of the ratio of the eigenvalues of the gradient tensor. Points are ranked from the
-highest, and r is the fraction of points above. F(A) is the rms gradient of the highest 2A of the map, divided by h'. S(r) is
-[mean of s^m over ranks below r]^(1/m) with m = .783, where s(r) is the local gradient at rank r divided by h'. If no r up to 1
-satisfies (4), S is 1.
+highest down; the rank r of a point is the fraction of points above it. F(A) is the rms gradient of the highest fraction 2A of
+the points, divided by h'. S(r) is [mean of s^m over ranks below r]^(1/m) with m = .783, where s(r) is the local gradient at
+rank r divided by h'. If no r up to 1 satisfies (4), S is 1.
 
-The constants were fitted to the surfaces of the benchmark set with seeds 1 and 2 (truth.md); (2) and (3) only to its Gaussian
-isotropic ones. Errors on the surfaces with seeds 3 and 4, in % rms (largest), for p = .002 to .3: Gaussian isotropic (2) 6.6
-(37), 80 % of the areas within 5 %; (3) 3.1 (12), 91 %; (4) 3.2 (13). (4) on other surfaces: skewed 5.1 (18), peaked 7.4, flat
-5.1, with a lay 5.1 (23), bimodal 3.8, periodic 10, worn 30 (96). At light loads (4) fails on worn plateaus with fine roughness
-on them.
+The constants were fitted to the surfaces of the benchmark set with seeds 1 and 2 (truth.md); (2) and (3) were fitted only to
+its Gaussian isotropic surfaces. Errors on the surfaces with seeds 3 and 4, in % rms (largest), for p = .002 to .3: on Gaussian
+isotropic surfaces (2) 6.6 (37), (3) 3.1 (12), (4) 3.2 (13). There, 80 % of the areas by (2) and 91 % of the areas by (3) are
+within 5 %. Errors of (4) on other surfaces: skewed 5.1 (18), peaked 7.4, flat 5.1, with a lay 5.1 (23), bimodal 3.8, periodic
+10, worn 30 (96). At light loads (4) fails on worn plateaus with fine roughness on them.
 """
 
 import math

@@ -18,8 +18,8 @@ from stiction.quantities.errors import InputError, InWords
 from stiction.quantities.extras import installed, require
 
 LIBRARIES = ("torch", "cupy", "array_api_strict")
-_THREADED = 2**19  # number of points from which two threads are faster than one
-_BLOCK = 2**16  # points of a block, so few that their values stay in the processor's cache
+_THREADED = 2**19  # two threads are faster than one for this many points or more
+_BLOCK = 2**16  # number of points in a block; their values fit into the processor's cache
 
 
 def on_device(values: np.ndarray, device: str | None) -> np.ndarray:
@@ -40,7 +40,7 @@ def on_device(values: np.ndarray, device: str | None) -> np.ndarray:
     try:
         xp = namespace(array)
         return xp.asarray(array, device=place) if place else array
-    except Exception as error:  # each library raises other errors for a device that is not available
+    except Exception as error:  # for a device that is not available, every library raises a different error
         reason = str(error).strip().splitlines()[:1]
         raise InputError("device", device, f"a device that {library} can use: {''.join(reason)}") from error
 

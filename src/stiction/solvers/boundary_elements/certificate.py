@@ -25,8 +25,8 @@ import numpy as np
 from stiction.solvers.boundary_elements.arrays import blocks, dot, factor, namespace, to_numpy
 from stiction.solvers.boundary_elements.minimise import Found, Problem, missed_gap
 
-_ROUNDED = 1.0 + 1e-6  # covers the round-off of single precision, as the bound is an equality in full contact
-_MARGIN = 3.0  # times the largest gap error: a point closer than this to a change of state may be in the wrong state
+_ROUNDED = 1.0 + 1e-6  # margin for the round-off of single precision, because the bound is an equality in full contact
+_MARGIN = 3.0  # times the largest gap error; a point with a smaller margin may be in the wrong state
 
 
 @dataclass(frozen=True)

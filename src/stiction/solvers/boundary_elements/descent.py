@@ -6,12 +6,12 @@ and positive semidefinite. The energy
 
     1/2 <(g + h) K (g + h)> - <e^(-g)> + P <g>,      g >= 0                                                               (1)
 
-is reduced by conjugate gradients over the free points: points apart, and points in contact whose energy falls if they separate
-(Polonsky & Keer 1999, Wear 231, 206; Bugnicourt et al. 2018, Tribology Lett. 66, 29). There are three additions. First,
-directions are multiplied by 1/K and restricted to the free points; K grows with the wavevector, so long waves would otherwise
-converge slowly. Second, the step is Newton's along the direction. It is shortened where the attraction makes the energy
-concave, limited to twice the range where attraction acts, and halved until the energy falls. Third, if the faces are so far
-apart that no attraction outweighs the tension, they are moved apart at once.
+is reduced by conjugate gradients over the free points (Polonsky & Keer 1999, Wear 231, 206; Bugnicourt et al. 2018, Tribology
+Lett. 66, 29). Free are the points out of contact, and the points in contact at which separation lowers the energy. Three steps
+are added to this method. First, directions are multiplied by 1/K and restricted to the free points; K grows with the
+wavevector, so long waves would otherwise converge slowly. Second, the step is Newton's along the direction. It is shortened
+where the attraction makes the energy concave, limited to twice the range where attraction acts, and halved until the energy
+falls. Third, if the faces are so far apart that no attraction outweighs the tension, they are moved apart at once.
 """
 
 import math
@@ -23,9 +23,9 @@ from scipy.fft import irfft2, rfft2
 from stiction.solvers.boundary_elements.arrays import dot
 
 FAR = 1e3  # distance by which separated faces are moved apart, divided by the range of attraction
-_FLAT = 0.05  # least curvature along a direction, relative to the elastic one; attraction makes it smaller or negative
+_FLAT = 0.05  # least curvature along a direction, relative to the elastic curvature; attraction makes it smaller or negative
 _RANGE = 2.0  # largest step, divided by the range of attraction
-_ACTS = 1e-3  # attraction, divided by the largest one, above which a point counts as attracted
+_ACTS = 1e-3  # attraction, divided by the largest attraction, above which a point counts as attracted
 _MOST = 3000
 _HALVINGS = 40
 _NONE = 40.0  # gap, divided by the range, beyond which the attraction is below round-off
@@ -123,7 +123,7 @@ class DescentSearch:
         self.residual = float(np.max(np.abs(self._slope * self._free)))
 
     def _direction(self) -> np.ndarray:
-        """Return the next search direction (rows, columns), preconditioned and conjugate to the last one.
+        """Return the next search direction (rows, columns), preconditioned and conjugate to the last direction.
 
         The last direction is weighted by the rule of Polak & Ribiere. After a failed step the direction is the preconditioned
         negative gradient.

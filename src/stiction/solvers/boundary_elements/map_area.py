@@ -1,11 +1,11 @@
-"""Compute the real contact area of a map against load, by solving some of its points or by a formula.
+"""Compute the real contact area of a map against load, by solving the map or by a formula.
 
 The area fraction A/A0 is solved at each requested mean pressure separately. If more than twelve are requested, it is solved at
-four pressures per decade, and ln A is interpolated by a monotone cubic of ln p (p: mean pressure). Each solution uses the
-fewest points that suffice: four in the shortest wave, eight across a lay, and 3000 in contact. Below the pressure at which some
-120 points touch, and above a highest pressure, the area follows a formula (`area_estimates`), scaled to the solution at this
-end pressure, which does not depend on the requested pressures. The formula also replaces solutions of maps that are too large
-to solve. Solutions are cached as long as the program runs.
+four pressures per decade, and ln A is interpolated by a monotone cubic of ln p (p: mean pressure). To save time, points are
+skipped if this leaves at least four points in the shortest wave (eight on a map with a lay) and 3000 points in contact. The map
+is solved only between a lightest pressure, at which about 120 points touch, and a heaviest pressure. Beyond these two pressures
+the area follows a formula (`area_estimates`), scaled to the solution at the nearer one. Neither depends on the requested
+pressures. For maps that are too large to solve, the formula gives all areas. Solutions are cached as long as the program runs.
 """
 
 import hashlib
@@ -27,19 +27,21 @@ from stiction.surfaces.asperity_set import skewness
 from stiction.surfaces.heightmap import HeightMap, every_point
 from stiction.surfaces.theory.widened_area import with_hardness
 
-MOST_POINTS = 2**19  # most points that are solved
-# Least points in contact, if the map has so many. With 1000, areas were up to 4.6 % too large on maps with a lay or nearly one.
+MOST_POINTS = 2**19  # largest number of points that are solved
+# Least number of points in contact, if the map has so many. With 1000 points, areas were up to 4.6 % too large on maps with a
+# strong or weak lay.
 LEAST_CONTACT = 3000
 FEWEST_CONTACT = 60  # with fewer points in contact the formula replaces the solution
-AT_LEAST = 2.0 * FEWEST_CONTACT  # points that touch, by an estimate, at the lightest solved pressure
-FEWEST_IN_WAVE = 2.5  # least points in the shortest wave of a map that is solved although it has too few
-# Patches are narrower across a lay: with 4 points in the shortest wave, areas are 3 % too large at a lay of 3:1, 9 % at 6:1.
+AT_LEAST = 2.0 * FEWEST_CONTACT  # estimated number of touching points at the lightest solved pressure
+FEWEST_IN_WAVE = 2.5  # least number of points in the shortest wave on large maps, which need more skipping
+# Contact patches are narrower across a lay. With 4 points in the shortest wave, areas are therefore 3 % too large at a lay
+# ratio of 3:1, and 9 % at 6:1.
 _LAID, _LEAST_ACROSS_LAY = 1.7, 8.0
 _STEPS, _FEW = 4, 12  # solved pressures per decade, if more than twelve pressures are requested
-# Measured on windows of generated maps (grade C). In 24 windows of elastic maps, the error of ln A was up to 5 times the one
-# estimated from quadrants where the window held 1 of the longest waves, and equal to it from 4 waves on. In 104 windows of 21
-# plastic maps (H/(E* h') .25 to 1.2, 1.4 to 6 waves, seven kinds of surface), intervals of 90 % with this factor contain the
-# area in 91 % of cases; the lowest rate of one kind, with a lay, is 83 %.
+# This factor was measured on windows of generated maps (grade C). In 24 windows of elastic maps, the error of ln A was up to 5
+# times the error estimated from quadrants if the window was as wide as 1 of the longest waves, and equal to the estimate for 4
+# waves or more. It was tested on 104 windows of 21 plastic maps (H/(E* h') .25 to 1.2, 1.4 to 6 waves, seven kinds of surface).
+# There, 90 % intervals contain the area in 91 % of cases, and in 83 % for surfaces with a lay, the worst kind.
 _OF_WAVES = 0.8
 _HEAVIEST = 1.2  # largest pressure that is solved, divided by E* h'
 _MOST_OF_HARDNESS = 0.97
@@ -52,7 +54,7 @@ class MapArea:
     """Compute the real contact area of one map at any mean pressure and hardness.
 
     heights: (rows, columns) [m], without missing points. size: (y, x) [m]. periodic: whether the map is one period of an
-    endless surface; otherwise it is a window of a larger surface.
+    endless surface; if not, it is a window of a larger surface.
     """
 
     heights: np.ndarray
@@ -99,7 +101,8 @@ class MapArea:
         """Return the sampling steps with which the map can be solved, coarsest first; empty if there are none.
 
         A step of r uses every r-th point of each row and column, few enough to solve. Steps above 1 also leave enough points in
-        the shortest wave. If no step does both, the list has the finest step with FEWEST_IN_WAVE points in this wave.
+        the shortest wave. If no step satisfies both conditions, the list contains only the smallest step that leaves at least
+        FEWEST_IN_WAVE points in this wave, if there is one.
         """
         in_wave = self.waves.points_in_shortest_wave
         all_of_them = range(1, min(self.heights.shape) // 16 + 1)
@@ -143,8 +146,8 @@ class MapArea:
     def share(self, pressure: np.ndarray, hardness: float) -> np.ndarray:
         """Return the area fraction A/A0 at mean pressures divided by E* (any shape, >= 0).
 
-        hardness: divided by E*; infinite for elastic bodies. The map is solved where this is possible, and a formula is used
-        elsewhere.
+        hardness: divided by E*; infinite for elastic bodies. The map is solved at pressures where this is possible; a formula
+        is used at all others.
         """
         h = self.slopes.gradient
         if hardness not in self._curves:
@@ -211,7 +214,7 @@ class _Curve:
         self._heaviest = min(_HEAVIEST, _MOST_OF_HARDNESS * hardness)
         self._nodes: dict[float, float] = {}
         self._lightest = 0.0  # the lightest pressure that is solved, or one at which too few points touch
-        self._has_lightest = False  # whether the lightest pressure was looked for
+        self._has_lightest = False  # whether the lightest pressure has been determined
 
     def __call__(self, pressure: np.ndarray) -> np.ndarray:
         areas = np.zeros(pressure.shape)
@@ -303,7 +306,7 @@ class _Curve:
 def map_area(surface: HeightMap) -> MapArea:
     """Return the MapArea of a map without missing points.
 
-    If an equal map is among the last eight used, its object is returned, with the stored solutions.
+    The objects of the last eight maps are kept in memory, so that an equal map gets the same object with its stored solutions.
     """
     digest = hashlib.blake2b(np.ascontiguousarray(surface.heights).tobytes(), digest_size=20)
     digest.update(repr((surface.heights.shape, surface.size, surface.periodic)).encode())

@@ -5,18 +5,17 @@ A contact area counted in pixels is too large by part of the pixels at its edge.
     A = A_pixels - c S d                                                                                                  (1)
 
 S: total length of the pixel sides between contact and no contact. d: side of a pixel. S d is the number of these sides times
-the area of a pixel, also where pixels are not square. Yastrebov, Anciaux & Molinari (2017, Tribology Int. 114, 161) find
-c = (pi - 1 + ln 2)/24 = .118 from a straight edge that crosses a pixel at any angle. For this solver, c was measured on
-Westergaard's waves, whose area is known, at 23 angles (a test repeats it with fewer): c = .19 along the pixels, .11 at 14
-degrees, .08 from 30 to 45 degrees, and .100 on average. If most edges run along one side of the pixels, as with a lay, c is
-larger:
+the area of a pixel, also where pixels are not square. Yastrebov, Anciaux & Molinari (2017, Tribology Int. 114, 161) find c =
+(pi - 1 + ln 2)/24 = .118 from a straight edge that crosses a pixel at any angle. For this solver, c was measured on
+Westergaard's waves, whose area is known, at 23 angles (a test repeats it with fewer): c = .19 for edges along a pixel side, .11
+at 14 degrees to it, .08 at 30 to 45 degrees, and .100 on average. If most edges run along one side of the pixels, as on maps
+with a lay, c is larger:
 
     c = .100 + .090 r^4,  r = |S_x - S_y|/(S_x + S_y)                                                                     (2)
 
-S_x and S_y are the lengths of sides along x and along y. (2) agrees with the measured c along the pixels and at 14 degrees.
-It makes areas of maps with a lay along the pixels up to 4 % smaller, and as accurate as those of other maps
-(validation/maps). The mean area of rough maps with 8 points in the shortest wave is within 1 % of the area with 32; with .118
-it is 1 to 2 % low.
+S_x and S_y are the lengths of sides along x and along y. (2) agrees with the measured c at 0 and 14 degrees. On maps with a lay
+along a pixel side, it makes areas up to 4 % smaller, and as accurate as on other maps (validation/maps). The mean area of rough
+maps with 8 points in the shortest wave is within 1 % of the area with 32 points; with c = .118 it is 1 to 2 % low.
 
 c is smaller where the pressure at most of the edge is the hardness. The area is never less than the load divided by the
 hardness, and is close to this limit where points yield. The length of the contact edge is pi/4 S, averaged over its directions.

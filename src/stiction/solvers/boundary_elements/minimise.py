@@ -14,10 +14,10 @@ satisfies the Karush-Kuhn-Tucker conditions with an offset a and the gap g = u -
 `residual` measures how far a solution violates (2). Maps are arrays of NumPy or of another library of `arrays`.
 
 The method of Polonsky & Keer is used: conjugate gradients over the points with 0 < p < H. Five changes make it converge also
-where points flow, in a number of steps that hardly grows with the map size. Equation numbers were not verified.
+where points flow, in a number of steps that hardly grows with the map size.
 
-- The gradient is divided by C(k) on these points and shifted to zero sum. Near full contact this is the solution.
-- The mean pressure is restored by a shift of the pressure at these points. A factor would raise it above H.
+- The gradient is divided by C(k) on these points and shifted to zero sum. In full contact one such step reaches the solution.
+- The mean pressure is restored by a shift of the pressure at these points. Multiplication by a factor could exceed H.
 - Polak & Ribiere's rule combines directions, also when contact changes (Bugnicourt et al. 2018, Tribology Lett. 66, 29).
 - The energy must fall in each step. If not, a projected gradient step is taken, and shortened until the energy falls (Bertsekas
   1999, Nonlinear Programming, section 2.3; it converges from any start).
@@ -40,11 +40,11 @@ from stiction.solvers.boundary_elements.arrays import blocks, clip_into, dot, fa
 class Boundary(Protocol):
     """Define the compliance operator of a map, which computes displacements from pressures.
 
-    Results have the precision of the argument. inverts: whether `inverse` is exact. knows_approach: False if means are unknown.
+    Results have the precision of the argument. inverts: whether `inverse` is exact. has_mean: whether means are defined.
     """
 
     inverts: bool
-    knows_approach: bool
+    has_mean: bool
 
     def __call__(self, pressure: np.ndarray, /) -> np.ndarray:
         """Return the displacement map (rows, columns) [m] caused by a pressure map [Pa]."""
@@ -56,7 +56,7 @@ class Boundary(Protocol):
 _ENOUGH = 1e-4  # least decrease of the energy by a projected step, relative to the decrease that the gradient predicts
 _SHIFTS = 100
 _ROUNDING = 1e-13  # accepted error of the mean pressure, relative
-_WRONG = 0.05  # fraction of the pressure that would close a wrong gap; with more, points enter and leave in turn
+_WRONG = 0.05  # fraction of the pressure that would close a wrong gap; with more, points alternately enter and leave
 _DIGITS = 1e-4  # residual, relative to the last one in double precision, that single precision can reach
 _AIM = 0.7  # tolerance of the residual in single precision, relative to the full tolerance
 

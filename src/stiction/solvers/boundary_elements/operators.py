@@ -21,9 +21,9 @@ The first part is (1). The second is 1/(pi (r^2 + c^2)^(1/2)) for a point force 
 
     f = x arsinh(y/(x^2 + c^2)^(1/2)) + y arsinh(x/(y^2 + c^2)^(1/2)) - c arctan(x y/(c (x^2 + y^2 + c^2)^(1/2)))         (3)
 
-The rest D(k) is finite at k = 0, falls as e^(-2 k t) with the film thickness t, and is transformed on the doubled grid; c = 1.5
-t. (2) and (3) are derived here. Periodic copies of D change displacements by about (t/L)^3 of the largest one, with L the side
-of the map: 1e-3 at L = 10 t.
+The third part D(k) is finite at k = 0, falls as e^(-2 k t) with the film thickness t, and is transformed on the doubled grid; c
+= 1.5 t. (2) and (3) are derived here. Periodic copies of D change displacements by about (t/L)^3 of the largest displacement,
+with L the side of the map: 1e-3 at L = 10 t.
 
 Every operator computes in the precision of its argument, single or double, and with its array library. `inverse` divides each
 wave by C(k). This is exact on a periodic or mirrored map, and approximate on a free map.
@@ -91,13 +91,13 @@ class PeriodicBoundary:
     """Compute displacements of a periodic map from its pressure.
 
     compliance: elastic compliance of both bodies at each wavenumber. shape: (rows, columns). size: (y, x) [m]. The attribute
-    `knows_approach` states whether displacements are absolute; if not, their mean over the map is zero.
+    `has_mean` is True if the mean displacement is defined; otherwise it is set to zero.
     """
 
     inverts = True
 
     def __init__(self, compliance: Compliance, shape: tuple[int, int], size: tuple[float, float]):
-        self.knows_approach = compliance.far == 0.0
+        self.has_mean = compliance.far == 0.0
         self._kernel = _Kernel(compliance.at(self._wavenumbers(shape, size)))
 
     def __call__(self, pressure: np.ndarray) -> np.ndarray:
@@ -152,7 +152,7 @@ class FreeBoundary:
     compliance: elastic compliance of both bodies at each wavenumber. shape: (rows, columns). size: (y, x) [m].
     """
 
-    knows_approach = True
+    has_mean = True
     inverts = False
 
     def __init__(self, compliance: Compliance, shape: tuple[int, int], size: tuple[float, float]):

@@ -31,7 +31,7 @@ from stiction.surfaces.heightmap import size_in_metres
 from stiction.surfaces.memory import require_memory
 
 MOST_STEPS = 2000
-_COARSE = 96  # least points along a side of a coarser map that provides a start
+_COARSE = 96  # least number of points along a side of a coarser map whose solution serves as start
 _COARSE_TOLERANCE = 1e-2
 
 
@@ -291,7 +291,7 @@ def _from_coarser(request, compliance, boundary, mean, heights) -> np.ndarray:
 
 
 def _between(coarse: np.ndarray, axis: int, periodic: bool) -> np.ndarray:
-    """Return a map with twice as many rows (axis 0) or columns (axis 1); added ones are means of their two neighbours.
+    """Return a map with twice as many rows (axis 0) or columns (axis 1); each added one is the mean of its two neighbours.
 
     The last row or column has the first as its second neighbour if the map is periodic; otherwise the last one is repeated.
     """
@@ -335,7 +335,7 @@ def _contact(request: _Request, problem: Problem, wetted: Condensed) -> MapConta
         perimeter=sides.perimeter(gap.shape, request.size),
         separation=-solution.offset - float(request.heights.mean()),
         mean_gap=float(np.mean(gap, where=gap > 0.0)) * float(np.mean(gap > 0.0)) if (gap > 0.0).any() else 0.0,
-        approach=highest + solution.offset if problem.displacement.knows_approach else None,
+        approach=highest + solution.offset if problem.displacement.has_mean else None,
         stiffness=per_area * nominal,
         plastic_area=plastic * pixel,
         plastic_share=plastic * request.hardness / float(pressure.sum()) if plastic else 0.0,

@@ -2,10 +2,10 @@
 
 The coordinate is u = x^(1/4), with x = a^2/(R sigma), a the contact radius, R the asperity radius and sigma the rms height. A
 row of parameters holds ln n_E, per_root = (R sigma)^(1/4)/sqrt(t_1) with t_1 the thickness of one film, the strength of
-adhesion, and the coefficients of two or three of `solvers.layered.curves`. n_E is the contact modulus of the surfaces that
-meet, divided by the contact modulus of the bodies without films. With z = (q - 1)/(q + 1) and q = per_root u the coefficients
-give the sphere's moduli E_P, E_S and B, divided by the modulus of the bodies without a film, and D in the approach D a^2/R.
-Displacement, load, stiffness and area without adhesion are
+adhesion, and the coefficients of two or three curves (see `solvers.layered.curves`). n_E is the contact modulus of the surfaces
+that meet, divided by the contact modulus of the bodies without films. With z = (q - 1)/(q + 1) and q = per_root u the
+coefficients give the sphere's moduli E_P, E_S and B, divided by the modulus of the bodies without a film, and D in the approach
+D a^2/R. Displacement, load, stiffness and area without adhesion are
 
     w_H = D u^4,  P_H = E_P u^6,  dP_H/dw_H = (3/2) E_S u^2,  A = u^4
 
@@ -14,8 +14,8 @@ the load is P_H minus the load of a flat punch, and the energy released at the c
 
     w = w_H - s u/sqrt(B),  P = P_H - (3/2) s E_S u^3/sqrt(B),  s = (2/3) sqrt(6 pi n_g/theta)
 
-theta is the adhesion index and n_g the work of adhesion with the film divided by the value without it. In SI units delta =
-delta_H - sqrt(4 pi a gamma/S'), P = P_H - S sqrt(4 pi a gamma/S'), S = 2 a E_S, S' = dS/da = 2 B (compare Barthel & Perriot
+theta is the adhesion index and n_g the work of adhesion with the film divided by the value without the film. In SI units delta
+= delta_H - sqrt(4 pi a gamma/S'), P = P_H - S sqrt(4 pi a gamma/S'), S = 2 a E_S, S' = dS/da = 2 B (compare Barthel & Perriot
 2007; the limit of short-ranged forces).
 """
 

@@ -1,10 +1,10 @@
 """Compute the pressure at which a body yields below a harder film.
 
-*Assumes*: A contact spot of radius a lies on a film of thickness t. The body flows when the von Mises stress at the depth of
-its surface equals the largest von Mises stress in the bare body under its hardness. Stresses are Hertz's on the axis of a
-half-space (Johnson, Contact Mechanics, 1985, eq. 3.45). The film is replaced by body material of the thickness t_e = t
-(E_f/E_s)^(1/3), which has the same bending stiffness (Odemark's equivalent thickness, from memory; E_f, E_s: moduli of film and
-body). With H_s the hardness of the body, z the depth divided by a, and nu its Poisson's ratio,
+*Assumes*: A contact spot of radius a lies on a film of thickness t. The body flows when the largest von Mises stress below the
+film equals the largest von Mises stress in the bare body under a mean pressure equal to its hardness. Stresses are those of a
+Hertz contact on the axis of a half-space (Johnson, Contact Mechanics, 1985, eq. 3.45). The film is replaced by body material of
+the thickness t_e = t (E_f/E_s)^(1/3), which has the same bending stiffness (Odemark's equivalent thickness, from memory; E_f,
+E_s: moduli of film and body). With H_s the hardness of the body, z the depth divided by a, and nu its Poisson's ratio,
 
     p/H_s = max_z s(z)/max_{z >= t_e/a} s(z),   s(z) = 3/(2 (1 + z^2)) - (1 + nu)(1 - z arctan(1/z))
 

@@ -31,7 +31,7 @@ from stiction.solvers.layered.sphere import Response, respond
 CURVES, TERMS = 3, 19
 # Contact radii of the exact solutions, divided by the thickness of one film.
 RADII = np.concatenate([[1e-5, 1e-4, 5e-4], np.geomspace(0.002, 600.0, 24)])
-# Pairs that are solved faster together than one by one.
+# Smallest number of pairs that are solved together, because this is then faster than one by one.
 _MANY = 64
 # Weight of a slope relative to a value in the fit.
 _SLOPE = 0.3

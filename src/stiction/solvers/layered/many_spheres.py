@@ -1,10 +1,11 @@
 """Solve the contact of a rigid sphere with many pairs of coated bodies at once.
 
 The equation of `sphere` depends on the bodies through the compliance of each wave alone, and is linear in it. Between the
-wavenumbers _ENDS, the compliance is interpolated by polynomials. The matrices of these polynomials depend on no material and
-are computed once for each contact radius, in the time that some 40 pairs take by `sphere.respond`. Each further pair needs sums
-over 210 nodes instead of up to 8,000 waves, a tenth of that time. Responses differ from those of `sphere.respond` by up to 1e-9
-where films are at most 100 times as stiff as their body, and by up to 1e-5 at the limit STIFFEST.
+wavenumbers _ENDS, the compliance is interpolated by polynomials. The matrices of these polynomials depend on no material. They
+are computed once for each contact radius, which takes as long as 40 calls of `sphere.respond`. After that, a pair needs sums
+over 210 nodes instead of up to 8,000 waves, which takes a tenth of the time of one call of `sphere.respond`. Responses differ
+from those of `sphere.respond` by up to 1e-9 where films are at most 100 times as stiff as their body, and by up to 1e-5 at the
+limit STIFFEST.
 """
 
 from collections.abc import Iterable, Sequence
@@ -18,7 +19,7 @@ from numpy.polynomial import chebyshev
 from stiction.solvers.layered.compliance import Pair, compliance
 from stiction.solvers.layered.sphere import response_of, right_sides, waves
 
-# Waves x = k t between which the compliance is a polynomial, and the number of its nodes.
+# Values of x = k t between which the compliance is a polynomial, and the number of nodes of each polynomial.
 _ENDS = (0.0, 0.004, 0.012, 0.03, 0.06, 0.1, 0.2, 0.3, 0.5, 0.8, 1.3, 2.0, 3.0, 4.5, 7.5, 12.0)
 _NODES = 14
 _PLACES = np.cos(np.pi * (np.arange(_NODES) + 0.5) / _NODES)  # positions of the nodes in their interval, -1 to 1

@@ -8,9 +8,9 @@ across it have a different ratio than on a half-space. For a wave in the directi
     (2/pi) Integral C_L (q0 - q2)(Q0 - Q2) + C_T (q0 + q2)(Q0 + Q2) dk = (4/pi) delta q0(0),   T = 2 pi Q0(0).
 
 T is the tangential force. Q0 is a sum of the spherical Bessel functions of orders 0, 2, 4 ..., and Q2 of orders 2, 4, 6 ....
-These are transforms of tractions on the unit circle. On a half-space Q0 has order 0 only, and T = 8 delta/(C_L + C_T), which is
-Mindlin's 8 a/beta (a: contact radius, beta: tangential compliance). As in Mindlin's theory, the traction is assumed not to
-change the pressure. Derived here; the half-space is Mindlin (1949).
+These are transforms of tractions inside the unit circle. On a half-space Q0 has order 0 only, and T = 8 delta/(C_L + C_T),
+which is Mindlin's 8 a/beta (a: contact radius, beta: tangential compliance). As in Mindlin's theory, the traction is assumed
+not to change the pressure. Derived here; the half-space is Mindlin (1949).
 """
 
 from functools import lru_cache

@@ -8,17 +8,17 @@ divided by the contact modulus E1 of the two surface materials, it is
     g(s) + (2/pi) Integral_0^1 K(s, s') g(s') ds' = delta - s^2/R,
     K(s, s') = Integral_0^infinity [c(k t) - 1] cos(k s) cos(k s') dk,    load = 2 E1 Integral_0^1 g ds,    g(1) = 0.
 
-c is the compliance at the wavenumber k relative to half-spaces, t the film thickness. Galerkin's method in even Legendre
-polynomials solves the equation; their transforms are spherical Bessel functions. The solution has the least elastic energy
-among these pressures, and errors fall geometrically. This holds for a = 1000 t too: the polynomials are dense at the contact
-edge and resolve a boundary layer as wide as the film. Let g_0 be the solution of the flat punch (right side 1) and g_2 the
-solution for the right side s^2. Then
+c is the compliance at the wavenumber k relative to half-spaces, t the film thickness. The equation is solved by Galerkin's
+method in even Legendre polynomials, whose transforms are spherical Bessel functions. The solution has the least elastic energy
+among all pressures of this form, and errors fall geometrically with the number of polynomials. This holds for a = 1000 t too:
+the polynomials are dense at the contact edge and resolve a boundary layer as wide as the film. Let g_0 be the solution of the
+flat punch (right side 1) and g_2 the solution for the right side s^2. Then
 
     stiffness S = 2 a E_S, E_S = Integral g_0;   approach delta = D a^2/R, D = g_2(1)/g_0(1);
     load P = 4 E_P a^3/(3R), E_P = (3/2)(D Integral g_0 - Integral g_2);   dS/da = 2 B, B = g_0(1)^2 (Krein's identity).
 
-Derivatives with respect to ln a follow from differentiating the equation with respect to s and to a. dP/d delta = S is a result
-of all this, not an input.
+Derivatives with respect to ln a follow from differentiating the equation with respect to s and to a. dP/d delta = S follows
+from these equations and is not imposed.
 """
 
 from collections.abc import Sequence

@@ -4,11 +4,10 @@ Arrays are (components, rows, columns), with one component (x) or two (x and y).
 columns. One component neglects the traction across the sliding direction, which only Poisson's ratio causes.
 
 Periodic: symbol (2) of `compliance`. The mean displacement is set to 0, so that rigid shifts are relative to the mean plane.
-Films on rigid substrates have a defined mean displacement and keep it.
-Mirrored: the map is one quarter of a period, and mirror images fill the rest. q_x is even about every side, q_y odd.
-Free: no traction acts outside the map, and the bodies are half-spaces. A uniform unit traction q_x on a pixel gives (Cerruti;
-Johnson 1985, Contact Mechanics, eq. 3.75, integrated over the pixel; differences over its corners, r^2 = x^2 + y^2, S and N the
-sums of `compliance`)
+Films on rigid substrates have a defined mean displacement and keep it. Mirrored: the map is one quarter of a period, and its
+mirror images are the other three. q_x is even about every side, q_y odd. Free: no traction acts outside the map, and the bodies
+are half-spaces. A uniform unit traction q_x on a pixel gives (Cerruti; Johnson 1985, Contact Mechanics, eq. 3.75, integrated
+over the pixel; differences over its corners, r^2 = x^2 + y^2, S and N the sums of `compliance`)
 
     2 pi u_x = (S - N) [x asinh(y/|x|) + y asinh(x/|y|)] + N y asinh(x/|y|),        2 pi u_y = -N r                      (1)
 """

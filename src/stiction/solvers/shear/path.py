@@ -268,7 +268,7 @@ def slip_step(
     if weakening is not None:
         traction, left, settled = _weakened(operator, strength, weakening, state, moved, max(tolerance, _TURNING), most)
     found = shear(operator, left, moved, traction, tolerance=tolerance, most=most)
-    if weakening is not None:  # points that have lost all strength still slip, by the motion of the faces
+    if weakening is not None:  # points that have lost all strength slip with the motion of the faces
         bare = (strength > 0.0) & (left == 0.0)
         found = replace(found, slip=np.where(bare, moved - operator(found.traction), found.slip))
     return SlipStep(found, left, settled)

@@ -8,10 +8,10 @@ Fract. Mech. 9, 931):
     G_T = c q s/2                                                                                                         (1)
 
 q is the traction of the point, and s the slip of its neighbours outside the contact. The constant c was determined for discs of
-radius a, whose mean G_T is beta T^2/(32 pi a^3) with the tangential compliance beta (Savkoor & Briggs 1977): within 3 % at
-radii of 6 to 40 points. Pixels make G_T uneven, so it is smoothed along the edge over a few points. Every point of the map
-takes G_T of the nearest point of the edge. Contact and shear are solved alternately until the area no longer changes. In these
-iterations the contact only shrinks.
+radius a, whose mean G_T is beta T^2/(32 pi a^3) with the tangential compliance beta (Savkoor & Briggs 1977). (1) agrees with
+this mean within 3 % at radii of 6 to 40 points. Pixels make G_T uneven, so it is smoothed along the edge over a few points.
+Every point of the map takes G_T of the nearest point of the edge. Contact and shear are solved alternately until the area no
+longer changes. In these iterations the contact only shrinks.
 
 `peel_map` applies given forces to a contact that sticks. `slide_and_peel` shifts a contact whose points slip at their strength;
 G_T is still computed for a contact that sticks under the same force, as in the closed forms.
@@ -35,7 +35,7 @@ _OF_DISCS = 1.04
 _ALONG = 2.0  # standard deviation of the smoothing, in points
 _MOST_TURNS = 40
 _STAYS = 2e-3  # largest relative change of the number of touching points, or of the force, in the last iteration
-_APPROACH = 0.7  # fraction of the difference to the force of the present contact by which one iteration raises the force
+_APPROACH = 0.7  # fraction of the remaining force difference that one iteration covers
 
 
 @dataclass(frozen=True)
@@ -148,7 +148,7 @@ def slide_and_peel(
             stays = force <= acting + _STAYS * abs(acting)
             if stays:
                 break
-            acting += _APPROACH * (force - acting)  # approached from below, because lost contact does not come back
+            acting += _APPROACH * (force - acting)  # from below, because lost contact does not form again
             share = np.minimum(share, law.share(unit(contact.touching) * acting**2 / work, zeta))
             contact = contact.with_share(share)
         after = after_step(state, step, contact.touching)
