@@ -110,7 +110,7 @@ def test_a_fault_in_a_result_is_found(result, fault):
     [
         '{"answer": {"load": -1.5, "friction_coefficient": null}}',
         '{"curve": {"load": [-1.0, 2.0], "friction_coefficient": [null, 0.3]}}',
-        '{"answer": {"friction_coefficient": null}, "attrs": {"friction_law": "none: this model is of contact only"}}',
+        '{"answer": {"friction_coefficient": null}, "attrs": {"friction_law": "none: this model computes no friction"}}',
     ],
 )
 def test_a_null_at_a_tensile_load_or_without_friction_is_no_fault(said):

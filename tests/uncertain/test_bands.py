@@ -180,7 +180,7 @@ def test_contacts_that_are_refused_are_left_out_and_said():
     data = solve_case(found)
     assert "of the samples have no result" in data.attrs["outside_validity"]
     assert json.loads(data.attrs["validity_warnings_of_points"])[
-        "the contact is invalid: a number of it is out of bounds, or the model does not converge"
+        "the contact is invalid: one of its numbers is out of bounds, or the model does not converge"
     ] == pytest.approx(lost.mean(), abs=0.03)
 
 

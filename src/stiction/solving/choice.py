@@ -50,11 +50,11 @@ class LawKeywords(TypedDict, total=False):
 
 @dataclass(frozen=True)
 class Choice:
-    """Hold the keys of a model and of its laws, and its options.
+    """Store the keys of a model and of its laws, and its options.
 
     model: key of the model; None for the default model. asperity, tangential, film: keys of laws that replace those of the
-    model; None keeps the law of the model, and tangential = "none" omits friction. options: values by name; None stands for
-    the default. beside: keys of additional laws (menisci, ageing ...) by keyword; "none" omits a law that would be added by
+    model; None keeps the law of the model, and tangential = "none" omits friction. options: values by name; None means the
+    default. beside: keys of additional laws (menisci, ageing ...) by keyword; "none" omits a law that would be added by
     default.
     """
 
@@ -82,7 +82,7 @@ class Choice:
         return cls(model, options=words, beside=beside, **laws)
 
     def laws(self) -> dict[str, str | None]:
-        """Return the keys of the model and of all laws, by keyword of `solve`; None stands for a default."""
+        """Return the keys of the model and of all laws, by keyword of `solve`; None means a default."""
         return {name: getattr(self, name) if name in _OF_MODEL else self.beside.get(name) for name in LAWS}
 
     @property

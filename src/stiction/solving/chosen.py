@@ -52,7 +52,7 @@ class ResolvedLaws:
 
     @property
     def yielded(self) -> str:
-        """Return what limits the friction of yielded junctions, as one of registry.YIELDED.
+        """Return the limit of the friction of yielded junctions, as one of registry.YIELDED.
 
         The result is "" if there is no friction or the tangential law does not state the limit.
         """

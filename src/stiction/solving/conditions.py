@@ -1,4 +1,4 @@
-"""Check validity conditions for the results of every model, in addition to the ranges that the authors claim.
+"""Check validity conditions for the results of every model, in addition to the ranges that the authors of the laws state.
 
 A rule limits one quantity: a number from `solving.state`, a result, or a property of the contact. Each rule has a function
 that returns whether the rule applies to a problem. Bounds are round numbers. The text of each rule states what fails beyond
@@ -95,12 +95,12 @@ _FEW = "too few contacts for an average: their number n scatters by 1/sqrt(n)"
 
 RULES: tuple[tuple[Validity, Callable[[Problem], bool]], ...] = (
     *((rule, _by_numbers) for rule in OUT_OF_PROPORTION),
-    (Validity("area_fraction", 0.0, 1.0 + _ROUNDING, "the real contact area is above the nominal one", "impossible"), _any),
+    (Validity("area_fraction", 0.0, 1.0 + _ROUNDING, "the real contact area exceeds the nominal area", "impossible"), _any),
     (Validity("nominal_pressure_over_hardness", -inf, 1.0, "the surfaces are pressed flat", "impossible"), _any),
     (Validity("mean_pressure_over_hardness", -inf, 1.05, "the mean contact pressure exceeds the hardness", "effect"), _any),
     (Validity("strength_over_bodies", 0.0, 1.0 + _ROUNDING,
               "the interface is stronger than the bodies: the weaker body limits mu"), _shears_the_interface),
-    (Validity("grown_area_ratio", 1.0, 2.0, "junctions grow under shear, which is left out: mu is too low", "effect"),
+    (Validity("grown_area_ratio", 1.0, 2.0, "junction growth under shear is left out: mu is too low", "effect"),
      _does_not_grow),
     (Validity("pressure_over_body_below", 0.0, 1.05, "the body below a hard film yields: mu is too low", "effect"), _any),
     (Validity("pressure_over_body_below", 0.0, 0.8, "the body below yields: the film may crack, and mu then rises"), _any),
@@ -143,7 +143,7 @@ def warnings_of_rounding(carried: np.ndarray, asked: np.ndarray) -> list[Validit
         return []
     where = f"in {lost.sum()} of {lost.size} points" if lost.size > 1 else "here"
     off = np.abs(carried[lost] / asked[lost] - 1.0).max()
-    off_by = f"the computed load differs by up to {off:.2g} times the requested one"
+    off_by = f"the computed load differs by up to {off:.2g} times the requested load"
     why = f"the requested load is below round-off {where}, or the load jumps over it: {off_by}"
     return [ValidityWarning(why, kind="impossible")]  # because there is no result at the requested load
 

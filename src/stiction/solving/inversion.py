@@ -21,9 +21,10 @@ from stiction.solving.problem import LOAD, AsperitySum, Problem
 # search goes on by these factors, which double a separation in twelve steps.
 _FIRST = np.linspace(10.0, -10.0, 161)
 _BEYOND = 2.0 ** (np.arange(1, 13) / 12.0)
-_WAY_POINTS = 16  # memory that the search needs for each contact, in points; half a block is then 12,500 contacts
-# A root needs no further step if its load error is below _LEFT times the load, or below _ROUNDING times the sum of absolute
-# terms. After at most _STEPS steps it is accepted if its load error is at most _GOOD times this bound.
+_WAY_POINTS = 16  # memory that the search needs for each contact, as a number of points; half a block is then 12,500 contacts
+# A root needs no further step if its load error is below _LEFT times the load, or below _ROUNDING times the sum of the absolute
+# values of the terms of the load. After _STEPS steps at most, it is accepted if its load error is at most _GOOD times this
+# bound.
 _LEFT, _ROUNDING, _GOOD, _STEPS = 1e-14, 5e-16, 10.0, 3
 # For theories in closed form: ratio of the two loads from which the slope is estimated, and largest number of evaluations.
 _RATIO, _MOST = 1.01, 7
@@ -132,8 +133,8 @@ def _whole(parts: list[Inversion]) -> Inversion:
 def _of_block(problem: Problem, targets: np.ndarray, refuse: bool) -> tuple[Inversion, np.ndarray | None]:
     """Find separations as `separations_at` does, for one block of contacts; return the inversion and the sums over asperities.
 
-    A fast method is used for all contacts for which it succeeds, and bracketing for the others. The sums (regimes,
-    n, m, 5) at the separations are NaN where they were not computed, or None if none was.
+    The separations of a contact are found by bracketing if the fast method fails. The returned sums (regimes, n, m, 5) are NaN
+    at separations where they were not computed, and None in place of the array if none were computed.
     """
     sums = None
     if isinstance(problem, ClosedFormProblem):
@@ -252,7 +253,7 @@ def _robustly(problem: Problem, targets: np.ndarray, refuse: bool) -> Inversion:
     if not targets.size:
         return Inversion(targets.copy(), targets.copy(), tension, where)
     adheres = tension > 0.0
-    start = np.where(adheres, np.searchsorted(-h, -where, side="right"), 1)  # first grid point below the largest tension's
+    start = np.where(adheres, np.searchsorted(-h, -where, side="right"), 1)  # first grid point below the largest tension
     nearer = np.arange(h.size) >= start[:, None]
     reached = nearer[:, None, :] & (loads[:, None, :] >= targets[:, :, None])
     first = np.argmax(reached, axis=2)
@@ -370,9 +371,8 @@ def _deepest(problem: Problem) -> np.ndarray | float:
 def _touches(loads: np.ndarray, size: np.ndarray, smallest: np.ndarray) -> np.ndarray:
     """Return a mask (n,) of contacts that still touch at the largest separation, which is the first column of `loads` (n, H).
 
-    Their load at
-    this separation is not negligible, or is at least the smallest target, or their largest tension may lie at larger
-    separations. size: scale (n,) of the loads. smallest: smallest target (n,).
+    They touch if their load at this separation is not negligible, if it is at least the smallest target, or if their largest
+    tension may lie at larger separations. size: scale (n,) of the loads. smallest: smallest target (n,).
     """
     farthest = loads[:, 0]
     tension = (farthest < -NO_TENSION * size) & (np.argmin(loads, axis=1) == 0)

@@ -19,7 +19,7 @@ from stiction.solving.pointwise import solve_batch
 if TYPE_CHECKING:
     import xarray
 
-# The dimension of results over methods; `method` itself would be taken for an argument of xarray's `sel`.
+# The dimension of results over methods. It cannot be called `method`, which is an argument of xarray's `sel`.
 METHOD = "asperity_method"
 _MU = "friction_coefficient"
 # Least number of asperities of a scan that must touch; the heights of fewer asperities are a matter of chance.
@@ -84,12 +84,12 @@ def with_method_spread(
 ) -> "xarray.Dataset":
     """Add the friction coefficients of all asperity methods to a result of `solve`, and return it.
 
-    contacts: contacts with the roughness from each method, by the name of the method. counts: number of asperities that
-    each method found, 0 for methods that compute averages without finding single asperities. Adds
-    friction_coefficient_by_method (asperity_method, points), its range over the methods as friction_coefficient_low and
-    friction_coefficient_high, and found_touching_by_method, the number of found asperities that touch (NaN for averages).
-    If fewer than ten of them touch, friction depends on the assumed tail of the height distribution, and a validity warning
-    says so. A result without friction is returned unchanged.
+    contacts: contacts with the roughness from each method, by the name of the method. counts: number of asperities that each
+    method found, 0 for methods that compute averages without finding single asperities. Adds friction_coefficient_by_method
+    (asperity_method, points), its range over the methods as friction_coefficient_low and friction_coefficient_high, and
+    found_touching_by_method, the number of found asperities that touch (NaN for averages). If fewer than ten of them touch,
+    friction depends on the assumed tail of the height distribution, and the result has a validity warning. A result without
+    friction is returned unchanged.
     """
     if _MU not in data:
         return data

@@ -31,8 +31,8 @@ _PLAIN = {
     "load_error": "load_error",
 }
 _SOLVED = ("solution_residual", "solution_error", "area_solution_error", "load_error")  # only solutions without adhesion
-# Loads of a quick curve: their number; the heaviest as nominal pressure over modulus times gradient, and over the hardness; the
-# lightest over the heaviest.
+# Loads of a quick curve: their number; the nominal pressure of the heaviest, divided by modulus times gradient, and divided by
+# the hardness; the ratio of the lightest to the heaviest.
 _FEW, _HEAVY, _OF_HARDNESS, _LIGHT = 5, 0.2, 0.3, 0.02
 _MOST_POINTS = 1_100_000
 
@@ -179,7 +179,7 @@ class MapProblem(Problem):
             raise InputError(
                 "shear",
                 self.options["shear"],
-                "law, because other values need pressures at points, which are known without adhesion only",
+                "law, because other values need the pressure of each point, which is known only without adhesion",
             )
         if of_points is not None:
             force = sum(float(each.sum()) for _, each in of_points(self.contact, self.chosen.tangential.key, map_contact))

@@ -184,7 +184,7 @@ def in_words(points: Points) -> Iterator[None]:
         elif error.high >= 0.0:
             bound = f"at most {text(error.high)}"
             if points.problem.needs_load is False and points.problem.heights.listed.size:
-                bound += f", which presses the nearly equal listed heights {FARTHEST:g} times their deviation,"
+                bound += f" (pressed {FARTHEST:g} standard deviations below the mean of the listed heights)"
         else:
             bound = f"at most {text(error.high)} (separations up to {FARTHEST:g} sigma were tried)"
         raise InputError("load", text(target), f"{bound} under this model, for this contact") from None

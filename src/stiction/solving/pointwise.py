@@ -27,8 +27,8 @@ Region = dict[str, slice]
 
 # Reasons for a missing result, bits 0 to 2 of the validity warnings of a point.
 WHY_NOT = (
-    "the contact is invalid: a number of it is out of bounds, or the model does not converge",
-    "no separation carries the load",
+    "the contact is invalid: one of its numbers is out of bounds, or the model does not converge",
+    "the contact cannot carry the load at any separation",
     "the load is below round-off: it is the small difference of large adhesive and compressive loads",
 )
 REFUSED, _NOT_CARRIED, _LOST = range(3)

@@ -32,8 +32,8 @@ from stiction.solving.unused import refuse_ignored_strength
 
 _RESOLVED = 1e-6  # relative difference of computed and requested load that is accepted without a warning
 _ROUNDING = 1e-14  # relative round-off error of the pull of menisci
-_KEPT = 8  # cached problems of a contact, enough for a few models
-_FEW = 16  # most contacts of a cached problem; more need much memory, and take longer to solve than to prepare
+_KEPT = 8  # number of cached problems of a contact, enough for a few models
+_FEW = 16  # largest number of contacts of a cached problem; more take much memory, and more time to solve than to prepare
 _COUNT, LOAD, _AREA, SLIP_LIMITED, _YIELD_LIMITED = range(5)  # in the order of summation.QUANTITIES
 
 

@@ -184,5 +184,5 @@ def _description(subject: Subject, problem: Problem) -> dict[str, str]:
         **unused.as_attributes(unused.unused_inputs(problem)),
         "remarks": "; ".join(subject.remarks()),
         "inputs": "\n".join(f"{name} = {text}" for name, text in subject.inputs()),
-        "friction_law": "included" if problem.friction else "none: this model is of contact only",
+        "friction_law": "included" if problem.friction else "none: this model computes no friction",
     }

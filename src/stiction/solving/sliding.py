@@ -35,14 +35,14 @@ if TYPE_CHECKING:
     from stiction.quantities.arguments import QuantityLike
 
 _PRESLIDING = "mindlin_1949"
-# A model without adhesion whose contact spots yield, as most spots do. It is the default if no adhesion is stated, and is used
-# for the stiffness before sliding.
+# A model without adhesion in which contact spots yield, as most real spots do. It is the default if no adhesion is stated, and
+# is used for the stiffness before sliding.
 YIELDING_SPOTS: dict[str, Any] = {"model": "greenwood_williamson_1966", "asperity": "zhao_maietta_chang_2000"}
-_LAW_OF_ITS_OWN = 4  # memory that one displacement needs, in points, from which the size of blocks follows
+_LAW_OF_ITS_OWN = 4  # memory that one displacement needs, as a number of points; it determines the size of blocks
 _POINTS = 61  # number of displacements of a curve, if none are given
-_NEARLY = 0.99  # part of a largest force that is approached but never reached
+_NEARLY = 0.99  # fraction of the largest force that counts as sliding, because the force only approaches its largest value
 # Displacements among which the largest force is searched, divided by the displacement at which a force with the initial
-# stiffness would reach the summed strength. _NARROWED is the number of refinements of the best one.
+# stiffness would reach the summed strength. _NARROWED is the number of refinements of the best displacement.
 _WAY = np.geomspace(1e-3, 1e3, 121)
 _NARROWED = 40
 
@@ -80,7 +80,8 @@ def slide(
         Fraction of its strength, 0 to 1, that an asperity retains once it slides, or a point of a map after `weakening_slip`;
         1 is Coulomb's law. By default the value of the contact, or 1.
     weakening_slip : float [m] or str with a unit, optional
-        For a map: slip over which a point loses the rest of its strength, linearly. By default the value of the contact.
+        For a map: slip over which the strength of a point falls linearly to the residual strength. By default the value of the
+        contact.
     spring_stiffness : float [N/m] or str with a unit, optional
         For a map: stiffness of the machine, through which a slow drive moves the map. By default the machine is rigid.
     model : str, optional
@@ -95,13 +96,12 @@ def slide(
     -------
     xarray.Dataset
         friction_force [N], the sum of all strengths, and friction_coefficient, this force divided by the load;
-        tangential_stiffness [N/m] at rest; largest_tangential_force [N], largest_friction_coefficient and
-        sliding_displacement [m], where the force is largest. Along `displacement`: tangential_force [N]; sticking_share,
-        the fraction of the contact area that has not slipped; for a residual strength of 1, energy_loss [J], the energy
-        lost in one cycle of this amplitude. For a map also friction_efficiency, the largest force divided by the sum of
-        strengths; with a spring, drive_displacement [m] and state_is_met, 0 at displacements past which the map jumps. If
-        shear changes the contact of a map, also sheared_contact_area [m2] along `displacement`; for unlike bodies,
-        coupling_residual.
+        tangential_stiffness [N/m] at rest; largest_tangential_force [N], largest_friction_coefficient and sliding_displacement
+        [m], where the force is largest. Along `displacement`: tangential_force [N]; sticking_share, the fraction of the contact
+        area that has not slipped; for a residual strength of 1, energy_loss [J], the energy lost in one cycle of this
+        amplitude. For a map also friction_efficiency, the largest force divided by the sum of strengths; with a spring,
+        drive_displacement [m] and state_is_met, 0 at displacements that the map skips in a jump. If shear changes the contact
+        of a map, also sheared_contact_area [m2] along `displacement`; for unlike bodies, coupling_residual.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""Estimate which fraction of its summed strength a contact bears at the same time, if strength falls with slip.
+"""Estimate the largest friction force of a contact, as a fraction of its summed strength, if strength falls with slip.
 
 Contact spots do not reach their strength at the same displacement, because elastic bodies move their points by different
 amounts. Let s be the standard deviation of the displacement that the strengths tau_p cause, and D_c the slip over which
@@ -7,19 +7,20 @@ strength falls to r tau_p. The largest force divided by the sum of strengths, e,
     V = (1 - r) s/D_c,    e_0 = [1 + (b V)^m]^(-1/(2 m)),                                                                  (1)
     e = r + 1/2 {e_0 - r + [(e_0 - r)^2 + w^2 r (1 - r)(1 - e_0) e_0]^(1/2)}                                               (2)
 
-e is 1 for small or weak spots, follows Griffith's V^(-1/2) for large ones without residual strength, and is at least r. b, m,
-w are fitted to maps that were displaced tangentially (truth/slides.py): the rms error is 1.6 % for these, and 1.5 % for 306
-other results of such maps. Without a map, s follows from the radius a of the spots and the fraction c of the nominal area that
-is in contact. The nominal area is a square of side L with free edges. With S = sum (2 - nu_i)/(2 G_i) (nu: Poisson's ratio, G:
-shear modulus),
+e is 1 for small or weak spots, follows Griffith's V^(-1/2) for large spots without residual strength, and is at least r. b, m,
+w are fitted to maps that were displaced tangentially (truth/slides.py): the rms error is 1.6 % for these maps, and 1.5 % for
+306 other results of such maps. Without a map, s follows from the radius a of the spots and the fraction c of the nominal area
+that is in contact. The nominal area is a square of side L with free edges. With S = sum (2 - nu_i)/(2 G_i) (nu: Poisson's
+ratio, G: shear modulus),
 
     s^2 = (tau_p S)^2 {[k_a a (eta R sigma)^d (1 - c)^q]^2 + [k_L c L]^2},                                                 (3)
     a^2 = sigma R F_1(t)/F_0(t),    c = pi eta R sigma F_1(t),
 
-F_0 is the fraction of Gaussian heights above t, F_1 their mean excess; eta, R and sigma are density, radius and rms height of
-the asperities (Greenwood & Williamson 1966). k_a, d and q are fitted to the same maps, for which equation (3) predicts s with
-a standard error of 11 %; k_L is the value of a uniform square. For single discs with radii of 0.3 to 12 weakening lengths,
-which were not fitted, e is accurate to 1.1 %. These formulas are this project's own (grade C); no published law was found.
+F_n(t) is the integral of (z - t)^n times the Gaussian density over heights z > t; eta, R and sigma are density, radius and rms
+height of the asperities (Greenwood & Williamson 1966). k_a, d and q are fitted to the same maps, for which equation (3)
+predicts s with a standard error of 11 %; k_L is the value of a uniform square. For single discs with radii of 0.3 to 12
+weakening lengths, which were not fitted, e is accurate to 1.1 %. These formulas are this project's own (grade C); no published
+law was found.
 """
 
 import math
@@ -31,16 +32,16 @@ FITTED = (4.213, 1.062, 0.680)
 """The constants b, m and w of (1) and (2)."""
 _OF_SPOTS, _BY_SHARE, _BY_DENSITY, _OF_EDGES = 4.546, 0.815, 0.783, 0.0590
 SPOTS_ERROR = 0.25
-"""Standard deviation of ln s for a contact without a map. It is more than twice that on the fitted maps, because the error was
-0.37 on a map of 10 um that was displaced later."""
+"""Standard deviation of ln s for a contact without a map. It is more than twice the value on the fitted maps, because the error
+was 0.37 on a map of 10 um that was displaced after the fit."""
 LAW_ERROR = 0.02
 """Standard deviation of ln e for a map whose s was computed. It is larger than on the fitted maps, which do not yield."""
 UNLIKE = (0.85, 0.3, 0.08)
-"""Loss of efficiency of bodies with unlike elastic constants: -ln of their efficiency over that of like bodies, divided by
-Dundurs' beta. The first two numbers are its mean and its standard deviation. The third is a fraction of the strength that slip
-can remove: where like bodies have lost this fraction, 1 - 1/e of the loss is reached. Pressing unlike bodies shears the
-contact, which uses up a part of the slip. On four maps at three loads with beta of .04 and .12 the quotient is .4 to 1.2;
-larger beta were not fitted (grade C)."""
+"""Loss of efficiency of bodies with unlike elastic constants: -ln(e_u/e_l)/beta, with the efficiencies e_u of unlike and e_l
+of like bodies, and Dundurs' beta. The first two numbers are the mean and the standard deviation of the loss. The third is a
+fraction of the strength that slip can remove: where like bodies have lost this fraction, 63 % of the loss is reached. Pressing
+unlike bodies together shears the contact, which uses up part of the slip. On four maps at three loads with beta of .04 and .12
+the loss is .4 to 1.2; larger beta were not fitted (grade C)."""
 _DEEPEST, _HIGHEST, _NODES = -8.0, 8.0, 4001
 
 

@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 _STEPS = 40  # number of displacements, if none are given
 _MOST_SHOWN = 160  # largest number of points along a side of the returned map of sticking and sliding points
 _STATES = {"long_name": "points of the map", "flag_values": [0, 1, 2], "flag_meanings": "apart sticks slides"}
-_NEARLY = 0.99  # part of a largest force that is approached but never reached
+_NEARLY = 0.99  # fraction of the largest force that counts as sliding, because the force only approaches its largest value
 _KNOWN = "a length > 0: 0.3 to 3 nm for monolayers and oxides, 0.1 to 10 um for worn metals, 1 to 100 um for rock"
 
 

@@ -15,8 +15,8 @@ if TYPE_CHECKING:
     from stiction.solvers.boundary_elements.solve import MapContact
     from stiction.solvers.shear.operators import ShearOperator
 
-_BEYOND, _STEP, _MOST = 1.5, 1.5, 12  # pressures of the table: range beyond the loads (factor), ratio of neighbours, most
-_HEAVIEST, _OF_HARDNESS = 0.5, 0.5  # largest pressure over modulus times gradient, and over the hardness
+_BEYOND, _STEP, _MOST = 1.5, 1.5, 12  # pressures of the table: factor beyond the loads, ratio of neighbours, largest number
+_HEAVIEST, _OF_HARDNESS = 0.5, 0.5  # largest pressure: divided by modulus times gradient, and divided by the hardness
 
 
 def spread_on_map(problem: MapProblem, loads: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

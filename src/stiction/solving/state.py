@@ -30,7 +30,7 @@ from stiction.surfaces.theory.touching import expected_share
 if TYPE_CHECKING:
     from stiction.surfaces.heightmap import HeightMap
 
-# Largest pull-off force of a sphere over gamma R (Derjaguin, Muller & Toporov 1975); the JKR theory gives 3/4 of it.
+# Largest pull-off force of a sphere, divided by gamma R (Derjaguin, Muller & Toporov 1975); the JKR theory gives 3/4 of it.
 _DMT = 2.0 * math.pi
 _MOST_GROWN = 100.0  # largest growth factor
 

@@ -50,8 +50,8 @@ if TYPE_CHECKING:
     from stiction.quantities.arguments import QuantityLike
 
 _LAW_OF_ITS_OWN = 2  # memory that one separation needs, in points, from which the size of blocks follows
-# The largest tension is searched among this number of separations, denser near the smallest one. They end where the second
-# number, a fraction of the contact area, is left.
+# Number of separations among which the largest tension is searched, denser near the smallest separation; and fraction of the
+# contact area that is left at the last of them.
 _STEPS, _LEFT = 81, 1e-10
 _ROUNDING = 1e-12  # accepted relative error of a separation that a user copies from an earlier result
 
@@ -271,7 +271,7 @@ def _released(law: AsperityLaw, problem: AsperitySum) -> tuple[Callable, str]:
     if law.released is not None:
         return law.released, f"by the unloading law of {law.key}"
     if all(segment.state == "elastic" for segment in problem.law.segments(problem.groups)):
-        how = "elastic: the asperities follow their loading curve back"
+        how = "elastic: the asperities follow their loading curve backwards"
         if "branch" in law.own_options:
             how += ", then stay attached until they are pulled off"
         return partial(_held_on, law), how

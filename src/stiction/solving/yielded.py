@@ -18,7 +18,7 @@ def require_states(problem: Problem, name: str) -> AsperitySum:
     distinguish the states of asperities and, for the second, film and substrate.
     """
     if not isinstance(problem, AsperitySum):
-        allowed = "a model of asperities, e.g. greenwood_williamson_1966, which counts yielded ones"
+        allowed = "a model of asperities, e.g. greenwood_williamson_1966, which distinguishes yielded asperities"
         raise InputError(name, problem.record.key, allowed)
     film = problem.chosen.film
     if name != YIELDED[0] and film is not None and not any(regime.body == "substrate" for regime in problem.regimes):

@@ -28,25 +28,25 @@ ELASTIC = 3.0  # hardness over E* h' above which no point flows plastically (h':
 LEVELS = (0.05, 0.25, 0.5, 0.75, 0.95)  # probabilities of the stored quantiles
 NORMAL_SCORES = (-1.6449, -0.6745, 0.0, 0.6745, 1.6449)  # quantiles of the standard normal distribution at LEVELS
 # Errors below the lightest solved pressure p are extrapolated with their slope between p and _SLOPE p, down to p/_FARTHEST.
-# Some surfaces were solved down to that pressure as a check (truth/light.csv): on smooth plateaus and skewed surfaces the error
-# changes as extrapolated, and on plateaus that are rough again by a third of that.
+# Some surfaces were solved down to p/_FARTHEST as a check (truth/light.csv). On smooth plateaus and skewed surfaces the error
+# changes as extrapolated, and on rough plateaus by a third of the extrapolated change.
 _SLOPE, _FARTHEST = 5.0, 16.0
 _STEEP = 0.3  # slope of ln(area/load) by ln(pressure) above which a surface counts as having smooth plateaus
 _FLOWS = 0.1  # hardness over E* h' at which a surface counts as half elastic and half plastic
-_TABLES = 40  # numbers stored for each point and surface, from which the size of blocks follows
+_TABLES = 40  # numbers stored for each point and surface; they determine the size of blocks
 _WINDOW = 0.03  # half-width of the range of probabilities over which a quantile is averaged
-_COUNTED = 0.1  # weight over that of the nearest surface from which a surface counts as near
+_COUNTED = 0.1  # a surface counts as near if its weight is at least this fraction of the weight of the nearest surface
 
 
 class ErrorsNear(NamedTuple):
     """Store the errors of a model's contact area at k points, averaged over similar benchmark surfaces.
 
-    A point is one contact at one load. The error is ln(A/A_ref), where A is the area by the model and A_ref that by the
-    reference solution. levels (k, 5): quantiles of the error at the probabilities LEVELS. relative: root mean square of
-    A/A_ref - 1. middle: mean of the error over surfaces of the specified kind, or over Gaussian surfaces if neither map nor
-    kind is specified. distance: distance of the nearest surface. coverage: fraction of the total weight on surfaces for which
-    the model has a result. surfaces: number of surfaces with a noticeable weight. nearest: for each point a function that
-    returns a text on how the nearest surface differs, or "" if it hardly differs. All arrays but levels are (k,).
+    A point is one contact at one load. The error is ln(A/A_ref), where A is the area by the model and A_ref the area by the
+    reference solution. levels (k, 5): quantiles of the error at the probabilities LEVELS. relative: root mean square of A/A_ref
+    - 1. middle: mean of the error over surfaces of the specified kind, or over Gaussian surfaces if neither map nor kind is
+    specified. distance: distance of the nearest surface. coverage: fraction of the total weight on surfaces for which the model
+    has a result. surfaces: number of surfaces with a noticeable weight. nearest: for each point a function that returns a text
+    on how the nearest surface differs, or "" if it hardly differs. All arrays but levels are (k,).
     """
 
     levels: np.ndarray
@@ -181,7 +181,7 @@ def film_errors_near(known: SolvedSet, errors: np.ndarray, features: ContactFeat
     """Return the errors of a model at k points, averaged over similar benchmark surfaces with a film.
 
     known: the benchmark set. errors: array (coated surfaces, films, loads) of ln(A/A_ref), where A is the area by the model and
-    A_ref that by the reference solution. features: features of the contact at k points. like: mask (k,) of the points whose
+    A_ref the area by the reference solution. features: features of the contact at k points. like: mask (k,) of the points whose
     film is of the kind that the benchmark set contains; the others get NaN.
     """
     surfaces = math.prod(errors.shape[:2])

@@ -26,7 +26,7 @@ SPHERE, MAPS = "exact sphere on a film, elastic", "rough surfaces on a film by b
 _MAPS = 10
 _ROUNDING = 1e-3  # relative round-off accepted at the ends of the measured ranges
 _BARE, _ON_FILM = "persson_widened|moments", "rough_on_film|moments"  # area law without a film, and the one with films
-_FLOWS = "unknown for films that flow plastically: no reference solution includes that the film is squeezed out"
+_FLOWS = "unknown for films that flow plastically: no reference solution includes squeezing-out of the film"
 
 
 def film_errors(problem: Problem, results: Mapping[str, np.ndarray]) -> list[dict[str, Any]]:
@@ -111,17 +111,17 @@ def _outside(ranges: Mapping[str, tuple[float, float]], given: Mapping[str, np.n
         beyond = known[(known < low / (1.0 + _ROUNDING)) | (known > high * (1.0 + _ROUNDING))]
         if beyond.size:
             share = "" if beyond.size == known.size else f" at {beyond.size} of {known.size} points"
-            said.append(f"{_WORDS[name]} is {span(_ends(beyond))}{share}, but solved only from {low:g} to {high:g}")
+            said.append(f"{_WORDS[name]} is {span(_ends(beyond))}{share}, but measured only from {low:g} to {high:g}")
     return "; ".join(said)
 
 
 def on_solved_maps(problem: Problem, points: int) -> ErrorsNear | None:
     """Return the errors of the area law for films, measured on rough surfaces with similar films; None for other models.
 
-    points: number of loads of each contact, which all get the same errors. Source: truth/films.csv. A film thinner or
-    thicker than the measured films gets the errors at the end of the measured range, because the law then approaches that
-    of the bare body or of the film alone. A film modulus outside the measured range also gets the errors at the end of the
-    range, but the result then has a larger `distance`.
+    points: number of loads of each contact, which all get the same errors. Source: truth/films.csv. A film thinner or thicker
+    than the measured films gets the errors at the end of the measured range, because the law then approaches the law of the
+    bare body or of the film alone. A film modulus outside the measured range also gets the errors at the end of the range, but
+    the result then has a larger `distance`.
     """
     groups = problem.groups.resolved()
     if not problem.record.on_film or groups.roughness_parameter is None or groups.film_aspect is None:
@@ -166,7 +166,7 @@ def on_other_kinds(problem: Problem, features: ContactFeatures, found: ErrorsNea
         return found
     apart, shift = [errors.levels - errors.middle[:, None] for errors in (found, bare)], bare.middle
     beyond = _beyond_bare(solved_set())
-    if beyond is not None and features.kind != "gaussian":  # on Gaussian surfaces the law itself was measured
+    if beyond is not None and features.kind != "gaussian":  # for Gaussian surfaces the film law itself was measured
         more = film_errors_near(solved_set(), beyond, features, np.ones(loaded.shape, dtype=bool))
         middle = np.nan_to_num(more.middle) * of_elastic
         levels = np.nan_to_num(more.levels) * of_elastic[:, None]
@@ -193,7 +193,7 @@ def _pressure_of(share: np.ndarray) -> np.ndarray:
 def _beyond_bare(known: SolvedSet) -> np.ndarray | None:
     """Return the errors of the area law for films minus those of the law for bare surfaces, on benchmark surfaces with films.
 
-    Errors are ln(A/A_ref), where A is the area by the law and A_ref that by the reference solution; the array is (coated
+    Errors are ln(A/A_ref), where A is the area by the law and A_ref the area by the reference solution; the array is (coated
     surfaces, films, loads). The bare-surface errors are interpolated to the pressure at which, according to Persson (2001), a
     bare surface has the contact area that the film law computes. The result is None if the set has no such errors.
     """

@@ -24,7 +24,7 @@ _SHOWN_RADIUS = 1e-3
 # Measured range of each parameter, on a sphere and on maps.
 MEASURED = {"n_E": (0.005, 100.0), "a_over_t": (0.05, 20.0)}
 MEASURED_ON_MAPS = {"n_E": (0.1, 10.0), "thickness_over_shortest_wave": (0.15, 5.0)}
-_MARGIN = 1.001  # factor by which parameters may leave the table, because of round-off
+_MARGIN = 1.001  # factor by which parameters may exceed the range of the table, because of round-off
 
 
 class SphereFilmErrors(NamedTuple):
@@ -63,7 +63,7 @@ def on_a_sphere(
     with np.errstate(divide="ignore"):  # the contact radius may be 0
         given = np.log(np.stack(np.broadcast_arrays(n_E, a_over_t, thickness_over_radius), axis=-1))
     inside = np.clip(given, *np.transpose([(axis[0], axis[-1]) for axis in table.grid]))
-    near = np.abs(given - inside)[..., :2] <= math.log(_MARGIN)  # thicknesses out of range use the nearest in the table
+    near = np.abs(given - inside)[..., :2] <= math.log(_MARGIN)  # the thickness may be out of range
     ratios = np.exp(table(inside)).reshape(*near.shape[:-1], 2)  # restores the shape of scalar arguments too
     return SphereFilmErrors(*np.moveaxis(np.where(near.all(axis=-1)[..., None], ratios, np.nan), -1, 0))
 

@@ -4,13 +4,13 @@ The benchmark set (docs/explanation/truth.md) holds, for many surfaces, the cont
 model and asperity method, for a range of mean pressures, hardnesses and films. The errors on each surface are interpolated to
 the pressure and hardness of the contact, both divided by E* h' (E*: contact modulus, h': rms slope). They are then averaged
 over the surfaces with the weight exp(-d^2/2). The distance d includes differences in Nayak's alpha and, for a map, in skewness,
-lay and the slope of its highest parts. For a contact given by numbers the kind of surface is unknown. Its mean error is then
-computed over Gaussian surfaces, for which models are ranked, and its interval over all kinds (skewed, worn, with a lay, with
-two wave bands). If the kind is specified, mean and interval are computed over surfaces of that kind.
+lay and the slope of its highest parts. For a contact given by numbers the kind of surface is unknown. The mean error is then
+computed over Gaussian surfaces, for which models are ranked; the interval is computed over all kinds (skewed, worn, with a lay,
+with two wave bands). If the kind is specified, mean and interval are computed over surfaces of that kind.
 
-Friction of an interface is its shear strength times the area, so its relative error is that of the area. The error is smaller
-if the strength rises with pressure, and unknown if the specified strength exceeds the strength of the bodies. Adhesion is not
-included.
+Friction of an interface is its shear strength times the area, so the relative errors of friction and area are equal. The error
+of friction is smaller if the strength rises with pressure, and unknown if the strength exceeds that of the bodies. Adhesion is
+not included.
 
 A solution on the map itself has a discretisation error, and a sampling error if the map is a window of a larger surface.
 """
@@ -38,18 +38,18 @@ if TYPE_CHECKING:
     from stiction.solvers.boundary_elements.map_area import MapArea
     from stiction.surfaces.heightmap import HeightMap
 
-FAR = 2.0  # distance beyond which a benchmark surface says nothing about a contact
-_MOST_ADHESION = 0.1  # largest adhesion over load for which errors are used, because the set has no adhesion
-_FULL = 1.0  # value of the pull over the load where the load is 0
-_LEAST_SHARE = 0.8  # least part of the compliance of the coated body, because in the set the other body is rigid
+FAR = 2.0  # distance beyond which a benchmark surface is too different from a contact
+_MOST_ADHESION = 0.1  # largest ratio of adhesion to load for which errors are used, because the set has no adhesion
+_FULL = 1.0  # ratio of pull to load that is assumed where the load is 0
+_LEAST_SHARE = 0.8  # least fraction of the compliance that is due to the coated body; in the set the other body is rigid
 _MOST_POINTS = 25  # largest number of points whose errors are reported with a result; a prediction uses all points
-# Standard deviation of ln of the solved area due to the point spacing, for maps with 8 points in the shortest wave. The numbers
-# are: its value with one point in contact; the power of the number of points in contact with which it falls (truth/points.csv);
-# its value with very many points. The last comes from a comparison with other solvers, on maps with a lay and with plateaus
-# (calibration.md; truth/points.csv alone gives .4 %, an outside audit .6 to 1.4 %).
+# Standard deviation of ln of the solved area due to the point spacing, for maps with 8 points in the shortest wave. The first
+# number is its value with one point in contact. The second is the exponent of the number of points in contact
+# (truth/points.csv). The third is its value with many points, from a comparison with other solvers on maps with a lay and with
+# plateaus (calibration.md); truth/points.csv alone gives .4 %, an outside audit .6 to 1.4 %.
 _OF_POINTS, _POWER, _OWN_ERROR = 0.6, -0.6, 0.008
 _BY_FORMULA = {"top slopes": 0.031, "ranks": 0.06}  # for maps too large to be solved (docs/explanation/truth.md)
-_LEAST_TOLD = 0.5  # least part of the total weight that must be on surfaces for which the model has a result
+_LEAST_TOLD = 0.5  # surfaces for which the model has a result must have at least this fraction of the total weight
 _ITSELF, _MAP = "the solution itself", "map"
 _SUM = "greenwood_williamson_1966"
 
@@ -58,7 +58,7 @@ _SUM = "greenwood_williamson_1966"
 class MeasuredErrors:
     """Store the measured errors of a model's contact area at k points (one contact at one load); arrays are (k,) unless noted.
 
-    The error is ln(A/A_ref), where A is the area by the model and A_ref that by the reference solution. column: model and
+    The error is ln(A/A_ref), where A is the area by the model and A_ref the area by the reference solution. column: model and
     asperity method. area: mean error over benchmark surfaces of the specified kind, or over Gaussian surfaces if neither map
     nor kind is known. levels (k, 5): quantiles of the error on the nearest surfaces at the probabilities errors_near.LEVELS,
     even if these surfaces are far away; NaN where nothing was measured. relative: root mean square of A/A_ref - 1 over these
@@ -101,9 +101,9 @@ class MeasuredErrors:
     def as_data(self) -> dict[str, Any]:
         """Return the errors as data for JSON, by name.
 
-        Lists have one value per point, None where no error was measured; they are empty if no benchmark surface exists. They
-        are mean errors of area and mu, quantiles and rms of the area error, sampling error, distance of the nearest surface,
-        number of surfaces. Others: model in the benchmark set, kind of surface, whether it is known, why no error is known.
+        Lists have one value per point, None where no error was measured; they are empty if no benchmark surface exists. Lists:
+        mean errors of area and mu, quantiles and rms of the area error, sampling error, distance of the nearest surface, number
+        of surfaces. Texts: model in the benchmark set, kind of surface, why no error is known. Flag: whether the kind is known.
         """
         some = slice(None) if np.isfinite(self.distance).any() else slice(0)
         return {
@@ -153,7 +153,7 @@ def _plain(values: np.ndarray) -> list[float | None]:
 
 
 def column_of(problem: Problem) -> str:
-    """Return the name of a model in the benchmark set, "model|asperity method"; "" if this variant is not in the set."""
+    """Return the name of a model's column in the benchmark set, "model|asperity method"; "" if the set has no such column."""
     chosen, record = problem.chosen, problem.record
     if any(problem.options[name] != values[0] for one in problem.records() for name, values in one.options.items()):
         return ""
@@ -317,7 +317,7 @@ def _far(distance: np.ndarray, nearest: np.ndarray) -> str:
     at = int(np.argmin(distance))
     if math.isinf(distance[at]):
         return "solved surfaces with a film have one elastic film on one body, and a rigid counterbody"
-    return f"no solved surface is like this one: {nearest[at]()}" if distance[at] > FAR else "the model carries no such load"
+    return f"no solved surface is like this one: {nearest[at]()}" if distance[at] > FAR else "no result at this load"
 
 
 def _why_not(problem: Problem, column: str, points: int, most_points: float) -> str:
@@ -331,7 +331,7 @@ def _why_not(problem: Problem, column: str, points: int, most_points: float) -> 
 
 
 def _adhesion(problem: Problem, results: Mapping[str, np.ndarray]) -> tuple[float, str]:
-    """Return to what degree errors measured without adhesion apply to a contact, from 1 to 0, and the reason if they do not.
+    """Return a weight, 1 to 0, for using errors measured without adhesion, and the reason if it is 0.
 
     The reason is "" if adhesion and the pull of menisci are small compared with the load.
     """

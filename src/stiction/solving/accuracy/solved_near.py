@@ -19,23 +19,25 @@ from stiction.surfaces.theory.moments import bandwidth, reduced_pressure, slope_
 if TYPE_CHECKING:
     from stiction.surfaces.heightmap import HeightMap
 
-_SCALES = {"alpha": 0.5, "skewness": 0.6, "lay": 0.35, "top": 0.25}  # differences that count as 1, of ln except for skewness
+# Of skewness the difference itself is compared, of the other features the difference of the logarithms.
+_SCALES = {"alpha": 0.5, "skewness": 0.6, "lay": 0.35, "top": 0.25}  # differences that count as 1
 _LEAST_TOP = 0.03
 # Differences that count as 1 if numbers are stated in place of a map: of skewness, ln(kurtosis) and ln(Str). Smaller scales
-# narrow the interval. In a test that left out each design of the set in turn, it then contained too few areas with a lay.
+# narrow the interval. In a test that omitted each design of the set in turn, such narrower intervals contained too few of the
+# areas of surfaces with a lay.
 _STATED = {"skewness": 0.35, "kurtosis": 0.3, "texture_aspect_ratio": 0.25}
-_ALIKE, _FEWEST = 2.0, 8  # to have a kind, a map must be closer than 2 to a benchmark surface, with 8 points or more on a side
-_PRESSURE = 1.4  # difference of ln(pressure) above the solved pressures that counts as 1
-# The first number replaces _PRESSURE where area over load hardly changes: below the lightest solved pressure (truth/light.csv),
-# and at hardnesses over E* h' below the second number, where all points flow plastically.
+_ALIKE, _FEWEST = 2.0, 8  # a map has a kind if it is closer than 2 to a benchmark surface and has 8 points or more on a side
+_PRESSURE = 1.4  # difference of ln(pressure) that counts as 1, at pressures above the solved pressures
+# The first number replaces _PRESSURE where the ratio of area to load hardly changes: below the lightest solved pressure
+# (truth/light.csv), and where hardness/(E* h') is below the second number, so that all points flow plastically.
 _LIGHTER, _FLOWING = 7.0, 0.1
 FILM_SCALES = (0.7, 0.8)  # differences that count as 1, of ln(film modulus ratio) and ln(thickness over sqrt(m2/m4))
 _SAID = 0.25  # smallest fraction of the squared distance for which a difference is reported
 _NAMES = {
     "alpha": "Nayak's alpha",
     "skewness": "skewness",
-    "lay": "rms slope across over along the lay",
-    "top": "rms slope of the highest 5 % over that of all",
+    "lay": "ratio of the rms slopes across and along the lay",
+    "top": "rms slope of the highest 5 % over that of the map",
     "kurtosis": "kurtosis",
     "texture_aspect_ratio": "Str",
 }
@@ -233,7 +235,7 @@ def film_differences(known: SolvedSet, features: ContactFeatures) -> list[Differ
     ]
     return [
         *bare,
-        _difference("film modulus over that of the body", features.modulus, moduli[None, None, :], by_film),
+        _difference("film modulus over the body's modulus", features.modulus, moduli[None, None, :], by_film),
         _difference("film thickness over sqrt(m2/m4)", features.thickness, (thicknesses * waves)[None], by_thickness),
         _difference(_OVER_STIFFNESS, features.pressure, np.clip(pressure, low, high), beyond**2),
     ]

@@ -16,9 +16,9 @@ from stiction.surfaces.finishes import shares_of_kinds
 
 FILE = Path(__file__).parent / "solved_set.npz"
 # Features of each surface: Nayak's alpha; skewness and kurtosis of its heights; root of the ratio of the eigenvalues of the
-# gradient tensor; rms gradient of the highest 5 % over that of all; sqrt(m2/m4) [m].
+# gradient tensor; rms gradient of the highest 5 %, divided by the rms gradient of the map; sqrt(m2/m4) [m].
 FEATURES = ("alpha", "skewness", "kurtosis", "lay", "top", "wave")
-# Kinds of the set by the kind of surface that a contact states. A periodic surface is a wave along x with roughness on it.
+# Kinds of surface in the set, by the kind specified for a contact. A periodic surface is a wave along x with roughness on it.
 OF_KIND = {
     "gaussian": ("gaussian",),
     "skewed": ("skewed", "peaked"),
@@ -26,7 +26,7 @@ OF_KIND = {
     "lay": ("lay", "mixed", "periodic"),
     "two-scale": ("bimodal", "periodic"),
 }
-# Tables that are compressed with LZMA, which makes them smaller than a zip file does.
+# Tables that are compressed with LZMA, because a zip file would be larger.
 PACKED = ("errors", "film_errors")
 _NOTHING, _STEP = -128, 1.0 / 60.0
 
@@ -85,7 +85,7 @@ class SolvedSet:
         found = self["areas"]
         return np.where(found == 65535, np.nan, np.exp(-2e-4 * found.astype(float)))
 
-    @cache  # noqa: B019 - there is only one set, which lives as long as the process
+    @cache  # noqa: B019 - there is only one set, and it is needed until the process ends
     def errors(self, column: str) -> np.ndarray | None:
         """Return the errors ln(A/A_ref) of a model (surfaces, hardnesses, pressures); None if the model was not measured.
 

@@ -11,10 +11,10 @@ FILE = Path(__file__).parent / "area_weights.json"
 
 @cache
 def area_weights(known: str) -> tuple[tuple[Choice, float], ...]:
-    """Return the area models with their weights, as (Choice, weight), for how well a surface is known.
+    """Return the area models and their weights, as pairs (Choice, weight), for a given knowledge of the surface.
 
-    known: "numbers" (roughness parameters only), "shape" (also skewness, kurtosis or texture), "kind" (also the kind of
-    surface) or "map" (a height map).
+    known: what is known of the surface: "numbers" (roughness parameters only), "shape" (also skewness, kurtosis or texture),
+    "kind" (also the kind of surface) or "map" (a height map).
     """
     rows = json.loads(FILE.read_text(encoding="utf-8"))[known]
     return tuple((Choice(row["model"], asperity=row["asperity"], tangential="none"), row["weight"]) for row in rows)
