@@ -177,7 +177,7 @@ def _regimes(laws: dict[str, np.ndarray], choice: Choice) -> list[Regime]:
 def _chunks(columns: list[np.ndarray], size: int) -> Iterator[tuple[slice, list[np.ndarray]]]:
     """Yield the columns, broadcast against each other, in flat chunks of at most `size` elements in C order.
 
-    Each chunk is yielded as (slice of the flat result, columns of the chunk), so that only one chunk at a time is copied.
+    Each chunk is yielded as (slice of the flat result, columns of the chunk). Only one chunk at a time is copied.
     """
     start = 0
     pieces_of: Any = np.nditer(columns, flags=["external_loop", "buffered", "zerosize_ok"], order="C", buffersize=size)

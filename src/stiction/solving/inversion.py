@@ -89,8 +89,8 @@ def pull_off(problem: Problem) -> tuple[np.ndarray, np.ndarray]:
 def separations_at(problem: Problem, targets: np.ndarray, refuse: bool = True) -> Inversion:
     """Find the separations at which n contacts carry the normalised loads `targets` (n, m).
 
-    A load may be carried at several separations. The function returns the one that is stable under a given load: the first
-    that approaching surfaces reach after the largest tension. For smooth laws and Gaussian heights a fast method finds
+    A load may be carried at several separations. The function returns the separation that is stable under a given load: the
+    first that approaching surfaces reach after the largest tension. For smooth laws and Gaussian heights a fast method finds
     starting values, which are refined with the sums over asperities. Otherwise the root is bracketed on a grid and found by
     Chandrupatla's method. Raises Unreachable for a load that cannot be carried; with refuse=False its separation is NaN.
     """

@@ -142,9 +142,10 @@ class MapProblem(Problem):
     def few_of(self, load: np.ndarray) -> np.ndarray:
         """Return five normalised loads (1, 5), from light contact up to contact on a third of the nominal area.
 
-        At the highest load about a third of the nominal area touches (nominal pressure of 0.2 times contact modulus times rms
-        gradient), or the nominal pressure is 0.3 times the hardness if this is less. `load` is not used: a map is slow to
-        solve, so these few loads replace it. Raises InputError for a map with too many points.
+        At the highest load the nominal pressure is the smaller of two values: 0.2 times modulus times rms gradient, at which
+        about a third of the nominal area touches, and 0.3 times the smallest hardness. The modulus is the contact modulus or,
+        if this is smaller, Young's modulus of the film. `load` is not used: a map is slow to solve, so these few loads replace
+        it. Raises InputError for a map with too many points.
         """
         from stiction.solvers.boundary_elements.measures import waves
         from stiction.solvers.boundary_elements.sampled import fewest_points

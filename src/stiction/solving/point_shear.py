@@ -93,7 +93,7 @@ def _junction_growth(contact: Contact, law: str, map_contact: "MapContact") -> O
 
 
 def _strength(contact: Contact) -> float:
-    """Return the shear strength of the interface [Pa], at most that of the weaker body; raise InputError if none is stated."""
+    """Return the shear strength of the interface [Pa], limited by the weaker body; raise InputError if it is not stated."""
     if contact.interface_strength is None:
         raise InputError("interfacial_shear_strength", None, "the interfacial shear strength, as text with a unit of pressure")
     return float(contact.interface_strength)

@@ -171,7 +171,7 @@ def pieces(region: Region, room: int) -> Iterator[Region]:
 
 
 def _halves(region: Region) -> list[Region]:
-    """Return the two halves of a region along its longest dimension, the second one first; [] for a single contact."""
+    """Return the two halves of a region along its longest dimension, the second half first; [] for a single contact."""
     dim = max(region, key=lambda name: region[name].stop - region[name].start, default="")
     if not dim or region[dim].stop - region[dim].start == 1:
         return []

@@ -58,7 +58,7 @@ class AsperitySum(Problem):
 
     @cached_property
     def regimes(self) -> list[Regime]:
-        """Return the regimes of the laws of the solids, followed by those of additional laws such as menisci."""
+        """Return the regimes of the laws of the solids, followed by the regimes of additional laws such as menisci."""
         return [*self._solids(), *(regime for law in self.chosen.additions.values() for regime in law.regimes(self.groups))]
 
     def _solids(self) -> list[Regime]:
@@ -106,8 +106,8 @@ class AsperitySum(Problem):
     def largest_tension(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Return the largest tension (n,) on approach, its separation (n,), and a mask (n,) of contacts with valid values.
 
-        Heights are Gaussian. Tensions are per asperity and normalised, separations in units of sigma. The values are
-        invalid where the pull of menisci reaches its upper bound, which this fast method neglects, or where the searched
+        Heights are Gaussian. Tensions are per asperity and normalised, separations in units of sigma. The values are invalid
+        where the pull of menisci reaches its upper bound, because this fast method neglects the bound, or where the searched
         separations do not cover the whole approach.
         """
         estimate, where, plain = self.approach.lowest
@@ -280,7 +280,7 @@ def _others(model: str) -> str:
 
 
 def with_requested_load(results: dict[str, np.ndarray], load: np.ndarray) -> dict[str, np.ndarray]:
-    """Replace the computed load by the requested one, recompute the friction coefficient, and return all results.
+    """Replace the computed load by the requested load, recompute the friction coefficient, and return all results.
 
     results: normalised arrays by name. load: requested loads. Where round-off makes the requested load unattainable, the
     computed load is kept. At a requested load of 0, the replacement prevents a friction coefficient based on a load of

@@ -1,8 +1,9 @@
 """Compute the tangential force of a rough surface from rest to sliding, asperity by asperity.
 
 Each asperity first sticks, then slips from its rim inwards, and slides at its own displacement. The sum over asperities
-therefore shows how many of them bear their full strength at the same time. The mean separation stays that of the normal load.
-For each displacement, a separate tangential law is summed over the heights (equations: `laws/presliding/mindlin_1949.py`).
+therefore shows how many of them bear their full strength at the same time. The mean separation stays as it is under the normal
+load alone. For each displacement, a separate tangential law is summed over the heights (equations:
+`laws/presliding/mindlin_1949.py`).
 """
 
 import math
@@ -77,8 +78,8 @@ def slide(
         For a map at one load: forces below the sum of strengths, in place of displacements. Points must then keep their
         strength.
     residual_strength : float, optional
-        Fraction of its strength, 0 to 1, that an asperity retains once it slides, or a point of a map after `weakening_slip`;
-        1 is Coulomb's law. By default the value of the contact, or 1.
+        Fraction of the strength, 0 to 1, that remains: for an asperity once it slides, for a point of a map after the slip
+        `weakening_slip`. 1 is Coulomb's law. By default the value of the contact, or 1.
     weakening_slip : float [m] or str with a unit, optional
         For a map: slip over which the strength of a point falls linearly to the residual strength. By default the value of the
         contact.
@@ -106,7 +107,7 @@ def slide(
     Raises
     ------
     InputError
-        A value is out of bounds, the contact has a film and the model is not "boundary_elements", or the model has no
+        A value is out of bounds; the contact has a film, but the model is not "boundary_elements"; or the model has no
         asperities that can slip.
 
     Notes

@@ -189,8 +189,8 @@ def _default_displacements(elastic: float, weakening: "Weakening | None") -> np.
 def _weakening(problem: MapProblem, residual: float, slip: Any) -> "Weakening | None":
     """Return how strength falls with slip; None if it stays constant.
 
-    residual: fraction of its strength that a point retains. slip: slip over which it loses the rest, as given by the user.
-    Raises InputError for a residual strength below 1 without a slip, and for a slip with a residual strength of 1.
+    residual: fraction of its strength that a point retains. slip: slip over which the strength falls to this fraction, as given
+    by the user. Raises InputError for a residual strength below 1 without a slip, and for a slip with a residual strength of 1.
     """
     from stiction.solvers.shear.path import Weakening
 
@@ -255,8 +255,8 @@ def _ends(moving: MovingMap, paths: "list[SlidingPath]", whole: float, factors: 
     """Return stiffness at rest, largest force, displacement at this force, and efficiency for each load (m,), by name.
 
     The first three are normalised. The efficiency is the largest force divided by the sum of strengths. If strength is
-    constant, the displacement is the one at which the force reaches 99 % of its largest value, or NaN if it does not.
-    whole: nominal area of the contact divided by the area of the map. factors: units by which results are divided.
+    constant, it is the displacement at which the force reaches 99 % of its largest value, or NaN if it does not. whole: nominal
+    area of the contact divided by the area of the map. factors: units by which results are divided.
     """
     from stiction.solvers.shear.path import stuck_stiffness
 

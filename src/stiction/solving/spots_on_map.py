@@ -32,7 +32,7 @@ def spread_on_map(problem: MapProblem, loads: np.ndarray) -> tuple[np.ndarray, n
     Returns
     -------
     tuple of numpy.ndarray
-        Ratio of real to nominal area (k,), rising to 1, and s/tau_p (k,) [m/Pa], where s is the standard deviation of the
+        Ratio of real to nominal area (k,), rising to 1, and s/tau_p (k,) [m/Pa]. s is the standard deviation of the
         displacement over all points in contact if each bears the stress tau_p.
 
     Raises

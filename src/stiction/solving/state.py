@@ -177,9 +177,9 @@ def _below_film(groups: Groups, load: np.ndarray, area: np.ndarray, touching: np
     """Return the mean contact pressure (n, m) on hard films, divided by each of two limits, by name; {} without a hard film.
 
     load, area, touching: normalised load and area, and fraction of touching asperities. One limit is the pressure at which the
-    body below the film yields. The other is the pressure that punches the film, at most H_b + 2 (t/a) tau_f for a plug of
-    radius a (upper-bound theorem of plasticity), with the hardness H_b of the body, the film thickness t and the shear strength
-    tau_f of the film. The second limit also holds where the other body is softer.
+    body below the film yields. The other is the pressure that punches through the film, at most H_b + 2 (t/a) tau_f for a plug
+    of radius a (upper-bound theorem of plasticity). H_b is the hardness of the body, t the film thickness and tau_f the shear
+    strength of the film. The second limit also holds where the other body is softer.
     """
     if groups.n_H is None or groups.film_aspect is None or not np.any(groups.n_H > 1.0):
         return {}

@@ -11,9 +11,9 @@ minimum of
 short compared with the deformation at the contact edge, this is the limit of Johnson, Kendall & Roberts. If rho is long, it is
 the limit of Derjaguin, Muller & Toporov.
 
-Because of the attraction, (1) has more than one minimum. The solver finds the one that lies downhill from its start. At the
-first load it starts from the contact without adhesion, and at every further load from the solution at the previous load. Loads
-in descending order therefore describe a separation. Beyond the largest pull there is no contact (`detached`).
+Because of the attraction, (1) has more than one minimum. The solver finds the minimum that lies downhill from its starting gap.
+At the first load it starts from the contact without adhesion, and at every further load from the solution at the previous load.
+Loads in descending order therefore describe a separation. Beyond the largest pull there is no contact (`detached`).
 
 The grid must resolve the contact edge, where e^(-g/rho) pulls over a length of about E* rho^2/w. With m points along this
 length, the contact edge of a sphere cannot move smoothly past the points. Its largest pull (Tabor's parameter 3; 1.0276 times

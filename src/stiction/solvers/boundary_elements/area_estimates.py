@@ -44,8 +44,8 @@ class MapSlopes:
 
     gradient: rms gradient of the map [1]. alpha: Nayak's parameter. lay: ratio R of the largest to the smallest rms slope of
     all directions, >= 1. For the two arrays, all points are sorted from highest to lowest and divided into bins. ranks (bins,):
-    fraction of all points that lie in the bins up to and including this one. squares (bins,): mean square gradient in each bin,
-    divided by the mean square gradient of the map.
+    fraction of all points that lie in this bin or in a higher bin. squares (bins,): mean square gradient in each bin, divided
+    by the mean square gradient of the map.
     """
 
     gradient: float
@@ -132,8 +132,7 @@ def _by_rank(heights, size, periodic):
     """Return the mean square gradient of points of about equal height, from the highest to the lowest: two arrays (bins,).
 
     All points are sorted from highest to lowest and divided into bins. The first array is the fraction of all points that lie
-    in the bins up to and including this one. The second is the mean square gradient in each bin, divided by its mean over the
-    map.
+    in this bin or in a higher bin. The second is the mean square gradient in each bin, divided by its mean over the map.
     """
     square = np.zeros(heights.shape)
     for axis, length in enumerate(size):

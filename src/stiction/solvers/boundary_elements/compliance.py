@@ -13,8 +13,8 @@ of Nogi & Kato (1997, J. Tribology 119, 493):
     L = 1 - 4 (1 - nu1) / (1 + G (3 - 4 nu2)),          K = (G - 1) / (G + 3 - 4 nu1)
 
 Grade B: (2) was not compared with the printed equations. Tests compare it with a direct solution of the six boundary conditions
-of one wave. t -> 0 and G -> 1 give (1) of the substrate, and t -> infinity (1) of the film. G = 0 is a film on a rigid base,
-and nu1 = 1/2 an incompressible film.
+of one wave. (2) becomes (1) of the substrate for t -> 0, or for G = 1 and nu1 = nu2, and (1) of the film for t -> infinity. G =
+0 is a film on a rigid base, and nu1 = 1/2 an incompressible film.
 
 With y = 2x, numerator and denominator of (2) are multiplied by e^y. This avoids differences of nearly equal numbers as x -> 0.
 In that limit the compliance of a film on a rigid base is proportional to t, or to k^2 t^3 if the film is incompressible:
@@ -137,9 +137,10 @@ def _away(y, el, k, *_):
 class Compliance:
     """Describe the normal compliance of two bodies in contact, each with or without a film.
 
-    modulus: contact modulus E* [Pa] of the uncoated bodies: of both, or of the only one without a film. It is infinite if both
-    bodies have films, or if the uncoated bodies are rigid. film, counter_film: film on the first and on the second body, each
-    with its own half-space below, or None. Raises InputError unless the modulus is > 0, and finite if there is no film.
+    modulus: contact modulus E* [Pa] of the uncoated bodies: of both bodies, or of the only body without a film. It is infinite
+    if both bodies have films, or if the uncoated bodies are rigid. film, counter_film: film on the first and on the second
+    body, each with its own half-space below, or None. Raises InputError unless the modulus is > 0, and finite if there is no
+    film.
     """
 
     modulus: float

@@ -173,7 +173,7 @@ class MapArea:
         return areas
 
     def every(self, area: float) -> int:
-        """Return the coarsest sampling step that leaves at least 3000 points in contact, or the finest one if none does.
+        """Return the coarsest sampling step that leaves at least 3000 points in contact, or the smallest step if none does.
 
         A step of r uses every r-th point of each row and column. area: expected area fraction A/A0.
         """
@@ -213,7 +213,7 @@ class _Curve:
         self._area, self._hardness = area, hardness
         self._heaviest = min(_HEAVIEST, _MOST_OF_HARDNESS * hardness)
         self._nodes: dict[float, float] = {}
-        self._lightest = 0.0  # the lightest pressure that is solved, or one at which too few points touch
+        self._lightest = 0.0  # the lightest solved pressure, or the heaviest pressure at which too few points touch
         self._has_lightest = False  # whether the lightest pressure has been determined
 
     def __call__(self, pressure: np.ndarray) -> np.ndarray:

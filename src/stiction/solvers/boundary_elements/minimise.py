@@ -1,7 +1,7 @@
 """Compute the contact pressure of a map under a given load, by minimising elastic energy.
 
 Let h be the heights, p the pressure and u = C p its displacement, with C the compliance operator. Among all pressures of the
-given mean with 0 <= p <= H, the solution is the one that minimises
+given mean with 0 <= p <= H, the solution minimises
 
     1/2 <p u> - <p h>                                                                                                      (1)
 
@@ -57,7 +57,7 @@ _ENOUGH = 1e-4  # least decrease of the energy by a projected step, relative to 
 _SHIFTS = 100
 _ROUNDING = 1e-13  # accepted error of the mean pressure, relative
 _WRONG = 0.05  # fraction of the pressure that would close a wrong gap; with more, points alternately enter and leave
-_DIGITS = 1e-4  # residual, relative to the last one in double precision, that single precision can reach
+_DIGITS = 1e-4  # smallest residual that single precision can reach, relative to the last residual in double precision
 _AIM = 0.7  # tolerance of the residual in single precision, relative to the full tolerance
 
 
@@ -378,7 +378,7 @@ def on_level(pressure: np.ndarray, problem: Problem) -> np.ndarray:
 
 
 def _nearest(pressure: np.ndarray, problem: Problem) -> np.ndarray:
-    """Return the pressure map nearest to the given one (least squares) that has the problem's mean and lies within its bounds.
+    """Return the pressure map nearest to `pressure` (least squares) with the mean and the bounds of the problem.
 
     All points are shifted equally and clipped between 0 and the hardness. The shift is found by Newton's method, safeguarded by
     bisection.

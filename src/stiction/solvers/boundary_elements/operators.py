@@ -241,7 +241,7 @@ def _rest(compliance, shape, pitch):
     """
     k = wavevectors(shape, (shape[0] * pitch[0], shape[1] * pitch[1]))
     depth = _DEPTH * compliance.depth
-    k[0, 0] = 1e-3 / depth  # D is finite at k = 0, and its value there is close to this one
+    k[0, 0] = 1e-3 / depth  # D is finite at k = 0; its value at this small k is almost the same
     rest = compliance.times_half_k(k) - compliance.near
     rest -= (compliance.far - compliance.near) * np.exp(-depth * k)
     return 2.0 * rest / k

@@ -127,10 +127,11 @@ def solve_map(
     """Solve the contact of a map with a rigid flat face at every load, and return the contacts.
 
     heights: (rows, columns) [m], finite, not all equal. size: (y, x) [m]. modulus: contact modulus E* [Pa] of the uncoated
-    bodies: of both, or of the only one without a film; infinite if both have films or the uncoated bodies are rigid. loads:
-    [N], > 0, in any order. periodic: True if the map is one period of an endless surface; otherwise it is a window, continued
-    by its mirror images. film, counter_film: elastic film on the first and the second body, or None. hardness: largest pressure
-    [Pa]; None for elastic bodies. menisci: liquid between the faces in equilibrium with its vapour; None for dry faces.
+    bodies: of both bodies, or of the only body without a film; infinite if both have films or the uncoated bodies are rigid.
+    loads: [N], > 0, in any order. periodic: True if the map is one period of an endless surface; otherwise it is a window,
+    continued by its mirror images. film, counter_film: elastic film on the first and the second body, or None. hardness:
+    largest pressure [Pa]; None for elastic bodies. menisci: liquid between the faces in equilibrium with its vapour; None for
+    dry faces.
 
     Further keywords: free: whether there is no pressure outside of a map that is not periodic (default False). tolerance:
     largest accepted residual. most_steps: largest number of steps. keep_maps: whether pressure maps are stored (default True).
@@ -293,7 +294,8 @@ def _from_coarser(request, compliance, boundary, mean, heights) -> np.ndarray:
 def _between(coarse: np.ndarray, axis: int, periodic: bool) -> np.ndarray:
     """Return a map with twice as many rows (axis 0) or columns (axis 1); each added one is the mean of its two neighbours.
 
-    The last row or column has the first as its second neighbour if the map is periodic; otherwise the last one is repeated.
+    On a periodic map, the first row or column is the second neighbour of the last. On other maps the last row or column is
+    repeated.
     """
     xp, last = namespace(coarse), (-1, slice(None)) if axis == 0 else (slice(None), -1)
     middle = 0.5 * (coarse + xp.roll(coarse, -1, axis=axis))

@@ -1,4 +1,4 @@
-"""Compute the elastic compliance of a half-space with a film at each wavenumber, and of two such bodies in contact.
+"""Compute the elastic compliance of a half-space with a film at each wavenumber, and of two coated bodies in contact.
 
 A pressure p cos(kx) on the bonded film displaces its surface by u = C(k) p cos(kx). With x = k t, t the thickness,
 

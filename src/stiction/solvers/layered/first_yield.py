@@ -45,9 +45,9 @@ Forms = tuple[np.ndarray, ...]
 class Yield(NamedTuple):
     """Store where a coated body first yields, and how high the stress there is, at mean pressure 1 and a given traction.
 
-    excess: von Mises stress at this point, times the ratio of the yield stress of the body to that of the material at this
-    point. where: "film", "interface" (either side) or "body". x: position ahead of the axis, in the direction of the traction.
-    z: depth below the surface. x and z are divided by the contact radius.
+    excess: von Mises stress at this point, times the ratio of the yield stress of the body to the yield stress of the material
+    at this point. where: "film", "interface" (either side) or "body". x: position ahead of the axis, in the direction of the
+    traction. z: depth below the surface. x and z are divided by the contact radius.
     """
 
     excess: float

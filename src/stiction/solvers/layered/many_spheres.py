@@ -31,9 +31,9 @@ _AT_ONCE = 32  # number of pairs solved at a time, to bound the memory
 class _Sums(NamedTuple):
     """Store sums over all waves from which `_respond` builds the equations of a sphere, one set for each of k nodes.
 
-    The excess compliance is the compliance divided by that of half-spaces of the surface materials, minus 1. It is 1 at the
-    node of a set and 0 at the others; the equations are linear in it. matrix (k, n, n): part of the matrix of the equations.
-    to_edge, to_edge_slope (k, n), edge (k,): the arguments of `sphere.response_of`.
+    The excess compliance is the compliance divided by the compliance of half-spaces of the surface materials, minus 1. In each
+    set it is 1 at one node and 0 at all others; the equations are linear in it. matrix (k, n, n): part of the matrix of the
+    equations. to_edge, to_edge_slope (k, n), edge (k,): the arguments of `sphere.response_of`.
     """
 
     matrix: np.ndarray

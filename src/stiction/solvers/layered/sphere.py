@@ -30,7 +30,7 @@ import numpy as np
 
 from stiction.solvers.layered.compliance import Pair, compliance
 
-# Wavenumbers k t at which integrals are split. Beyond the last one the compliance is that of the film alone to 1e-9.
+# Wavenumbers k t at which integrals are split. Beyond the last one the compliance equals that of the film alone to within 1e-9.
 _ENDS = (0.0, 0.03, 0.1, 0.3, 0.8, 2.0, 4.5, 12.0)
 # Largest phase, in radians, that one integration rule covers.
 _LONGEST = 60.0

@@ -8,9 +8,9 @@ and s_yy be the stresses along and across a wave. Averaged over all directions, 
 
 with the Bessel functions J_n. The traction has the component cos(phi) along a wave in the direction phi and -sin(phi) across
 it. It produces cos(theta) or sin(theta) times the sums in `_dragged` (theta: angle from the direction of the traction).
-Stresses in the film are those of a half-space (`half_space`) plus the part that the interface reflects. The reflected part
-falls as exp(-k (2 t - z)), so that both parts are accurate at the surface too. Stresses in the body are computed by a single
-transform. Tension is positive.
+Stresses in the film are the stresses of a half-space (`half_space`) plus the part that the interface reflects. The reflected
+part falls as exp(-k (2 t - z)), so that both parts are accurate at the surface too. Stresses in the body are computed by a
+single transform. Tension is positive.
 """
 
 from collections.abc import Callable

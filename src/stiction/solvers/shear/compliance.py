@@ -116,8 +116,8 @@ class ShearCompliance:
     def coupling(self, k: np.ndarray) -> np.ndarray:
         """Return the coefficient M(k) [1/Pa] that couples pressure and shear, at wavenumbers k > 0 [1/m], any shape.
 
-        A wave of pressure p shifts the faces relative to each other by M p/k. A wave of shear q likewise moves them apart by M
-        q/k. M is 0 for two equal bodies.
+        A wave of pressure p shifts the faces relative to each other by M p/k. A wave of shear q moves them apart by M q/k. M is
+        0 for two equal bodies.
         """
         total = np.zeros(np.shape(k))
         for sign, body in zip((1.0, -1.0), self.bodies, strict=True):

@@ -176,7 +176,7 @@ class _Search:
         return (moved, gradient + turned) if energy < -enough else None
 
     def _conjugated(self, direction, free, bound, traction):
-        """Return the search direction (components, points), made conjugate to the last one by the rule of Polak and Ribiere.
+        """Return the search direction (components, points), conjugate to the last direction by the rule of Polak and Ribiere.
 
         direction: preconditioned descent direction. free: gradient without the part that the strength blocks. bound: mask of
         points at their strength. The factor of the last direction is never negative.

@@ -4,10 +4,13 @@ Arrays are (components, rows, columns), with one component (x) or two (x and y).
 columns. One component neglects the traction across the sliding direction, which only Poisson's ratio causes.
 
 Periodic: symbol (2) of `compliance`. The mean displacement is set to 0, so that rigid shifts are relative to the mean plane.
-Films on rigid substrates have a defined mean displacement and keep it. Mirrored: the map is one quarter of a period, and its
-mirror images are the other three. q_x is even about every side, q_y odd. Free: no traction acts outside the map, and the bodies
-are half-spaces. A uniform unit traction q_x on a pixel gives (Cerruti; Johnson 1985, Contact Mechanics, eq. 3.75, integrated
-over the pixel; differences over its corners, r^2 = x^2 + y^2, S and N the sums of `compliance`)
+Films on rigid substrates have a defined mean displacement and keep it.
+
+Mirrored: the map is one quarter of a period, and its mirror images are the other three. q_x is even about every side, q_y odd.
+
+Free: no traction acts outside the map, and the bodies are half-spaces. A uniform unit traction q_x on a pixel gives (Cerruti;
+Johnson 1985, Contact Mechanics, eq. 3.75, integrated over the pixel; differences over its corners, r^2 = x^2 + y^2, S and N the
+sums of `compliance`)
 
     2 pi u_x = (S - N) [x asinh(y/|x|) + y asinh(x/|y|)] + N y asinh(x/|y|),        2 pi u_y = -N r                      (1)
 """
@@ -141,7 +144,7 @@ def _tensor(along, across, x, y, shape) -> tuple[np.ndarray, np.ndarray, np.ndar
     """
     both = (along - across) * x * y
     if shape[0] % 2 == 0:
-        both[shape[0] // 2] = 0.0  # the grid cannot tell this wave from its opposite, for which x y has the other sign
+        both[shape[0] // 2] = 0.0  # on the grid this wave is identical to the opposite wave, for which x y has the other sign
     if shape[1] % 2 == 0:
         both[:, -1] = 0.0
     return across + (along - across) * x * x, both, across + (along - across) * y * y

@@ -1,7 +1,8 @@
 """Average the errors of a model over benchmark surfaces, weighted by their distance from a contact.
 
-A surface at distance d has the weight exp(-d^2/2). To avoid jumps of the average, the weight of a surface decreases gradually
-where its solution, or the result of the model, exists only on one side of the contact's pressure or hardness.
+A surface at distance d has the weight exp(-d^2/2). On some surfaces the solution, or the result of the model, exists only above
+or only below the pressure or hardness of the contact. The weight of these surfaces decreases gradually, so that the average
+does not jump.
 """
 
 import math

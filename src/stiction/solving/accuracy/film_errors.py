@@ -25,7 +25,7 @@ from stiction.solving.problem import Problem
 SPHERE, MAPS = "exact sphere on a film, elastic", "rough surfaces on a film by boundary elements, elastic"
 _MAPS = 10
 _ROUNDING = 1e-3  # relative round-off accepted at the ends of the measured ranges
-_BARE, _ON_FILM = "persson_widened|moments", "rough_on_film|moments"  # area law without a film, and the one with films
+_BARE, _ON_FILM = "persson_widened|moments", "rough_on_film|moments"  # area laws without and with a film
 _FLOWS = "unknown for films that flow plastically: no reference solution includes squeezing-out of the film"
 
 

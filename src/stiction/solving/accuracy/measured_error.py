@@ -1,10 +1,10 @@
 """Estimate the error of a model at a contact from its errors on similar benchmark surfaces.
 
-The benchmark set (docs/explanation/truth.md) holds, for many surfaces, the contact area by a reference solution and by every
-model and asperity method, for a range of mean pressures, hardnesses and films. The errors on each surface are interpolated to
-the pressure and hardness of the contact, both divided by E* h' (E*: contact modulus, h': rms slope). They are then averaged
-over the surfaces with the weight exp(-d^2/2). The distance d includes differences in Nayak's alpha and, for a map, in skewness,
-lay and the slope of its highest parts. For a contact given by numbers the kind of surface is unknown. The mean error is then
+The benchmark set (docs/explanation/truth.md) holds the contact areas of many surfaces by a reference solution and by every
+model and asperity method, for ranges of mean pressure, hardness and films. The errors on each surface are interpolated to the
+pressure and hardness of the contact, both divided by E* h' (E*: contact modulus, h': rms slope). They are then averaged over
+the surfaces with the weight exp(-d^2/2). The distance d includes differences in Nayak's alpha and, for a map, in skewness, lay
+and the slope of its highest parts. For a contact given by numbers the kind of surface is unknown. The mean error is then
 computed over Gaussian surfaces, for which models are ranked; the interval is computed over all kinds (skewed, worn, with a lay,
 with two wave bands). If the kind is specified, mean and interval are computed over surfaces of that kind.
 

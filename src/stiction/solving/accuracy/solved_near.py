@@ -244,7 +244,7 @@ def film_differences(known: SolvedSet, features: ContactFeatures) -> list[Differ
 def pressure_difference(
     known: SolvedSet, pressure: np.ndarray, hardness: np.ndarray
 ) -> tuple[Difference, np.ndarray, np.ndarray]:
-    """Compare pressures with those of the benchmark set; return the difference, and pressures and hardnesses within the set.
+    """Compare pressures with the benchmark set; return the difference, and pressures and hardnesses within its range.
 
     The errors of models are looked up at the returned pressures and hardnesses, (k,) each. pressure, hardness (k,): divided by
     E* h', with the contact modulus E* and the rms slope h'. Below the smallest hardness of the set all points flow plastically,
