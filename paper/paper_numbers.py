@@ -24,10 +24,10 @@ SPHERE = ROOT / "src" / "stiction" / "solving" / "accuracy" / "measured_on_a_sph
 LIGHT, HEAVY = 0.002, 0.3
 _NUMBER = r"(?:\d+(?:\.\d+)?|\{\w+\})"  # or a name, where it was never written
 PHRASES = (
-    "{asperity} laws of a pressed asperity, {tangential} laws of what shears it off, {film} laws of films and {rough} "
-    "models of a whole rough surface",
+    "{asperity} laws for the normal load on an asperity, {tangential} laws for its tangential strength, {film} laws for films "
+    "and {rough} models of a whole rough surface",
     "Each of {departures} departures",
-    "is {mu_published} in the first and {mu_corrected} in the second",
+    "is {mu_published} in the first variant and {mu_corrected} in the second",
     "A set of {surfaces} surfaces of {kinds} kinds",
     "was solved at {loads} mean pressures each",
     "the root mean square error is {rms_gw} % for sums of Hertz contacts",
