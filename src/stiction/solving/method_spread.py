@@ -109,7 +109,8 @@ def with_method_spread(
 def _on_the_tail(data: "xarray.Dataset") -> str:
     """Return a warning text that lists the methods and loads at which fewer than ten of the found asperities touch.
 
-    The text is "" if there are none, or if the model has no asperities.
+    Methods that find no single asperities are listed at every load. The text is "" if no method is listed, or if the model has
+    no asperities.
     """
     if "touching_asperities" not in data:
         return ""

@@ -54,7 +54,7 @@ class MapProblem(Problem):
 
     @property
     def menisci(self) -> bool:
-        """Return whether the model solves menisci between the surfaces; False without a liquid or if it is neglected."""
+        """Return whether the model solves menisci between the surfaces; False without liquid, or if the model neglects it."""
         liquid = self.groups.meniscus_index is not None
         return liquid and not self.chosen.dry and not self.adheres
 

@@ -178,7 +178,7 @@ def first_crossing(area, wanted, beyond):
     """Return the value of `area` where it first reaches `wanted`, interpolated linearly between elements.
 
     area, wanted: (n,), compared element by element. beyond: the value returned if `area` never reaches `wanted`. If the first
-    element does, `wanted[0]` is returned.
+    element of `area` reaches it, `wanted[0]` is returned.
     """
     reached = np.flatnonzero(area >= wanted)
     if not len(reached):

@@ -49,17 +49,17 @@ def solve_cached(
         return MapContacts(tuple(solved_before[load] for load in loads), of_map)
     report = how.pop("done", None)
 
-    def asked(contact: MapContact) -> float:
+    def requested_load(contact: MapContact) -> float:
         """Return the requested load that belongs to a contact; the attribute `load` may differ from it by rounding."""
         return min(missing, key=lambda load: abs(load - contact.load))
 
     def done(contact: MapContact) -> None:
-        _keep(_file(name, asked(contact)), contact)
+        _keep(_file(name, requested_load(contact)), contact)
         if report is not None:
             report(contact)
 
     solved = solve_map(heights, size, modulus=modulus, loads=missing, periodic=periodic, done=done, **how)
-    solved_before |= {asked(contact): contact for contact in solved}
+    solved_before |= {requested_load(contact): contact for contact in solved}
     there = tuple(solved_before[load] for load in loads if load in solved_before)
     return MapContacts(there, solved.validity_warnings, len(there) == len(loads))
 

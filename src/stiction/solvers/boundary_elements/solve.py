@@ -292,7 +292,7 @@ def _from_coarser(request, compliance, boundary, mean, heights) -> np.ndarray:
 
 
 def _between(coarse: np.ndarray, axis: int, periodic: bool) -> np.ndarray:
-    """Return a map with twice as many rows (axis 0) or columns (axis 1); each added one is the mean of its two neighbours.
+    """Return a map with twice as many rows (axis 0) or columns (axis 1); added lines are means of their two neighbours.
 
     On a periodic map, the first row or column is the second neighbour of the last. On other maps the last row or column is
     repeated.

@@ -69,7 +69,7 @@ def _of_body(bodies: Bodies, body: CoatedBody) -> np.ndarray:
 def half_space(nu: float) -> Radial:
     """Return the stresses at the contact edge, on the surface of a half-space with Poisson's ratio nu.
 
-    They are those under a pressed and dragged sphere, divided by the mean pressure.
+    A pressed and dragged sphere causes the stresses, which are divided by the mean pressure.
     """
     return Stresses((Layer.of(1.0, 1.0, nu, nu),), CoatedBody(1.0, nu, nu), 0.5).in_film(*_PLACE)
 

@@ -153,7 +153,7 @@ def _plain(values: np.ndarray) -> list[float | None]:
 
 
 def column_of(problem: Problem) -> str:
-    """Return the name of a model's column in the benchmark set, "model|asperity method"; "" if the set has no such column."""
+    """Return the name of a model's column in the benchmark set, "model|asperity method"; "" if an option is not its default."""
     chosen, record = problem.chosen, problem.record
     if any(problem.options[name] != values[0] for one in problem.records() for name, values in one.options.items()):
         return ""
