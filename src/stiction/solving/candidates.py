@@ -137,7 +137,7 @@ def choice_of(name: str | None, given: Mapping[str, Any], subject: Subject) -> C
 
 
 def with_interface(choice: Choice, groups: Groups) -> Choice:
-    """Return the choice with the interface law that uses most of the specified interface properties.
+    """Return the choice with the interface law that uses the most of the specified interface properties.
 
     groups: dimensionless groups of the contact. The law is "none" if no shear strength is specified. The choice stays unchanged
     if it names a tangential law, or if the model has one.

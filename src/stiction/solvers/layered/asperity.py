@@ -149,7 +149,7 @@ def edged(u, *row):
 
 @formula
 def plain_coordinate(w, *row):
-    """Return the coordinate u of an asperity without adhesion or with DMT's at the displacement w; 0 for w <= 0.
+    """Return the coordinate u of an asperity, without adhesion or with DMT's adhesion, at the displacement w; 0 for w <= 0.
 
     w: divided by sigma. row: parameters of the asperity. Newton's method is applied to logarithms, because ln w rises with ln u
     at a slope close to 4.
