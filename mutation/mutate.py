@@ -220,8 +220,8 @@ def rate(rows: dict[str, dict]) -> str:
     last = max((row["date"] for row in every), default="never")
     share = f" ({100.0 * len(killed) / counted:.0f} %)" if counted else ""
     return (
-        f"Kill rate: {len(killed)} of {counted} edits{share}, {alone} of them by pinned results alone; "
-        f"{same} more change nothing that can be seen; last run {last}."
+        f"Kill rate: {len(killed)} of {counted} edits{share}, {alone} of them only by the pinned results; "
+        f"{same} further edits are equivalent (they change no result); last run {last}."
     )
 
 
