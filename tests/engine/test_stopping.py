@@ -7,7 +7,7 @@ import pytest
 
 import stiction as st
 from cases import SILICON_ON_SILICON
-from stiction.engine.stopping import may_go_on, stopped_by
+from stiction.engine.stopping import raise_if_stopped, stopped_by
 from stiction.engine.summation import in_threads
 from stiction.solvers.boundary_elements.solve import solve_map
 from stiction.solvers.shear.compliance import HalfSpace, ShearCompliance
@@ -49,5 +49,5 @@ def test_each_computation_asks_whether_it_may_go_on(work):
     with stopped_by(second), pytest.raises(KeyboardInterrupt):
         work()
     assert len(asked) == 2
-    may_go_on()  # the check ended with its context
+    raise_if_stopped()  # the check ended with its context
     assert len(asked) == 2

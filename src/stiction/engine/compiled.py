@@ -18,7 +18,7 @@ from typing import Any
 
 import numpy as np
 
-from stiction.engine.stopping import may_go_on
+from stiction.engine.stopping import raise_if_stopped
 from stiction.engine.tiers import ENGINE, Allowance, interpreted
 
 # `contract` (fused multiply-add) is safe in every formula. Sums may also be reordered, because only then can the compiler
@@ -95,7 +95,7 @@ class Kernel:
         return compiled
 
     def __call__(self, *args: Any) -> Any:
-        may_go_on()
+        raise_if_stopped()
         if self._allowance is not None and interpreted(self._allowance.take(self._size(args[-1]))):
             try:
                 with np.errstate(divide="raise", invalid="raise", over="raise"):

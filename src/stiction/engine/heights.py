@@ -208,7 +208,8 @@ DISTRIBUTIONS: dict[str, Callable[..., Heights]] = {
 class HeightParameters(TypedDict, total=False):
     """Define the parameters of the height distributions and their types.
 
-    exponent: of "weibull". samples: heights for "empirical" and "discrete". cells: number of histogram cells of "empirical".
+    exponent: shape parameter of "weibull". samples: heights for "empirical" and "discrete". cells: number of histogram cells of
+    "empirical".
     """
 
     exponent: float

@@ -24,8 +24,8 @@ def stopped_by(check: Callable[[], None]) -> Iterator[None]:
         _check.reset(before)
 
 
-def may_go_on() -> None:
-    """Call the check of the current context, which may raise KeyboardInterrupt."""
+def raise_if_stopped() -> None:
+    """Call the check of the current context, which raises KeyboardInterrupt if the computation must stop."""
     check = _check.get()
     if check is not None:
         check()

@@ -25,7 +25,7 @@ from stiction.engine.nodes import Laws, Parts, Rows, adding, cutting, displaceme
 from stiction.engine.placing import Placing
 from stiction.engine.regime import Regime
 from stiction.engine.skeleton import carry_over, near_each_other, skeleton
-from stiction.engine.stopping import may_go_on
+from stiction.engine.stopping import raise_if_stopped
 from stiction.engine.sum_kernels import LONGEST, listing, scattering, summing
 from stiction.engine.tiers import ENGINE, specialised
 from stiction.quantities.errors import InputError
@@ -76,7 +76,7 @@ def in_threads(work: Callable, parts: Iterable, threads: int) -> None:
     with ThreadPoolExecutor(threads) as pool:
         under_way: deque = deque()
         for part in parts:  # few parts exist at a time, because each takes memory
-            may_go_on()
+            raise_if_stopped()
             under_way.append(pool.submit(work, part))
             if len(under_way) > 2 * threads:
                 under_way.popleft().result()

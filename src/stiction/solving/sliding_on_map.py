@@ -255,8 +255,8 @@ def _ends(moving: MovingMap, paths: "list[SlidingPath]", whole: float, factors: 
     """Return stiffness at rest, largest force, displacement at this force, and efficiency for each load (m,), by name.
 
     The first three are normalised. The efficiency is the largest force divided by the sum of strengths. If strength is
-    constant, it is the displacement at which the force reaches 99 % of its largest value, or NaN if it does not. whole: nominal
-    area of the contact divided by the area of the map. factors: units by which results are divided.
+    constant, the displacement at 99 % of the largest force is returned instead, NaN if that force is not reached. whole:
+    nominal area of the contact divided by the area of the map. factors: units by which results are divided.
     """
     from stiction.solvers.shear.path import stuck_stiffness
 

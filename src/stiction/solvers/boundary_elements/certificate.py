@@ -35,9 +35,9 @@ class Certificate:
 
     overlap: deepest overlap of the faces at points without pressure [m]. opening: largest magnitude of the gap at points in
     elastic contact, where it should be 0 [m]. lift: largest positive gap at points whose pressure is the hardness [m].
-    pressure_error: bound on the relative error of the pressure, as the square root of elastic energy. area_error: estimated
-    number of points that may wrongly count as in or out of contact, divided by the number of points in contact. Points count as
-    uncertain if a change of three times the largest gap error would bring them into contact or out of it.
+    pressure_error: bound on the relative error of the pressure in the energy norm, (<e C e>/<p C p>)^(1/2). area_error:
+    estimated number of points that may wrongly count as in or out of contact, divided by the number of points in contact.
+    Points count as uncertain if a change of three times the largest gap error would bring them into contact or out of it.
     """
 
     overlap: float

@@ -40,8 +40,8 @@ class Film:
     """Describe an elastic film bonded to an elastic half-space.
 
     thickness: [m], > 0. modulus, poisson: Young's modulus [Pa], > 0, and Poisson's ratio (-1 to 1/2; 1/2 is incompressible) of
-    the film. substrate_modulus, substrate_poisson: of the half-space; an infinite modulus means rigid. Raises InputError for
-    other values.
+    the film. substrate_modulus, substrate_poisson: the same constants of the half-space; an infinite modulus means rigid.
+    Raises InputError for other values.
     """
 
     thickness: float

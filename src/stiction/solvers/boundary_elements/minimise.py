@@ -33,7 +33,7 @@ from typing import Protocol
 
 import numpy as np
 
-from stiction.engine.stopping import may_go_on
+from stiction.engine.stopping import raise_if_stopped
 from stiction.solvers.boundary_elements.arrays import blocks, clip_into, dot, factor, namespace
 
 
@@ -219,7 +219,7 @@ class _Search:
         self._restart()
         self._settle()
         while True:
-            may_go_on()
+            raise_if_stopped()
             if self._seen is not None:
                 self._seen(self.steps, self._residual)
             if self._residual <= aim or self.steps >= most:

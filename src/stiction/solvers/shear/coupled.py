@@ -47,10 +47,10 @@ Strength = Callable[[np.ndarray], np.ndarray]
 class Coupling:
     """Compute the tangential displacement that a pressure causes, and the normal displacement that a traction causes.
 
-    Both vanish for two bodies of one material without films, or with films of this material. The map is periodic, or has no
-    pressure and traction outside. compliance: tangential compliance of the two bodies. shape: (rows, columns). size: (y, x)
-    [m]. periodic: whether the map repeats. beta: largest magnitude of Dundurs' parameter over all waves. Raises InputError for
-    bodies with films on a map that is not periodic.
+    Both vanish for two bodies of one material without films, or with films of this material, and for an incompressible body on
+    a rigid one. The map is periodic, or has no pressure and traction outside. compliance: tangential compliance of the two
+    bodies. shape: (rows, columns). size: (y, x) [m]. periodic: whether the map repeats. beta: largest magnitude of Dundurs'
+    parameter over all waves. Raises InputError for bodies with films on a map that is not periodic.
     """
 
     def __init__(self, compliance: ShearCompliance, shape: tuple[int, int], size: tuple[float, float], *, periodic: bool):

@@ -18,7 +18,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from stiction.engine.stopping import may_go_on
+from stiction.engine.stopping import raise_if_stopped
 from stiction.solvers.shear.operators import ShearOperator
 
 _ENOUGH = 1e-4  # least decrease of the energy by a projected step, relative to the decrease that the gradient predicts
@@ -71,7 +71,7 @@ def shear(
     search = _Search(touching)
     residual, steps = math.inf, 0
     for steps in range(most + 1):
-        may_go_on()
+        raise_if_stopped()
         wanted = within(traction - gradient / operator.of_point, touching.strength)
         residual = float(size_of(traction - wanted).sum()) / total if total > 0.0 else 0.0
         if residual <= tolerance or steps == most:

@@ -29,7 +29,7 @@ from stiction.solvers.shear.compliance import ShearCompliance
 class PeriodicShear:
     """Compute shear displacements of one period of a periodic map.
 
-    compliance: of the two bodies. shape: (rows, columns). size: (y, x) [m].
+    compliance: tangential compliance of the two bodies. shape: (rows, columns). size: (y, x) [m].
     """
 
     def __init__(self, compliance: ShearCompliance, shape: tuple[int, int], size: tuple[float, float]):
@@ -63,8 +63,8 @@ class PeriodicShear:
 class MirroredShear:
     """Compute shear displacements of a map that is continued by its mirror images on every side.
 
-    compliance: of the two bodies. shape: (rows, columns). size: (y, x) [m]. One component is even about every side, so cosine
-    transforms of the map suffice. Two components need the transforms of a whole period.
+    compliance: tangential compliance of the two bodies. shape: (rows, columns). size: (y, x) [m]. One component is even about
+    every side, so cosine transforms of the map suffice. Two components need the transforms of a whole period.
     """
 
     def __init__(self, compliance: ShearCompliance, shape: tuple[int, int], size: tuple[float, float]):
@@ -105,7 +105,8 @@ class MirroredShear:
 class FreeShear:
     """Compute shear displacements of a map without traction outside.
 
-    compliance: of the two bodies. shape: (rows, columns). size: (y, x) [m]. Raises InputError for bodies with films.
+    compliance: tangential compliance of the two bodies. shape: (rows, columns). size: (y, x) [m]. Raises InputError for bodies
+    with films.
     """
 
     def __init__(self, compliance: ShearCompliance, shape: tuple[int, int], size: tuple[float, float]):

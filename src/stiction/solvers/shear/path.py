@@ -118,7 +118,7 @@ class SlidingPath:
 def through_spring(path: SlidingPath, stiffness: float) -> tuple[np.ndarray, np.ndarray]:
     """Return the drive displacement [m] at each state of a map that a spring pulls, and a mask of the states that are reached.
 
-    path: states of the map. stiffness: of the spring [N/m], > 0. At the shift U and the force F the drive is at U +
+    path: states of the map. stiffness: stiffness of the spring [N/m], > 0. At the shift U and the force F the drive is at U +
     F/stiffness. The drive only moves forward. A state that would need it to move back is not reached; the map jumps to the next
     reachable state (slow drive, no inertia). Raises InputError for a stiffness that is not positive.
     """
@@ -260,9 +260,9 @@ def slip_step(
 ) -> SlipStep:  # fmt: skip
     """Solve traction, slip and remaining strength of one step.
 
-    operator: tangential compliance. strength: of points that have not slipped (rows, columns) [Pa]. weakening: how strength
-    falls with slip; None for constant strength. state: before the step. moved: rigid shift minus all earlier slip [m]
-    (components, rows, columns). tolerance, most: largest residual and number of steps of the traction solver.
+    operator: tangential compliance. strength: shear strength of points that have not slipped (rows, columns) [Pa]. weakening:
+    how strength falls with slip; None for constant strength. state: before the step. moved: rigid shift minus all earlier slip
+    [m] (components, rows, columns). tolerance, most: largest residual and number of steps of the traction solver.
     """
     traction, left, settled = state.traction, strength, True
     if weakening is not None:

@@ -45,8 +45,8 @@ class Peeled:
     force: tangential force [N]. area: contact area, corrected for pixel size [m2]. share: smallest remaining fraction of the
     work of adhesion. released: energy that shear releases at the nearest edge point, averaged over the points of the map
     [J/m2]; 0 without a law of mode mixity. peeled: whether the contact is lost, or no adhesion remains at some point. turns:
-    number of iterations. converged: whether at most 0.2 % of the touching points changed in the last iteration; True if none
-    was needed. touching: mask (rows, columns).
+    number of iterations. converged: whether at most 0.2 % of the touching points changed in the last iteration; True if no
+    iteration was needed. touching: mask (rows, columns).
     """
 
     force: float
@@ -67,8 +67,8 @@ def peel_map(
 
     Returns the contact at each force; if the contact peels, the list ends with that state. heights: (rows, columns) [m]. size:
     (y, x) [m]. modulus: contact modulus E* [Pa]. load: normal load [N]. work: work of adhesion [J/m2]. reach: range of
-    attraction [m]. compliance: of the bodies under shear. mode_mixity: a key of MODE_MIXITIES; None if shear does not change
-    adhesion. zeta: fraction of the shear energy that opens the edge, 0 to 1. The grid is not refined, unlike in
+    attraction [m]. compliance: tangential compliance of the bodies. mode_mixity: a key of MODE_MIXITIES; None if shear does not
+    change adhesion. zeta: fraction of the shear energy that opens the edge, 0 to 1. The grid is not refined, unlike in
     `solve_adhesive`. Raises InputError for values out of bounds.
     """
     if mode_mixity is not None and mode_mixity not in MODE_MIXITIES:

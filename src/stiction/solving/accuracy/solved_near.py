@@ -36,7 +36,7 @@ _SAID = 0.25  # smallest fraction of the squared distance for which a difference
 _NAMES = {
     "alpha": "Nayak's alpha",
     "skewness": "skewness",
-    "lay": "ratio of the rms slopes across and along the lay",
+    "lay": "lay (ratio of rms slopes)",
     "top": "rms slope of the highest 5 % over that of the map",
     "kurtosis": "kurtosis",
     "texture_aspect_ratio": "Str",
