@@ -21,8 +21,8 @@ def export(
 ) -> None:
     """Write mu against nominal pressure, and the tangential stiffness before sliding, as input for another program.
 
-    The table covers the loads of the case or, for a single load, two decades below and above it. Stiffness, elastic slip and
-    mean separation are computed for bare bodies only; for a coated body the table has only mu.
+    The table covers the loads of the case or, for a single load, two decades of load below and above it. Stiffness, elastic
+    slip and mean separation are computed for bare bodies only; for a coated body the table has only mu.
     """
     with solving():
         from stiction.report.export import export as write

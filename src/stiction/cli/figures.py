@@ -26,8 +26,8 @@ def figures(
 ) -> None:
     """Draw figures 1 to 3 of the 2015 paper, and a map of theta and lambda that shows where each claim of the paper holds.
 
-    The paper does not state theta and lambda of its figures; its claims (a) to (c) appear with 40 and 10. The map covers
-    theta 1 to 1e4 and lambda 1e-3 to 1e4 for three models: the corrected and the published formulas, and the film solved
+    The paper does not state theta and lambda of its figures; its claims (a) to (c) hold for theta = 40 and lambda = 10. The map
+    covers theta 1 to 1e4 and lambda 1e-3 to 1e4 for three models: the corrected and the published formulas, and the film solved
     exactly. Files: fig1a.png to fig3.png, curves.csv, claims.png, claims.csv.
     """
     require("figures", "matplotlib")

@@ -64,7 +64,7 @@ def materials(
 def interfaces(
     names: list[str] | None = argument(
         "[NAME]...",
-        'Print sources and exclusions of these, e.g. "oxidised metal"; without NAME one line for each.',
+        'Print sources and exclusions of these states, e.g. "oxidised metal"; without NAME, print one line for each state.',
         None,
         autocompletion=names_of("stiction.contact.interfaces", "interface_names"),
     ),

@@ -132,7 +132,7 @@ def _name(param: Any) -> str:
 
 
 def _refused(error: Any) -> tuple[Any, str]:
-    """Return the value that typer or pydantic rejected, and a text that says what is allowed.
+    """Return the value that typer or pydantic rejected, and a text with the allowed values.
 
     typer writes "'abc' is not a valid float". pydantic writes "Input should be a valid number, ..." and has the value in the
     cause of the error.
@@ -183,9 +183,9 @@ def busy(text: str) -> Iterator[None]:
 
 @contextmanager
 def progress_text() -> Iterator[Callable[[str], None]]:
-    """Return a context manager that provides a function: it takes a text and shows it as progress.
+    """Return a context manager that provides a function of a text; the function shows the text as progress.
 
-    On a terminal each text replaces the last. Elsewhere a text is printed at most every ten seconds.
+    On a terminal each text replaces the previous one. Elsewhere a text is printed at most every ten seconds.
     """
     with _line("") as line:
         if line is not None:

@@ -84,7 +84,7 @@ def slide(
     ranges: Ranges = None,
     asperity: Asperity = None,
     tangential: Tangential = None,
-    residual_strength: float | None = option("Residual strength of a sliding asperity or point, as a fraction."),
+    residual_strength: float | None = option("Residual strength of a sliding asperity or map point, as a fraction."),
     weakening_slip: str | None = option("Slip over which a point of a map falls to its residual strength, e.g. '10 nm'."),
     spring_stiffness: str | None = option("Stiffness of the machine that moves a map, e.g. '100 N/mm'."),
     tangential_force: str | None = option("Tangential force on a map, instead of displacements, e.g. '1 mN'."),
@@ -92,8 +92,8 @@ def slide(
 ) -> None:
     """Compute the tangential force of a contact against its tangential displacement, from rest to sliding.
 
-    Asperities slip one after another, or points of a map with --model boundary_elements. At most five loads of the case are
-    computed. --out writes sliding.csv, sliding.nc (netCDF4) and a picture.
+    Asperities slip one after another; with --model boundary_elements, the points of a map do. At most five loads of the case
+    are computed. --out writes sliding.csv, sliding.nc (netCDF4) and a picture.
     """
     chosen = read(case, load, ranges)
     laws = chosen_laws(context, chosen)

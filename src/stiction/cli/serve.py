@@ -18,7 +18,7 @@ def serve(
         "Network address; any other than the default lets other computers use the page without a password.", "127.0.0.1"
     ),
 ) -> None:
-    """Open a page in the browser with a control for every number of a case: friction, models, surfaces and studies.
+    """Open a page in the browser that shows friction, models, surfaces and studies, with a control for every number of a case.
 
     The page works without a network, and its data stay on this machine. The address of the page contains the case, so a copy of
     the address shares it. Uploads are kept in a temporary folder and deleted at the end. Ctrl-C ends the page.

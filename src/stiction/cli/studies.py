@@ -28,7 +28,7 @@ from stiction.cli.output import print_json
 from stiction.cli.program import app, bar, busy, console, present, progress_text
 from stiction.studies.study import Study, studies
 
-# Options that a study only has to name as a parameter of its plan, with annotation and default.
+# Name of a parameter of `study.plan` -> annotation and default of its option.
 _SHARED: dict[str, tuple[Any, Any]] = {
     "load": (Load, None), "ranges": (Ranges, None), "model": (Model, None), "asperity": (Asperity, None),
     "tangential": (Tangential, None), "all_rows": (AllRows, False), "out": (Out, None), "details": (Details, False),

@@ -4,7 +4,7 @@ import tomllib
 from importlib import resources
 from typing import Any
 
-# How reliable a number in a data file is, by its grade.
+# Grade -> reliability of a number in a data file.
 GRADES = {
     "A": "measured on such an interface or surface; the printed number was read",
     "B": "derived from printed numbers that were read; the spread is a judgement",
@@ -29,7 +29,7 @@ def read_tables(subpackage: str, folder: str, kind: str) -> dict[str, dict[str, 
         content = tomllib.loads(file.read_text(encoding="utf-8"))
         for name, table in content.pop(kind).items():
             if name in tables:
-                raise ValueError(f"{kind}: {name} stands in two files")
+                raise ValueError(f"{kind}: {name} occurs in two files")
             shared = {key: value | table.get(key, {}) for key, value in content.items() if isinstance(value, dict)}
             tables[name] = content | table | shared
     return tables

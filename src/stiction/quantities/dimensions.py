@@ -140,7 +140,7 @@ def coordinates(arrays: Iterable[tuple[str, Any]]) -> dict[str, Any]:
 def variable(dims: Sequence[str], values: "ArrayLike", attributes: Mapping[str, Any] | None = None) -> "xarray.Variable":
     """Return an array with named dimensions and attributes as an xarray.Variable.
 
-    dims: name of each axis. values: array or number. attributes: such as units and long_name, by name.
+    dims: name of each axis. values: array or number. attributes: name -> value, such as units and long_name.
     """
     import xarray
 
@@ -150,7 +150,7 @@ def variable(dims: Sequence[str], values: "ArrayLike", attributes: Mapping[str, 
 def coordinate(dim: str, values: np.ndarray, attributes: Mapping[str, Any] | None = None) -> "xarray.Variable":
     """Return the values along one dimension, with attributes, as an xarray.Variable that can be used as a coordinate.
 
-    dim: name of the dimension. values: array (n,). attributes: such as units and long_name, by name.
+    dim: name of the dimension. values: array (n,). attributes: name -> value, such as units and long_name.
     """
     import pandas
     import xarray

@@ -106,7 +106,7 @@ def field_below(place: str) -> AbstractContextManager[None]:
     return field_as(lambda field: f"{place}.{field}".rstrip("."))
 
 
-_MANY = 20  # known words, above which an error does not list them
+_MANY = 20  # largest number of allowed words that an error lists in full
 
 
 def nearest(word, known: Iterable[str]) -> str:

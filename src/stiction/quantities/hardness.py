@@ -6,10 +6,10 @@ force divided by the projected area, which is sin(136 deg / 2) times the area of
 
 A Brinell number is the force in kgf divided by the area in mm^2 of the spherical imprint of a ball of diameter D (ISO 6506-1).
 For imprint diameters d = 0.24 to 0.60 D the mean pressure is 1.5 to 11 % above this number. We take d = 0.375 D, where the
-ball is as steep at the edge of the imprint as a Vickers pyramid: 1 HB is 10.178 MPa.
+slope of the ball at the edge of the imprint equals that of a Vickers pyramid: 1 HB is 10.178 MPa.
 
-Rockwell C numbers have no such definition. We use HV = (223 HRC + 14500) / (100 - HRC), a common formula of unknown origin. It
-agrees with the table for non-austenitic steels (ASTM E140, table 1) to 1.4 % from 35 to 68 HRC. Grade B.
+Rockwell C numbers are not defined as a force divided by an area. We use HV = (223 HRC + 14500) / (100 - HRC), a common formula
+of unknown origin. It agrees with the table for non-austenitic steels (ASTM E140, table 1) to 1.4 % from 35 to 68 HRC. Grade B.
 """
 
 import math

@@ -129,7 +129,7 @@ class Input(BaseModel):
     """Provide the base class of input records, which are immutable and raise InputError for unknown fields and bad values."""
 
     model_config = ConfigDict(frozen=True, extra="forbid", arbitrary_types_allowed=True)
-    instead: ClassVar[str] = ""  # what the user may state in place of a missing number, for the error
+    instead: ClassVar[str] = ""  # inputs that may replace a missing number, for the error
 
     def __init__(self, /, *unnamed_values, **data):
         if unnamed_values:
@@ -221,7 +221,7 @@ class Input(BaseModel):
     def unlabelled(self) -> Self:
         """Return the record with each xarray.DataArray as an xarray.Variable, which has named dimensions but no coordinates.
 
-        Arithmetic with a Variable is five times as fast.
+        Arithmetic is five times as fast with a Variable as with a DataArray.
         """
         return self._without_labels or self
 
@@ -309,9 +309,9 @@ def number_schema(quantity: Quantity) -> dict:
 
 
 def _drop_null(entry: dict) -> None:
-    """Remove null from the JSON schema of a field, in place: a default of null, and null among the allowed types.
+    """Delete the default null and the type null from the JSON schema of a field; the given dict is changed.
 
-    TOML has no null: a field that may be None is left out of the case file.
+    entry: schema of the field. TOML has no null, so a case file omits a field whose value is None.
     """
     if entry.get("default", 0) is None:
         del entry["default"]

@@ -15,8 +15,8 @@ from stiction.case.addresses import roughness_in
 from stiction.case.text import as_toml
 from stiction.quantities.errors import InputError, InWords
 
-_LONGEST = 20_000  # characters of an address
-_LARGEST = 200_000  # bytes of the case in an address
+_LONGEST = 20_000  # characters, largest length of an address
+_LARGEST = 200_000  # bytes, largest size of the case in an address
 _STATE = "a case, as this page writes it into its address"
 
 

@@ -49,7 +49,7 @@ class AsperityTab:
         self._picture.show(_section_chart(found, self._explorer.view.dark))
         place = f"in the {found.where}, at x = {found.at[0]:.2f} a, z = {found.at[1]:.2f} a"
         if found.largest >= 1.0:
-            text = f"Yielded, first {place}: an elastic stress would be {found.largest:.3g} times the yield stress."
+            text = f"Yielded, first {place}: the largest elastic stress would be {found.largest:.3g} times the yield stress."
         else:
             text = f"Elastic: the largest stress is {found.largest:.3g} times the yield stress, {place}."
         self._answer.set_text(text)

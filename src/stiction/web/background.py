@@ -111,6 +111,6 @@ class Progress:
         return wrapped
 
     def tell(self, count: int, text: str) -> None:
-        """Record the number of tried designs, `count`, and a text on the largest number; raise KeyboardInterrupt as `check`."""
+        """Record the number of tried designs, `count`, and a text on their maximum; raise KeyboardInterrupt as `check` does."""
         self.check()
         self.text, self.share = f"{count} designs tried, {text}", 0.0

@@ -5,8 +5,8 @@ from collections.abc import Mapping
 from typing import Any
 
 NARROW = 420  # largest width in pixels of a narrow chart
-_LEAST = 340  # pixels that the legend of a narrow chart has at least
-_LINE, _LETTER, _MARK = 24, 7.0, 44  # pixels of a line of a legend, of one of its letters, and of its mark with its margins
+_LEAST = 340  # pixels, width for which the legend of a narrow chart is laid out
+_LINE, _LETTER, _MARK = 24, 7.0, 44  # pixels: height of a legend line, width of a letter, of a mark with margins
 _MOST = 42  # largest number of letters of an axis name in one line
 _SCALE = 52  # pixels for the colour scale below a narrow chart
 

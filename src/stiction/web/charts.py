@@ -15,7 +15,7 @@ from stiction.report.share_pictures import part_in_words, shares_of, stacks
 from stiction.report.table import prefix, with_signs
 
 COLOURS = (BLUE, ORANGE, GREEN, RED, SKY, "#CC79A7")  # Okabe and Ito's colours
-SHADES = ["#440154", "#3b528b", "#21918c", "#5ec962", "#fde725"]  # viridis, dark to light for everybody
+SHADES = ["#440154", "#3b528b", "#21918c", "#5ec962", "#fde725"]  # viridis: its lightness also rises for colour-blind readers
 _DASHES = ("solid", "dashed", "dotted", [8, 3, 2, 3], [2, 2], [12, 4])
 INK = {False: "#333333", True: "#dddddd"}  # colour of texts, on a light and on a dark page
 _GRID = {False: "#dddddd", True: "#444444"}
@@ -159,7 +159,7 @@ def _against(curve: xarray.Dataset, against: str) -> tuple[np.ndarray, dict[str,
         factor, axis = _axis(curve[against], [values], tight=True)
         return values * factor, {"scale": True} | axis
     factor, axis = _axis(curve[against], [np.abs(values)])
-    # a harder contact is at the right
+    # The separation decreases to the right, so that the load rises to the right, as in other charts.
     return values * factor, {"name": axis["name"], "scale": True, "inverse": True}
 
 

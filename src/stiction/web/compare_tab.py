@@ -1,4 +1,4 @@
-"""Build the tab Compare: models that are suitable, unsuitable or impossible for the contact, each group sorted by mu."""
+"""Build the tab Compare: models that suit the contact, do not suit it, or give impossible results, sorted by mu."""
 
 import re
 from collections.abc import Iterator
@@ -106,7 +106,7 @@ class CompareTab:
 
 
 def tables_of(data: xarray.Dataset, groups: list[Group]) -> Iterator[tuple[str, Table]]:
-    """Yield pairs (title, table) of the models that suit the contact, do not suit it, or are impossible, sorted by mu.
+    """Yield (title, table) for models that suit the contact, do not suit it, or give impossible results, sorted by mu.
 
     data: result of `compare`. groups: groups of its models that agree on mu.
     """
@@ -123,7 +123,7 @@ def _title(group: Group) -> str:
 
 
 def _why(data: xarray.Dataset, group: Group) -> str:
-    """Return why a group of models suits the contact or not, as text.
+    """Return the reason why a group of models suits the contact or does not suit it, as text.
 
     For suitable models the text is the area error on benchmark surfaces, otherwise the most important validity warning with the
     claimed range.

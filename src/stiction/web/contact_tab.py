@@ -27,7 +27,7 @@ class ContactTab:
             names = "friction_coefficient", "shares", "friction_force", "contact_area", "load"
             self._charts = {name: Picture(name.replace("_", " ")) for name in names}
         self._one = ui.label(
-            "There is one load; the bar above shows its interval. State a range of loads under Points of the curve."
+            "The case has one load: the bar above shows the interval of mu. Enter a range of loads under Points of the curve."
         )
         explorer.listen(self.show)
         self.show()

@@ -1,4 +1,4 @@
-"""Page elements that follow their content, and a button that uploads a file."""
+"""Define page elements that are rebuilt when their content changes, and a button that uploads a file."""
 
 from collections.abc import Awaitable, Callable
 from typing import Any

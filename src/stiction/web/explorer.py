@@ -20,7 +20,7 @@ from stiction.web.query import Answer, Query, headline, solved
 class View:
     """Hold how the answer is shown.
 
-    against: variable on the horizontal axis, "load" or "mean_separation". point: index on the curve, None for the middle one.
+    against: variable on the horizontal axis, "load" or "mean_separation". point: index on the curve, None for the middle point.
     tab: the open tab. dark: whether the page is dark. narrow: whether the page is as narrow as on a telephone.
     """
 
@@ -83,7 +83,7 @@ class Explorer:
         self.redraw()
 
     async def ask(self, tables: Mapping[str, Any]) -> None:
-        """Solve a changed case, given by its tables; `undo` goes back to the case before.
+        """Solve a changed case, given by its tables; `undo` goes back to the previous case.
 
         If the contact has changed, the title of the case is replaced by one that names the bodies. A new title in the tables is
         kept.
@@ -133,7 +133,7 @@ class Explorer:
 
     @property
     def headline(self) -> tuple[str, str]:
-        """Return mu with the digits that its uncertainty justifies, and the load, area and separation at it, as two texts."""
+        """Return two texts: mu with the digits that its uncertainty justifies, and load, contact area and separation."""
         return headline(self.answer, self.point)
 
     def upload(self, name: str, content: bytes) -> str:

@@ -215,7 +215,7 @@ _UNCERTAIN = {re.compile("(.+) within a factor (\\S+)"): ("median", "factor"), r
 def as_written(given: Any) -> str:
     """Return an entry of the case tables as one line of text; "" for None.
 
-    Units have their signs, "µm" for "um", except in lists and tables, which stand as in a case file.
+    Units are written with their signs, "µm" for "um"; only lists and tables are written as in a case file.
     """
     if isinstance(given, Mapping) and given.keys() == {"median", "factor"}:
         given = f"{given['median']} within a factor {given['factor']}"
@@ -227,7 +227,7 @@ def as_written(given: Any) -> str:
 def value_at(tables: Any, path: Path) -> Any:
     """Return the entry at a path of keys in the tables of a case; None if there is no entry.
 
-    A material stated only by its name is read as a table with the key "preset".
+    A material specified only by its name is read as a table with the key "preset".
     """
     for key in path:
         if isinstance(tables, str) and key == "preset":
@@ -241,7 +241,7 @@ def value_at(tables: Any, path: Path) -> Any:
 def with_value_at(tables: Mapping[str, Any], path: Path, value: Any) -> dict[str, Any]:
     """Return a copy of the tables of a case with a value at a path of keys; None removes the entry.
 
-    A material stated only by its name becomes a table with the key "preset".
+    A material specified only by its name becomes a table with the key "preset".
     """
     key, rest = path[0], path[1:]
     inner = tables.get(key)
@@ -270,7 +270,7 @@ OPTIONAL_PARTS: dict[str, dict[str, Any]] = {
 }
 
 ENDINGS = {"first": "first body", "second": "second body", "coating": "film"}
-# Ways to state a surface, each with the numbers that the form starts with.
+# Ways to specify a surface, each with the initial numbers in the form.
 SURFACE_KNOWN_BY: dict[str, dict[str, Any]] = {
     "σ, R, N": {"asperity_height_deviation": "48 nm", "asperity_radius": "50 um", "asperity_density": "1.7e10 1/m^2"},
     "finish and Sq or Ra": {"finish": "ground"},

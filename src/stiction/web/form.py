@@ -229,7 +229,7 @@ class Form:
         spacing.on_value_change(lambda event: self._explorer.put(("solve", by, "spacing"), event.value))
 
     def _optional(self, part: Part, head: Any = None) -> None:
-        """Add a switch for a part that the case may omit and, if the switch is on, the fields of the part.
+        """Add a switch for an optional part of the case and, if the switch is on, the fields of the part.
 
         head: heading beside which the switch is placed; None for a line of its own.
         """
@@ -243,7 +243,7 @@ class Form:
             self._fields(part)
 
     def _fields(self, part: Part) -> None:
-        """Add the fields of a part; numbers that the case may omit and does not state follow at the end of the form."""
+        """Add the fields of a part; optional numbers that the case omits follow at the end of the form."""
         tables = self._explorer.query.tables
         for one in part.fields:
             if isinstance(one, Part):

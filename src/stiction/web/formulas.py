@@ -1,4 +1,4 @@
-"""Typeset the formulas of the models with matplotlib; a formula with a symbol that matplotlib lacks stays text."""
+"""Typeset the formulas of the models with matplotlib; a formula with a symbol that matplotlib lacks remains text."""
 
 import base64
 import io
@@ -7,7 +7,7 @@ from functools import cache
 
 from stiction.report.plain_formulas import as_code, braced, formula
 
-_INLINE, _DISPLAY = 1.2, 1.7  # factors on the size at which matplotlib draws
+_INLINE, _DISPLAY = 1.2, 1.7  # factors by which matplotlib's pictures are enlarged
 # LaTeX commands that matplotlib lacks -> commands to use instead.
 _RENAMED = {"tfrac": r"\frac", "le": r"\leq", "ge": r"\geq", "bigl": "", "bigr": ""}
 

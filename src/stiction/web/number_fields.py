@@ -65,7 +65,7 @@ def draw_number(explorer: Explorer, number: Number, otherwise: str = "") -> ui.i
         return value_at(explorer.query.tables, number.path)
 
     async def typed(wanted: str) -> None:
-        if as_written(wanted) != as_written(given()):  # equal text was written by the slider
+        if as_written(wanted) != as_written(given()):  # an equal text was set by the slider
             await explorer.put(number.path, number.written(wanted) if wanted else None)
 
     async def moved(value: float) -> None:
@@ -92,7 +92,7 @@ def draw_load(explorer: Explorer, inputs: dict[tuple[str, ...], Any]) -> Callabl
         ui.label("No load is compressive: see the points of the curve.").classes("text-sm")
         return lambda: None
 
-    asked = explorer.load  # working load of the newest query, which may wait for its answer
+    asked = explorer.load  # working load of the newest query, whose answer may still be missing
 
     async def put(value: float) -> None:
         nonlocal asked

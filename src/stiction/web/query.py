@@ -140,7 +140,7 @@ def solved(query: Query) -> Answer:
 
 
 def compared(query: Query, load: float | None, progress: Any) -> tuple[Case, xarray.Dataset, xarray.Dataset | None]:
-    """Return the case, the comparison of all models, and the prediction, or None if no prediction is possible.
+    """Return the case, the comparison of all models, and the prediction (None if no prediction is possible).
 
     load: in N, or normalised as in the case; None for the middle load of the case. progress: records the progress. Raises
     InputError.

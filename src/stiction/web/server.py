@@ -21,7 +21,7 @@ _MOST_CONNECTIONS = 1000
 # left, they stay in memory until the oldest generation is collected, here after about five pages.
 _COLLECTED = 5_000, 5, 2
 _FORGOTTEN = 60.0  # seconds after which the library forgets the tab of a browser; by default it is 30 days
-_PATIENCE = 600.0  # seconds until a page must be there; the first use of a model compiles its kernels
+_PATIENCE = 600.0  # seconds, time limit for building a page; the first use of a model compiles its kernels
 
 
 def query_of(case: Path | None) -> Query:
@@ -51,7 +51,7 @@ def check_port(host: str, port: int) -> None:
             trial.bind((host, port))
     except (OSError, OverflowError) as error:
         why = getattr(error, "strerror", None) or str(error)
-        raise InputError("--port", port, f"a port of {host} that is free, 1024 to 65535 ({why})") from None
+        raise InputError("--port", port, f"a free port of {host}, 1024 to 65535 ({why})") from None
 
 
 def serve(query: Query, host: str, port: int) -> None:

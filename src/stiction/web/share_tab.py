@@ -53,14 +53,14 @@ class ShareTab:
 
     def __init__(self, explorer: Explorer):
         self._explorer = explorer
-        ui.label("The address of this page holds the case: it opens the same page on any machine that runs "
+        ui.label("The address of this page contains the case, and opens the same page on any machine that runs "
                  "stiction serve.").classes("text-sm")  # fmt: skip
         self._files = ui.label().classes("text-sm text-negative")
         with ui.row().classes("gap-2"):
             for name in KINDS:
                 button = ui.button(name, on_click=lambda event, name=name: self._download(name, event.sender)).props("no-caps")
                 attributes(button, aria_label=f"download {name}")
-        ui.label("The report holds the answer, inputs with sources, pictures, all models and validity on one page. "
+        ui.label("The report shows the answer, inputs with sources, pictures, all models and validity on one page. "
                  "On the command line: stiction report case.toml").classes("text-sm")  # fmt: skip
         Study(
             explorer,

@@ -29,7 +29,7 @@ _NONE = ""  # value of the choice that searches no number
 
 
 def run_sensitivity_study(query: Query, progress: Progress) -> View:
-    """Return the view (tables and pictures) of a sensitivity study, which shows what input to measure better.
+    """Return the view (tables and pictures) of a sensitivity study, which shows which input to measure better.
 
     query: the case. progress: records the progress. Raises InputError.
     """
@@ -40,10 +40,10 @@ def run_sensitivity_study(query: Query, progress: Progress) -> View:
 
 
 def run_design_study(query: Query, load: str | float, target: float, free: dict[str, Any], progress: Progress) -> View:
-    """Return the view (tables and pictures) of a design study, which searches numbers of the case with which mu is `target`.
+    """Return the view (tables and pictures) of a search for numbers of the case with which mu equals `target`.
 
-    load: load of mu, in N, normalised, or a text with a unit. free: table [design.choose] of a case file, with the numbers to
-    search and their limits. Raises InputError.
+    load: load at which mu must reach the target, in N, normalised, or a text with a unit. free: table [design.choose] of a case
+    file, with the numbers to search and their limits. Raises InputError.
     """
     from stiction.report.views.design import design_view
     from stiction.studies.design.plan import make_design_plan

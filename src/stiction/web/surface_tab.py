@@ -74,7 +74,7 @@ class SurfaceTab:
         with ui.row().classes("items-end gap-2"):
             fields = {"size": "size along x, e.g. 40 µm", "unit": "unit of the numbers", "height_unit": "unit of the heights"}
             inputs = {name: ui.input(label).props("dense outlined").classes("w-48") for name, label in fields.items()}
-        ui.label("Needed only for files that do not state it, such as tables of numbers.").classes("text-sm")
+        ui.label("Needed only for files without size or units, such as tables of numbers.").classes("text-sm")
 
         async def uploaded(path: str, name: str) -> None:
             texts = {field: str(text.value or "").strip() for field, text in inputs.items()}

@@ -152,7 +152,7 @@ _DECADES = 10  # decades of the spectrum that are shown; below them a filter lea
 
 
 def wavevectors(surface: HeightMap) -> tuple[float, float]:
-    """Return the wavevectors [rad/m] of the longest and the shortest wave that a scan can have."""
+    """Return the wavevectors [rad/m] of the longest and the shortest wave that a scan can contain."""
     return 2.0 * math.pi / max(surface.size), math.pi / surface.coarsest_pitch
 
 

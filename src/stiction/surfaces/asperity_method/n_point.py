@@ -1,7 +1,7 @@
 r"""Find n-point asperities: each run of neighbouring points above a level in a row or column of a map is one asperity.
 
 Hariri, Zu & Ben Mrad (2006) let the level move with the separation of the surfaces. Here the level is fixed, because the sum
-over asperities needs heights that do not depend on the separation. Height and radius of an asperity are a reconstruction: see
+over asperities needs heights that do not depend on the separation. Height and radius of an asperity are reconstructed: see
 stiction.surfaces.theory.n_point.
 
 *Assumes*: an asperity is $n$ neighbouring sampled points of a profile whose $n-2$ middle ones are above a level. *Source*:
@@ -94,7 +94,7 @@ RECORD = AsperityMethod(
             "hariri_zu_ben_mrad_2006",
             "abstract",
             "reconstructed: height and radius of an asperity (the abstract does not print their definitions), and the level, "
-            "which is fixed here and moves with the separation there",
+            "which is fixed here, but moves with the separation in the paper",
         ),
         Source("nayak_1971", "", "conversion from asperities per length to N, as for peaks; a convention"),
     ),

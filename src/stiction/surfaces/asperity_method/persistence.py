@@ -185,7 +185,7 @@ RECORD = AsperityMethod(
     grade="C",
     sources=(
         Source("iso_25178_2_2012", "", "reconstructed from memory: hills and Wolf pruning; dales are not pruned"),
-        Source("iso_16610_85_2013", "", "reconstructed from memory: the same"),
+        Source("iso_16610_85_2013", "", "reconstructed from memory: hills and Wolf pruning"),
         Source("iso_25178_3_2012", "", "reconstructed from memory: the default threshold of 5 % of Sz"),
     ),
     verified="its definition, tested level by level with another library on random maps with and without a lay; arrays of "

@@ -3,7 +3,7 @@ r"""Find the peaks of profiles: points higher than both neighbours along a row o
 A profile hardly ever crosses a summit: it passes over its shoulders. Its peaks are therefore lower than the summits. On a
 smooth Gaussian surface they are also blunter: the mean curvature of peaks is sqrt(pi m4/2), while the mean curvature of summits
 is (8/3) sqrt(m4/pi), 1.20 times as large (Nayak 1971). On a surface with waves of every size the peaks get ever smaller and
-sharper as the pitch shrinks. They are then a fixed fraction of all points, regardless of which points carry load. This is
+sharper as the pitch shrinks. The peaks are then a fixed fraction of all points, regardless of which points carry load. This is
 Greenwood's objection to three-point peaks (Greenwood & Wu 2001); the method is included for comparison.
 
 *Assumes*: an asperity is a sampled point of a profile that is higher than both neighbours. *Source*:
