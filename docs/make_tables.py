@@ -108,16 +108,17 @@ def takes(model: dict) -> tuple[str, ...]:
 
 def asperities_of(model: dict) -> str:
     """Which asperity laws a tangential or film law goes with."""
-    marked = f"with the properties {', '.join(model['wants'])}" if model["wants"] else "any"
+    wanted = model["wants"]
+    marked = f"with the propert{'y' if len(wanted) == 1 else 'ies'} {', '.join(wanted)}" if wanted else "any"
     if not getattr(record_of(model), "own_asperity", False):
         return marked
-    return f"its own, in place of those {marked}" if model["wants"] else "its own"
+    return f"its own, in place of an asperity law {marked}" if wanted else "its own"
 
 
 def friction_of(model: dict) -> str:
     """Which tangential laws a film law goes with."""
     if getattr(record_of(model), "solved_as_one", False):
-        return "laws of the interface, and those of a film and its body as one"
+        return "laws of the interface, and laws for a film and its substrate as one body"
     known = {"": "any that suits the asperity law", "interface": "laws of the interface"}
     return known.get(model["tangential"]) or f"its own, `{model['tangential']}`"
 
@@ -169,12 +170,8 @@ def record_lines(model: dict) -> str:
     lines += [f"- Relative error of {good}: at most {model['accuracy']:.0e}"] if record.keyword else []
     lines += [f"- Jumps {jump}" for jump in model.get("jumps", ())]
     lines += [f"- In the limit: {departure}" for departure in model.get("departures", ())]
-    lines += [
-        f"- Only with asperity laws that have the property {trait}: {why}" for trait, why in model.get("wants", {}).items()
-    ]
-    lines += [
-        f"- Error on a sphere, of the area at a given load and of the load at a given approach: {one}" for one in off_by(model)
-    ]
+    lines += [f"- Requires an asperity law with the property {trait}: {why}" for trait, why in model.get("wants", {}).items()]
+    lines += [f"- Error for a sphere (area at a given load, load at a given approach): {one}" for one in off_by(model)]
     lines += [f"- Properties: {', '.join(model['traits'])}"] if model.get("traits") else []
     lines += more(record)
     lines += [f"- Valid for: {rule}" for rule in model["validity"] or ["no range is stated"]]
@@ -195,24 +192,29 @@ def more(record: Record) -> list[str]:
     if isinstance(record, FilmLaw) and record.own_asperity:
         lines.append("- Has its own asperity law")
     if isinstance(record, FilmLaw) and record.tangential:
-        others = "of the interface" if record.tangential == "interface" else f"`{record.tangential}`, which is built into it"
-        others += " and those of a film and its body as one" * record.solved_as_one
-        lines.append(f"- Only with the tangential law{'s' if record.tangential == 'interface' else ''} {others}")
+        others = (
+            "of the interface" if record.tangential == "interface" else f"`{record.tangential}`, which is part of this film law"
+        )
+        others += " and tangential laws for a film and its substrate as one body" * record.solved_as_one
+        lines.append(
+            f"- Can be combined only with the tangential law{'s' if record.tangential == 'interface' else ''} {others}"
+        )
     if isinstance(record, TangentialLaw) and record.layered:
-        lines.append("- Uses the stresses of the layered body if the film law computes them, otherwise those of a half-space")
+        lines.append("- Uses the stresses in film and substrate if the film law computes them, otherwise those in a half-space")
     if isinstance(record, AsperityMethod):
-        lines += ["- Only for maps"] * (not record.of_profiles)
-        lines += ["- Can be chosen if the user names no method: it finds the summits of a Gaussian surface"] * record.of_summits
+        lines += ["- Accepts only maps, no profiles"] * (not record.of_profiles)
+        lines += ["- Can be the default method, because it finds the summits of a Gaussian surface"] * record.of_summits
         lines += [
-            "- Theories without asperities use its numbers, because these have the moments of the surface"
+            "- Theories without asperities can use this method, because its numbers reproduce the moments of the surface"
         ] * record.of_moments
     if isinstance(record, Criterion):
         lines += [f"- Below 1: {record.below}", f"- Above 1: {record.above}"]
     for limit in record.limits:
         values = [f"`{name}` = {value:g}" for name, value in limit.groups.items()]
         chosen = [f"`{name}` `{value}`" for name, value in limit.options.items()]
-        where = f"at {', '.join(values + chosen)}" if values else "everywhere"
-        lines.append(f"- Agrees with `{limit.parent}` {where}: {' and '.join(limit.quantities)} to {limit.within:.0e}")
+        where = f"at {', '.join(values + chosen)}" if values else "for all values of the groups"
+        results = " and ".join(limit.quantities)
+        lines.append(f"- Agrees with `{limit.parent}` {where}: relative difference of {results} at most {limit.within:.0e}")
     return lines
 
 

@@ -1,8 +1,9 @@
 """The figures of the 2015 paper, as published and corrected.
 
-The coated and the uncoated surface of figures 1(a), 2(a) and 3, by the published equations and by the corrected ones
-(docs/explanation/theory-limits.md lists the differences). The paper does not print the adhesion indices of its figures.
-theta = 40 and lambda = 10 show its claims. `stiction figures` draws all panels for indices of your own.
+The coated and the uncoated surface of figures 1(a), 2(a) and 3, computed with the published equations and with the corrected
+equations (docs/explanation/theory-limits.md lists the differences). The paper does not print the adhesion indices of its
+figures. This picture uses theta = 40 and lambda = 10, for which the claims of the paper are true. `stiction figures` draws all
+figures for other indices.
 """
 
 import matplotlib.pyplot as plt

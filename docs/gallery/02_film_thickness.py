@@ -1,7 +1,7 @@
 """Friction against film thickness, with error bars.
 
-Silver on bearing steel at 1 N. The strength of the interface, the work of adhesion and the hardness of a thin film are
-uncertain. Each is stated with its error, and the bars are the 90 % intervals that result.
+Silver on bearing steel at 1 N. The strength of the interface, the work of adhesion and the hardness of the film are uncertain,
+and each number is stated with its error. The bars are the resulting 90 % intervals of the friction coefficient.
 """
 
 from pathlib import Path

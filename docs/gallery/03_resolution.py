@@ -1,7 +1,7 @@
 """Friction against the resolution of the scan.
 
-A finer scan shows more and sharper asperities. Here the short waves of one generated surface are removed step by step. Each
-line is one asperity method. Where a line is not level, the result depends on the resolution of the instrument.
+A scan with a finer resolution contains more and sharper asperities. In this example the short waves of one generated surface
+are removed step by step. Each line is one asperity method. If a line is not horizontal, the result depends on the resolution.
 """
 
 import matplotlib.pyplot as plt
@@ -29,8 +29,8 @@ for method in study["asperity_method"].values:
     one = study.sel(asperity_method=method)
     left.plot(one["cutoff"] * 1e6, one["mu"], "o-", label=method)
     right.loglog(one["cutoff"] * 1e6, one["R"] * 1e6, "o-", label=method)
-left.set(xscale="log", xlabel="shortest wave that is left [µm]", ylabel="static friction coefficient at 1 N", ylim=(0.0, None))
-right.set(xlabel="shortest wave that is left [µm]", ylabel="asperity radius [µm]")
+left.set(xscale="log", xlabel="shortest wavelength [µm]", ylabel="static friction coefficient at 1 N", ylim=(0.0, None))
+right.set(xlabel="shortest wavelength [µm]", ylabel="asperity radius [µm]")
 for axes in (left, right):
     axes.grid(alpha=0.3)
     axes.set_xticks([1, 2, 5], ["1", "2", "5"])

@@ -1,8 +1,8 @@
 """All models on one contact.
 
-Every model that applies to two bearing steels with a boundary film, over four decades of load. `stiction compare
-examples/compare_models.toml` prints the same numbers. A grey line is outside the range of validity of its model at the
-working load. The thick black line is persson_widened, an area model of the prediction (docs/explanation/prediction.md).
+Two bearing steels with a boundary film, over four decades of load, computed with every applicable model. `stiction compare
+examples/compare_models.toml` prints the same numbers. If a model is outside its range of validity at the working load, its line
+is grey. The thick black line is persson_widened, an area model of the prediction (docs/explanation/prediction.md).
 """
 
 import matplotlib.pyplot as plt

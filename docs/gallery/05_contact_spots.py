@@ -1,8 +1,7 @@
 """A map with its contact spots.
 
-The contact of a generated rough surface, solved point by point at two loads. The contact spots are drawn on the map of
-heights. The solution assumes no asperities, and the errors of models are measured against such solutions
-(docs/explanation/truth.md).
+The contact of a generated rough surface, solved point by point at two loads. The contact spots are drawn on the height map.
+The solution does not assume asperities. The errors of all models are computed from such solutions (docs/explanation/truth.md).
 """
 
 import matplotlib.pyplot as plt

@@ -1,8 +1,8 @@
 """Stress under an asperity with normal and tangential load.
 
-Von Mises stress divided by the local yield stress, in a section: bare steel, steel with a softer film, and steel with a
-harder film. On the line the ratio is 1. The dot marks the largest ratio. The elastic solution of a sphere on a layered
-solid is shown.
+Von Mises stress divided by the local yield stress in a cross-section, for bare steel, steel with a softer film, and steel with
+a harder film. On the line the ratio is 1. The dot marks the largest ratio. The stresses are from the elastic solution for a
+sphere on a layered solid.
 """
 
 import matplotlib.pyplot as plt

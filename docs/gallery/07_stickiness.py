@@ -1,8 +1,8 @@
 """When does a rough surface stick?
 
-Compliant and stiff bodies with different roughness. The colours show the pull-off force divided by that of asperities of
-equal height (fuller_tabor_1975; all contacts are solved as one array). The red line is the limit of stickiness by Pastewka
-and Robbins.
+Rough contacts with different elastic moduli and different roughness. The colours show the pull-off force divided by the
+pull-off force of the same asperities at equal heights (fuller_tabor_1975; all contacts are solved as one array). The red line
+is the limit of stickiness after Pastewka and Robbins.
 """
 
 import matplotlib.pyplot as plt

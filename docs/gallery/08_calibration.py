@@ -1,7 +1,7 @@
 """Fit: the strength of an interface from measured friction.
 
-The data are synthetic: a strength of 150 MPa, a pressure coefficient of 0.05, and 3 % noise. The fit finds both numbers
-with their intervals. The band is the predicted friction at other loads.
+The data are synthetic: a strength of 150 MPa, a pressure coefficient of 0.05, and noise of 3 %. The fit estimates both numbers
+with intervals. The band is the predicted friction at other loads.
 """
 
 from pathlib import Path

@@ -1,8 +1,8 @@
 """A Pareto front: little friction, or much contact area?
 
-An electric contact needs contact area, but should slide easily. The thickness of a silver film and the roughness of the surface
-are free. No design on the line is better than another in both objectives. `stiction design` computes the front, also with
-constraints.
+An electric contact needs a large contact area, but should slide easily. The search varies the thickness of a silver film and
+the roughness of the surface. No design on the line is better than another in both objectives. `stiction design` computes this
+Pareto front, also with constraints.
 """
 
 import matplotlib.pyplot as plt

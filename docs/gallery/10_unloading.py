@@ -1,8 +1,8 @@
 """An unloading loop.
 
-Adhesive elastic-plastic asperities (Thornton and Ning 1998) are loaded to three loads and then separated. A higher load
-flattens the asperities more. They then have more contact area and adhere longer, so the pull-off force grows with the
-preceding load.
+Adhesive elastic-plastic asperities (Thornton and Ning 1998) are loaded to three different loads and then separated. A higher
+load flattens the asperities more. The flattened asperities have more contact area and adhere up to a larger separation, so the
+pull-off force grows with the preceding load.
 """
 
 import matplotlib.pyplot as plt

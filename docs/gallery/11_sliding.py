@@ -1,8 +1,8 @@
 """From rest to sliding: tangential force against displacement.
 
-Each asperity sticks, then slips from the edge of its contact inwards, and slides at its own displacement. So the total
-force rises smoothly, although every asperity obeys Coulomb's law. If a sliding asperity retains only a fraction of its
-strength, the largest force is less than the sum of all strengths.
+Each asperity first sticks, then slips from the edge of its contact inwards, and finally slides. Different asperities slide at
+different displacements. The total force therefore rises smoothly, although every asperity obeys Coulomb's law. If a sliding
+asperity retains only a fraction of its strength, the largest total force is less than the sum of all strengths.
 """
 
 import matplotlib.pyplot as plt

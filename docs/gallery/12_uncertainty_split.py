@@ -1,7 +1,8 @@
 """What makes the answer uncertain?
 
-Two bearing steels with three uncertain numbers. The pictures show the interval that these inputs cause with one model, the
-contribution of every part of the prediction to its variance, and the input that should be measured better.
+Two bearing steels with four uncertain numbers. Left: the interval that these numbers cause with a single model. Middle: the
+contributions to the variance of the prediction. Right: the contributions of the inputs with a single model, which show what to
+measure better.
 """
 
 import matplotlib.pyplot as plt
@@ -36,7 +37,7 @@ for low, high, alpha in ((0, -1, 0.2), (1, -2, 0.3)):
 left.set(xscale="log", xlabel="load [N]", ylabel="static friction coefficient", title="50 % and 90 % intervals", ylim=(0, None))
 parts = st.predict({**CASE, "solve": {"load": "1 N"}}).attrs["shares"]
 middle.barh([name.replace("_", " ") for name in parts], list(parts.values()))
-middle.set(xlabel="fraction of the variance of ln mu", title="Parts of the prediction, 1 N", xlim=(0.0, 1.0))
+middle.set(xlabel="fraction of the variance of ln mu", title="Contributions to the prediction, 1 N", xlim=(0.0, 1.0))
 total = shares["friction_coefficient_total_order"]
 right.barh([name.replace("_", " ") for name in shares["input"].values], total)
 right.set(xlabel="fraction of the variance of ln mu", title="Inputs, one model, 1 N", xlim=(0.0, 1.0))

@@ -50,9 +50,9 @@ def page(schema: dict[str, Any]) -> Iterator[str]:
     yield from ("# Case file", "")
     yield (
         schema["description"]
-        + " It is TOML. `stiction schema` prints the schema from which this page is made, for editors that"
+        + " A case file is a TOML file. `stiction schema` prints its JSON schema, from which this page is made. With it,"
     )
-    yield from ("complete and check as you type. Every number with a dimension is text with its unit.", "")
+    yield from ("a text editor completes and checks a case file. Every number with a dimension is text with a unit.", "")
     yield from _table(schema, schema["$defs"])
     for name, title in TABLES.items():
         part = schema["$defs"][name]

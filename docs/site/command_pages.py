@@ -21,8 +21,8 @@ def write(out: Path) -> list[PurePosixPath]:
     folder.mkdir(parents=True, exist_ok=True)
     lines = [
         "# Command line", "",
-        "This page contains the output of `stiction COMMAND --help`. Bad input prints one line that names the field, its value",
-        "and what is allowed, and the exit code is 2.", "",
+        "This page contains the output of `stiction COMMAND --help`. If an input is invalid, the command prints",
+        "one line with the field, its value and the allowed values. The exit code is then 2.", "",
     ]  # fmt: skip
     for name, command in commands().items():
         lines += section(name, command)

@@ -78,6 +78,6 @@ def write(out: Path) -> list[PurePosixPath]:
 
 def _index(cards: list[str]) -> str:
     return (
-        "# Gallery\n\nPictures that people want to make, each with the short script that makes it; all run in the tests.\n\n"
+        "# Gallery\n\nEach picture is shown with the short script that draws it. The tests run all scripts.\n\n"
         ":::::{grid} 1 2 2 3\n:gutter: 3\n\n" + "\n\n".join(cards) + "\n:::::\n"
     )

@@ -89,7 +89,7 @@ def page(row: dict, record: Record) -> str:
     drawn = f"```{{image}} {place_of_law(record).stem}.png\n:alt: {record.key}, drawn\n:class: drawn\n```"
     entries = st.cite(list(dict.fromkeys(source.key for source in record.sources))).strip() if record.sources else ""
     cited = f"\n\n## BibTeX\n\n```bibtex\n{entries}\n```" if entries else ""
-    chosen = f'Chosen with `{record.keyword}="{record.key}"`.' if record.keyword else ""
+    chosen = f'Choose it with `{record.keyword}="{record.key}"`.' if record.keyword else ""
     about = f"`{record.key}`, {record.kind}: {record.title}. {chosen}".strip()
     stated = _in_words(make_tables.record_lines(row)) + _measured(record)
     parts = [f"# {name_of(record)}", about, _with_whole_links(text_of(record)), "## Picture", drawn, HEADING, stated, READ]
@@ -146,7 +146,7 @@ def index() -> str:
     lines = [
         "# Laws and models",
         "",
-        "Each law has a page with equations, picture, range of validity, evidence and BibTeX.",
+        "The page of a law contains its equations, a picture, its range of validity, its checks, and BibTeX entries.",
         "",
     ]
     for kind in kinds():
@@ -159,7 +159,12 @@ def index() -> str:
 
 def sources() -> str:
     """Everything that is cited."""
-    lines = ["# Bibliography", "", "`stiction cite` prints all of it, `stiction cite KEY` that of one model.", ""]
+    lines = [
+        "# Bibliography",
+        "",
+        "`stiction cite` prints the whole bibliography. `stiction cite KEY` prints the entries of one model.",
+        "",
+    ]
     for key, entry in bibliography().items():
         lines += [f"## {key}", "", f"```bibtex\n{entry}\n```", ""]
     return "\n".join(lines)

@@ -156,10 +156,10 @@ def tangential(record: TangentialLaw) -> Figure:
 def _friction_of_one(pressed: np.ndarray, sheared: np.ndarray, load: float, title: str) -> Figure:
     figure, left, right = two_panels()
     left.plot(pressed * load, sheared * load, color="#0072B2", linewidth=2.5)
-    left.set(xlabel="load on one asperity [µN]", ylabel="force that shears it off [µN]")
+    left.set(xlabel="load on one asperity [µN]", ylabel="tangential resistance [µN]")
     there = (pressed > 1e-3 * np.nanmax(pressed)) & (sheared > 0.0)
     right.plot(pressed[there] * load, sheared[there] / pressed[there], color="#0072B2", linewidth=2.5)
-    right.set(xscale="log", xlabel="load on one asperity [µN]", ylabel="their ratio", ylim=(0.0, None))
+    right.set(xscale="log", xlabel="load on one asperity [µN]", ylabel="tangential resistance over load", ylim=(0.0, None))
     figure.suptitle(title, fontsize="medium")
     return figure
 
@@ -229,7 +229,11 @@ def rough_surface(record: RoughSurface) -> Figure:
     right.set(xscale="log", xlabel="load [N]", ylabel="static friction coefficient")
     right.set_ylim(0.0, 1.1 * right.dataLim.y1)
     left.legend(fontsize="small")
-    shown = "its own friction" if shear is None else f"an interface of {given.interfacial_shear_strength / 1e6:g} MPa + 0.05 p"
+    shown = (
+        "tangential law of the model"
+        if shear is None
+        else f"strength of the interface {given.interfacial_shear_strength / 1e6:g} MPa + 0.05 p"
+    )
     pair = "Rubber on rubber" if record.key == FLATTENED else "Steel on steel"
     figure.suptitle(f"{pair}{', 200 nm of silver' * record.on_film}; {shown}", fontsize="medium")
     return figure
@@ -249,7 +253,7 @@ def composite(record: Composite) -> Figure:
             values = [record.value(ratio, depth, constant, exponent) for depth in at]
         axes.plot(at, values, linewidth=2.5, label=f"film over substrate {ratio:g}")
     against = "contact radius over film thickness" if record.property == "modulus" else "depth over film thickness"
-    axes.set(xscale="log", xlabel=against, ylabel=f"{record.property} over that of the substrate")
+    axes.set(xscale="log", xlabel=against, ylabel=f"{record.property} over {record.property} of the substrate")
     axes.grid(alpha=0.3)
     axes.legend()
     return figure
@@ -291,7 +295,7 @@ def ageing(record: Ageing) -> Figure:
     data = st.solve(rested, load=1e-3, model=SUM, ageing=record.key)
     figure, axes = plt.subplots(figsize=(5.5, 3.6), layout="constrained")
     axes.semilogx(times, np.ravel(data["friction_coefficient"]), linewidth=2.5)
-    axes.set(xlabel="time at rest [s]", ylabel="static friction coefficient", title="2 % for every factor e beyond 1 s")
+    axes.set(xlabel="time at rest [s]", ylabel="static friction coefficient", title="2 % per factor e in time after 1 s")
     axes.grid(alpha=0.3)
     return figure
 
@@ -308,7 +312,7 @@ def contamination(record: Contamination) -> Figure:
         xlabel="load [N]",
         ylabel="static friction coefficient",
         ylim=(0.0, None),
-        title="Standard deviation of the strength: its mean",
+        title="Standard deviation of the strength equal to its mean",
     )
     axes.grid(alpha=0.3)
     axes.legend()
@@ -332,7 +336,7 @@ def criterion(record: Criterion) -> Figure:
         groups, _ = Groups.of(contact(roughness=rough, energy=st.axis("work_of_adhesion", energies)).indices())
         axes.loglog(energies, record.ratio(groups), linewidth=2.5, label=f"R = {radius * 1e6:g} µm")
     axes.axhline(1.0, color="grey", linewidth=1.0)
-    axes.set(xlabel="work of adhesion [J/m$^2$]", ylabel="ratio: below 1 it sticks", title="Steel, sigma = 1 nm")
+    axes.set(xlabel="work of adhesion [J/m$^2$]", ylabel="ratio (below 1 the surfaces stick)", title="Steel, sigma = 1 nm")
     axes.grid(alpha=0.3)
     axes.legend()
     return figure

@@ -31,7 +31,7 @@ def write(out: Path) -> list[PurePosixPath]:
     """A page for each name, and their list."""
     folder = out / "reference" / "names"
     folder.mkdir(parents=True)
-    lines = ["# Public names", "", "All names that are available after `import stiction as st`.", ""]
+    lines = ["# Public names", "", "This page lists all names that are available after `import stiction as st`.", ""]
     for title, names in GROUPS.items():
         lines += [f"## {title}", "", "| name | meaning |", "|---|---|"]
         for name in names:

@@ -22,20 +22,20 @@ GROUPS = (
 TEXT = """# Speed over time
 
 `make bench` measures every part of the program. In the same run it measures two references that do not change with the
-code: a loop over `scipy.integrate.quad` for the corrected model without a film, and the exponentials that a direct sum
-needs, by NumPy. The pictures show the ratio
+code: a loop over `scipy.integrate.quad` for the corrected model without a film, and NumPy's exponentials of a direct sum.
+The pictures show the ratio
 
 $$
 \\frac{\\text{runs of a benchmark per second}}{\\text{evaluations of the loop per second}}
 $$
 
-A slow machine slows down both, so the ratio measures the code. A falling line is a part that has become slower. With other
-work on the machine the ratios scatter by ten per cent and more. Every run reports the ratios that are a quarter or more
-below those of the last run on the same machine.
+A slow machine slows down the benchmark and the loop, so the ratio measures the code. If a line falls, a part of the program
+has become slower. If the machine also does other work, the ratios scatter by ten per cent or more. Every run reports each
+ratio that is lower than in the last run on the same machine by a quarter or more.
 
 `benchmarks/history.jsonl` contains every record, with commit, date, machine and versions. In the first nine records the
-loop was measured once. Since then the loop is the best of five measurements, and nearly twice as fast: there all ratios
-fall by a third without a change of the code.
+loop was measured once. In later records the speed of the loop is the best of five measurements, nearly twice the earlier
+speed. After the ninth record all ratios therefore fall by a third without a change of the code.
 """
 
 
@@ -101,6 +101,6 @@ def last(known: list[dict[str, Any]]) -> str:
     ]
     head = ["| benchmark | ratio to scipy.quad | ratio to NumPy's exponentials |", "| --- | --- | --- |"]
     said = [f"- {line}" for line in (*history.moved_peers(known), *history.falls(known))] or [
-        "No ratio fell by a quarter or more from the record before it."
+        "No ratio is lower than in the previous record by a quarter or more."
     ]
     return "\n".join([f"{now['date']}, {now['commit']}; {about}; {now['versions']}.", "", *said, "", *head, *rows, ""])
