@@ -43,23 +43,23 @@ def solve_case(case: "CaseLike", choice: Choice | None = None, progress: Progres
         The contact and its points: loads or mean separations.
     choice : Choice, optional
         Model, laws and options that replace those of the case. The model may be any model that `compare` shows, or
-        "recommended" for the prediction, as from `predict`.
+        "recommended" for the prediction of `predict`.
     progress : callable
         Receives a label and returns a function that wraps the list of steps.
 
     Returns
     -------
     xarray.Dataset
-        As from `solve`, or as from `predict` for a prediction. With uncertain numbers, results are those of the nominal
-        contact, and NAME_quantile (quantile, ...) and its standard error NAME_quantile_error are added for
-        friction_coefficient, contact_area, load and pull_off_force. With scans, friction_coefficient_by_method
-        (asperity_method, points), friction_coefficient_low and friction_coefficient_high, its range over the asperity methods,
-        are added.
+        The dataset that `solve` returns; for a prediction, the dataset that `predict` returns. With uncertain numbers, the
+        results belong to the nominal contact. For friction_coefficient, contact_area, load and pull_off_force, the variables
+        NAME_quantile (quantile, ...) and NAME_quantile_error, its standard error, are added. With scans,
+        friction_coefficient_by_method (asperity_method, points) is added. Its smallest and largest values over the asperity
+        methods are friction_coefficient_low and friction_coefficient_high.
 
     Raises
     ------
     InputError
-        As `solve`; also for more points than fit in memory.
+        The errors of `solve`; or the case has more than 1,000,000 points.
 
     Examples
     --------
@@ -82,9 +82,9 @@ def solve_case(case: "CaseLike", choice: Choice | None = None, progress: Progres
 
 
 def sources_of_case(case: "CaseLike") -> list[str]:
-    """Return the bibliography keys of the result of a case: of its prediction, or of the model that it names.
+    """Return the bibliography keys of the model that a case names; of its prediction if the case names no model.
 
-    Raises InputError as `solve_case` and `predict`.
+    Raises the errors of `solve_case` and `predict`.
     """
     case = as_case(case)
     data = predict(case) if is_predicted(case) else solve_case(case)
@@ -122,24 +122,24 @@ def slide_case(
     choice : Choice, optional
         Model and laws that replace those of the case.
     residual_strength : float, optional
-        Fraction of its shear strength, 0 to 1, that an asperity retains once it slides, or a point of a map after
-        `weakening_slip`.
+        Fraction of the shear strength, 0 to 1, that remains: at an asperity once it slides, at a point of a height map after
+        the slip `weakening_slip`.
     weakening_slip : float [m] or str with a unit, optional
         For a height map: slip over which the strength of a point falls to `residual_strength`.
     spring_stiffness : float [N/m] or str with a unit, optional
-        For a height map: stiffness of the machine that moves it; by default rigid.
+        For a height map: stiffness of the machine that moves the body; by default the machine is rigid.
     tangential_force : float [N], str with a unit, or array, optional
         For a height map at one load: tangential forces to apply instead of displacements.
 
     Returns
     -------
     xarray.Dataset
-        As from `slide`, with the dimensionless groups of the contact as attributes.
+        The dataset that `slide` returns, with the dimensionless groups of the contact as attributes.
 
     Raises
     ------
     InputError
-        As `slide`; also if a number of the contact is an array.
+        The errors of `slide`; or a number of the contact is an array.
 
     Examples
     --------
@@ -186,8 +186,9 @@ def require_choice(choice: Any) -> None:
 def choice_of_case(case: Case, choice: Choice) -> Choice:
     """Return the model, laws and options that evaluate a case, resolved from the names in `choice`.
 
-    A name that `compare` shows may stand for a model with laws; it is replaced by these. If `choice` names another model than
-    the case, and that model has fixed laws, the laws of the case are dropped. Raises InputError.
+    A name that `compare` shows may denote a model together with laws; the model and these laws then replace the name. If
+    `choice` names another model than the case, and that model has fixed laws, the laws of the case are dropped. Raises
+    InputError.
     """
     require_choice(choice)
     laws = {law: key for law, key in choice.laws().items() if law != "model"}
@@ -213,12 +214,12 @@ def compare_case(case: "CaseLike", load: "QuantityLike | None" = None, progress:
     Returns
     -------
     xarray.Dataset
-        As from `compare`.
+        The dataset that `compare` returns.
 
     Raises
     ------
     InputError
-        As `compare`.
+        The errors of `compare`.
 
     Examples
     --------
@@ -232,6 +233,6 @@ def compare_case(case: "CaseLike", load: "QuantityLike | None" = None, progress:
 
 
 def _with_notes(data: "xarray.Dataset", case: Case) -> "xarray.Dataset":
-    """Return the dataset with the title of the case and the version of the program added as attributes."""
+    """Return the dataset with two attributes added: the title of the case and the version of stiction."""
     title = {"case": case.title} if case.title else {}
     return data.assign_attrs(title, program=f"stiction {__version__}")

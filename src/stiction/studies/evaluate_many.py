@@ -43,12 +43,13 @@ def evaluate_together(
     keep : sequence of str, optional
         Names of the results to return, by default all.
     check_validity : bool, optional
-        Whether to set the bits of validity ranges that results leave. Without them, a small batch takes two thirds of the time.
+        Whether to check validity ranges and set the bits of those that the results exceed. Without the check, a small batch
+        takes two thirds of the time.
 
     Returns
     -------
     tuple
-        The case with these numbers, and its BatchResult. A result is NaN where the model has none; the bits in
+        The case with these numbers, and its BatchResult. A result is NaN where the model gives none; the bits in
         `validity_warnings` give the reason. Warnings and floating-point errors are not raised, but set bits too.
 
     Raises

@@ -68,17 +68,16 @@ def compare(
     Returns
     -------
     xarray.Dataset
-        Curves over (model, point), dimensionless for Indices: mean_separation [m], load [N], contact_area [m^2],
-        friction_force [N], friction_coefficient; and `range_status`: 0 inside the validity ranges of the model, 1 outside, 2
-        where a result is impossible. Over `model`: the same five results at the working load, with names that end in
-        `_at_load`; `status`, a text that states whether the contact fits the model; `why_not`, the reason for missing results;
-        grade; `outside_validity` (text) and `validity_warnings` (JSON); `family_of_curve`, whether the strength of the
-        interface or of the bodies determines friction; `plastic_junctions_resist`, how plastic contact spots resist shear;
-        `measured_area_error`, `measured_area_error_rms` and `measured_friction_error`, relative errors on benchmark surfaces
-        near this contact (truth.md), NaN if none is near; `measured_error` and `measured_film_error` (JSON), and
-        `measured_error_in_words`. Attributes: `working_load`, `criteria`, `not_applicable` (model: reason), and `sources`, keys
-        of publications. For a measured surface also
-        friction_coefficient_at_load_by_method (asperity_method, model), with `_low` and `_high`.
+        Curves over (model, point), dimensionless for Indices: mean_separation [m], load [N], contact_area [m^2], friction_force
+        [N], friction_coefficient; and `range_status`: 0 inside the validity ranges of the model, 1 outside, 2 where a result is
+        impossible. Over `model`: the same five results at the working load, with names that end in `_at_load`; `status`, a text
+        that states whether the contact fits the model; `why_not`, the reason for missing results; grade; `outside_validity`
+        (text) and `validity_warnings` (JSON); `family_of_curve`, whether the strength of the interface or of the bodies
+        determines friction; `plastic_junctions_resist`, how plastic contact spots resist shear; `measured_area_error`,
+        `measured_area_error_rms` and `measured_friction_error`, relative errors on benchmark surfaces near this contact
+        (truth.md), NaN if none is near; `measured_error` and `measured_film_error` (JSON), and `measured_error_in_words`.
+        Attributes: `working_load`, `criteria`, `not_applicable` (model: reason), and `sources`, keys of publications. For a
+        measured surface also friction_coefficient_at_load_by_method (asperity_method, model), with `_low` and `_high`.
 
     Raises
     ------
@@ -87,9 +86,9 @@ def compare(
 
     Notes
     -----
-    A theory without a separation is computed at the loads of Greenwood and Williamson, with NaN for mean_separation. If a model
-    has no tangential law and the contact states an interfacial shear strength, a law of the interface computes friction.
-    `predict` combines the models into one answer.
+    A theory without a mean separation is evaluated at the loads of the Greenwood-Williamson model; its mean_separation is NaN.
+    If a model has no tangential law and the contact states an interfacial shear strength, a law of the interface computes
+    friction. `predict` combines the models into one answer.
 
     Examples
     --------
@@ -174,9 +173,9 @@ class _Answer:
     """Store the results of one model in a comparison, in SI units for a Contact and dimensionless for Indices.
 
     curve: results (points,) by name. range_status: at each point, WITHIN or OUTSIDE the validity ranges, or IMPOSSIBLE.
-    at_load: results at the working load, if the model reaches it. outside: validity warnings at the working load; without one,
-    along the curve. attributes: values for the names in _TEXTS and _NUMBERS. ignored: text from `_ignored`. sources: keys of
-    publications. why_not: reason for missing results or missing friction; "" if none is missing.
+    at_load: results at the working load, if the model reaches it. outside: validity warnings at the working load, or along the
+    curve if no working load is given. attributes: values for the names in _TEXTS and _NUMBERS. ignored: text from `_ignored`.
+    sources: keys of publications. why_not: reason for missing results or missing friction; "" if none is missing.
     """
 
     candidate: Candidate
@@ -196,7 +195,7 @@ class _Answer:
             return f"no answer: {self.why_not}"
         left_out = f", without {self.ignored}" if self.ignored else ""
         of_chance = [warning.in_brief for warning in self.outside if warning.kind == "statistics"]
-        if len(of_chance) == len(self.outside):  # these hold for any model
+        if len(of_chance) == len(self.outside):  # warnings about statistics concern every model alike
             return "; ".join((f"fits{left_out}", *of_chance))
         worst = [warning for warning in self.outside if warning.kind == "impossible"]
         texts = list(dict.fromkeys(warning.in_brief for warning in worst or self.outside))
@@ -250,7 +249,10 @@ def _ignored(problem: Problem) -> str:
 
 
 def _of_laws(problem: Problem) -> dict[str, str]:
-    """Return the grade of a model (the worst of its laws); with friction also its family and how plastic spots resist shear."""
+    """Return texts on a model by name: its grade, which is the worst grade of its laws.
+
+    For a model with friction also the family of its curve, and how plastic contact spots resist shear.
+    """
     grade = max(record.grade for record in problem.records())
     tangential = problem.chosen.tangential
     if tangential is None:
@@ -282,7 +284,8 @@ def _in_units(problem: Problem, results: dict[str, np.ndarray]) -> dict[str, np.
 def _curve(problem: Problem, h: np.ndarray, loads: np.ndarray) -> dict[str, np.ndarray]:
     """Return dimensionless results (points,) of a model by name, along separations or along loads.
 
-    h: mean separations over sigma. loads: loads (1, points) in the unit of the contact; theories without separations use these.
+    h: mean separations over sigma. loads: loads (1, points) in the unit of the contact, at which theories without separations
+    are evaluated.
     """
     if problem.needs_load:
         few = problem.few_of(loads / problem.subject.scales().factors()["N"])

@@ -131,7 +131,8 @@ def designed_case(search: "DesignSearch", out: Path) -> str:
 def _with_numbers(content: Any, numbers: Mapping[tuple[str, ...], Any]) -> Any:
     """Return the tables of a case file with the choices of a design written into them.
 
-    content: the tables. numbers: chosen number in SI units, or chosen list entry, by address in the case (tuple of keys).
+    content: the tables. numbers: for each address in the case (tuple of keys), the chosen number in SI units or the chosen list
+    entry.
     """
     for path, entry in sorted(numbers.items(), key=lambda one: one[0][-1] in QUANTITIES):  # materials before their numbers
         if path == LOAD:

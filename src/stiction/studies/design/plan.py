@@ -29,8 +29,8 @@ _MOST_FREE, _MOST_OPTIONS, _MOST_WAYS = 8, 100, 2000
 class Options:
     """Describe a list in [design.choose] from which the search chooses one entry.
 
-    path: address in the case of the number or material that is chosen. entries: numbers in SI units, or names and tables as in
-    a case file. words: the entries as text. is_number: whether the entries are numbers.
+    path: address (tuple of keys) of the chosen number or material in the case. entries: numbers in SI units, or names and
+    tables as in a case file. words: the entries as text. is_number: whether the entries are numbers.
     """
 
     path: Address
@@ -50,7 +50,7 @@ class Options:
 class Limit:
     """Describe a constraint of a design: the result `quantity` must lie between `low` and `high`, in SI units.
 
-    An infinite end is no constraint.
+    An infinite `low` or `high` sets no constraint.
     """
 
     quantity: str
@@ -70,10 +70,10 @@ class DesignPlan:
     """Hold the checked input of a design search.
 
     content: tables of the case, without the tables of studies; the files that they name have been read. given: tables as the
-    user wrote them. folder: folder at which relative paths in the tables start. free: numbers chosen between two ends.
-    options: lists to choose from. objectives: one or two. targets: target value of each objective in SI units, NaN if it has
-    none. limits: constraints on results. validity: which validity warnings are constraints too, as in [design]. effort: number
-    of generations of the search. uncertain: uncertain numbers of the case.
+    user wrote them. folder: folder at which relative paths in the tables start. free: numbers chosen between two ends. options:
+    lists to choose from. objectives: one or two. targets: target value of each objective in SI units, NaN for an objective
+    without a target. limits: constraints on results. validity: which validity warnings are constraints too, as in [design].
+    effort: number of generations of the search. uncertain: uncertain numbers of the case.
     """
 
     content: Mapping[str, Any]

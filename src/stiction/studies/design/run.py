@@ -92,7 +92,7 @@ class DesignSearch:
     def best(self, number: int = 0) -> np.ndarray:
         """Return the index of the best design for each combination of list entries, the best of all first.
 
-        An index counts all designs evaluated so far. number: index of the objective that decides. Designs that violate a
+        The indices refer to all designs evaluated so far. number: index of the objective that decides. Designs that violate a
         constraint rank after all others, by the size of their violation.
         """
         order = np.lexsort((self.answers.objectives[:, number], np.maximum(self.answers.worst - TOLERANCE, 0.0)))
@@ -122,15 +122,17 @@ def design(case: "CaseFile", *, callback: Callback = lambda count, text: None) -
     case : path, or dict like a case file
         Case with a table [design], which states the objective, the choices and the constraints.
     callback : callable
-        Called with the number of evaluated designs, and a text: their largest number, and the time left if it exceeds 90 s.
+        Called with the number of evaluated designs and a text. The text states the largest number of designs, and the remaining
+        time if it exceeds 90 s.
 
     Returns
     -------
     xarray.Dataset
         Over `design` the best design of each combination of listed choices, the best of all first: chosen numbers in SI units,
         results with an objective or a limit, `feasible` (all constraints met), `violated` (the violated constraints as text,
-        one a line) and `constraint_violation` (relative). With two objectives also the Pareto front: names with `pareto_`,
-        over `pareto`. All evaluated designs: names with `evaluated_`, over `evaluated`.
+        one a line) and `constraint_violation` (relative). With two objectives, variables whose names begin with `pareto_`
+        describe the Pareto front, over `pareto`. Variables whose names begin with `evaluated_` describe all evaluated designs,
+        over `evaluated`.
 
     Raises
     ------
@@ -227,10 +229,10 @@ def _ends(search: DesignSearch, number: int) -> "_StopWithoutGain":
 
 @dataclass
 class _StopWithoutGain:
-    """Stop differential evolution when its designs no longer improve; it calls this rule after each generation.
+    """Stop differential evolution when its designs no longer improve; scipy calls this rule after each generation.
 
-    It stops after more than `most` generations in which no member of the population improved, or when the lowest cost is at
-    most `met`. least: smallest improvement that counts, relative to the cost. costs: sorted costs of the last generation.
+    The search stops after more than `most` generations in which no member of the population improved, or when the lowest cost
+    is at most `met`. least: smallest improvement that counts, relative to the cost. costs: sorted costs of the last generation.
     generations: number of generations since the last improvement.
     """
 
@@ -296,8 +298,9 @@ def _seeds(search: DesignSearch, number: int, ceiling: float | None, rng: np.ran
 def _refine_best(search: DesignSearch, number: int, callback: Callback) -> None:
     """Refine the free parameters of the best designs by COBYQA (Ragonneau 2022), a local optimiser.
 
-    number: index of the objective. COBYQA fits quadratic models, and so finds the optimum to many digits, also at an end of a
-    number or where a constraint is active. Designs evaluated by the prediction, which is known to two digits, are not refined.
+    number: index of the objective. COBYQA fits quadratic models. It finds the optimum to many digits, even if a parameter is at
+    an end of its range or a constraint is active. Designs evaluated by the prediction, which is known to two digits, are not
+    refined.
     """
     if not search.plan.free or search.space.is_predicted:
         return

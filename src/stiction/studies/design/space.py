@@ -163,7 +163,7 @@ class DesignSpace:
         return np.column_stack(columns) if columns else np.zeros((len(shares), 1), dtype=int)
 
     def answers(self, shares: np.ndarray) -> Evaluated:
-        """Return objectives, constraint violations and results of n designs; refused designs get a violation of a million.
+        """Return objectives, constraint violations and results of n designs; refused designs get a violation of 1e6.
 
         shares (n, d): position of each choice between its ends or along its list, 0 to 1.
         """
@@ -247,8 +247,8 @@ class DesignSpace:
     def _contacts(self, shares: np.ndarray, some: np.ndarray) -> tuple[dict[Address, Any], dict[str, Any]]:
         """Return the numbers of designs, with samples of uncertain numbers, and their loads as {"load": array}.
 
-        The numbers are by address (tuple of keys). shares (n, d): position of each choice, 0 to 1. some: indices of the designs
-        wanted; they must have the same entry from every list that is not a list of numbers.
+        The keys of the dict of numbers are addresses (tuples of keys). shares (n, d): position of each choice, 0 to 1. some:
+        indices of the designs wanted; they must have the same entry from every list that is not a list of numbers.
         """
         from xarray import DataArray
 
@@ -270,8 +270,8 @@ class DesignSpace:
     def _sampled(self, named: Mapping[Address, Any], chosen: list[Address]) -> dict[Address, np.ndarray]:
         """Return samples (samples,) of each uncertain number that the design does not choose; {} for a prediction.
 
-        All arguments and results are by address (tuple of keys). named: choices that are not numbers. chosen: addresses of
-        chosen numbers.
+        The keys of all dicts are addresses (tuples of keys of the case). named: choices that are not numbers. chosen: addresses
+        of chosen numbers.
         """
         if self.is_predicted:
             return {}

@@ -48,8 +48,9 @@ def refinements(space: DesignSpace) -> int:
 def first_designs(space: DesignSpace) -> np.ndarray:
     """Return the n designs that a search evaluates first, (n, d): Sobol points for every combination of list entries.
 
-    Each of the d choices is a position, 0 to 1, between its ends or along its list. Of 1024 or more combinations, only every
-    second, third, ... is used, so that 512 to 768 remain. Without free parameters, the designs are all combinations, once each.
+    Each of the d choices is a position, 0 to 1, between its ends or along its list. If there are 1024 or more combinations,
+    only every second, third, ... combination is used, so that 512 to 768 remain. Without free parameters, the designs are all
+    combinations, once each.
     """
     plan, most = space.plan, _FEW_DRAWN * len(space.plan.objectives) ** 2 if space.is_predicted else _DRAWN
     counts = [len(one.entries) for one in plan.options]

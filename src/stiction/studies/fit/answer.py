@@ -18,7 +18,7 @@ from stiction.studies.fit.model import ForwardModel
 from stiction.studies.fit.search import CONFIDENCE, FAR, Best, Profile, Residuals, profiles, search
 
 _BELIEVED = 0.99  # quantile of chi square above which stated errors are enlarged
-_HIDES = 5.0  # two numbers are indistinguishable if one moves this many times farther when the other moves too
+_HIDES = 5.0  # two parameters compensate each other if one moves this many times farther than with the other fixed
 _LIKE = 0.25  # smallest ratio of the changes of two logarithms that counts as a similar rate
 _WIDE = 3.0  # high over low end of an interval above which a number counts as badly determined
 _AT_END = 1e-3  # largest distance from an end, as a share, that counts as at the end
@@ -77,7 +77,7 @@ class Fitted:
     def residuals(self) -> Residuals:
         """Return a function that computes residuals, (model - measured)/standard error, for sets of the k free parameters.
 
-        The function maps positions (sets, k) of the numbers between their ends, 0 to 1, to residuals (sets, n) of n measured
+        The function maps positions (sets, k) of the parameters between their ends, 0 to 1, to residuals (sets, n) of n measured
         values.
         """
         return _residuals(self.forward, self.errors)
@@ -108,7 +108,8 @@ def _searched(forward: ForwardModel, errors: np.ndarray, start: np.ndarray) -> B
 
     errors: standard errors (n,). start: positions (k,) of the k free parameters between their ends, 0 to 1, at which the search
     starts. Errors far smaller than the measured values are enlarged for the search, all by one factor, which does not move the
-    minimum. Otherwise residuals would be clipped everywhere except near the minimum, and the search would find no slope.
+    minimum. Without this step, residuals would be clipped everywhere except near the minimum, and the search would find no
+    slope.
     """
     sizes = {
         name: np.abs(forward.data.value[np.array(forward.data.quantity) == name]).max() for name in forward.data.quantities
@@ -138,7 +139,7 @@ def _scaled(name: str, forward: ForwardModel, best: Best, given: tuple[np.ndarra
     from scipy.stats import chi2, f
 
     errors, stated = given
-    freedom = len(errors) - int(best.jacobian.any(axis=0).sum())  # a number without effect on the model does not count
+    freedom = len(errors) - int(best.jacobian.any(axis=0).sum())  # a parameter without effect on the model does not count
     scale = 1.0
     found = freedom > 0 and (not stated or best.chi_square > chi2.ppf(_BELIEVED, freedom))
     if found:
@@ -150,7 +151,7 @@ def _scaled(name: str, forward: ForwardModel, best: Best, given: tuple[np.ndarra
 
 
 def refitted(fit: Fitted, forward: ForwardModel) -> Fitted:
-    """Fit the model of an earlier fit to the values in `forward`, starting from the best numbers of the earlier fit."""
+    """Fit the model of an earlier fit to the values in `forward`, starting from the best-fit parameters of the earlier fit."""
     errors, stated = _errors(forward.data)
     best = _searched(forward, errors, fit.best.shares)
     return _scaled(fit.name, forward, best, (errors, stated), False)
@@ -247,22 +248,24 @@ def _is_wide(fit: Fitted, at: int) -> bool:
 
 
 def _indistinguishable(fit: Fitted) -> list[list[int]]:
-    """Return groups of free parameters that are badly determined because they can change together, as lists of indices.
+    """Return groups of free parameters that the data cannot determine separately, as lists of indices.
 
-    Two numbers are grouped if, within the interval of either, the other moves more than five times as far as it could alone.
+    Two parameters are in one group if each moves far within the interval of the other, as `_moves_with` defines. Groups that
+    share a parameter are merged.
     """
     from scipy.sparse.csgraph import connected_components
 
     k = range(len(fit.parameters))
-    linked = np.array([[_carries(fit, i, j) and _carries(fit, j, i) for j in k] for i in k])
+    linked = np.array([[_moves_with(fit, i, j) and _moves_with(fit, j, i) for j in k] for i in k])
     count, group = connected_components(linked, directed=False)
     return [members.tolist() for at in range(count) if len(members := np.flatnonzero(group == at)) > 1]
 
 
-def _carries(fit: Fitted, at: int, other: int) -> bool:
+def _moves_with(fit: Fitted, at: int, other: int) -> bool:
     """Return whether free parameter `other` moves far within the interval of free parameter `at`, while chi square stays low.
 
-    at, other: indices of the numbers. Far means five times as far as `other` could move alone, or 80 % of its range.
+    at, other: indices of the parameters. Far means more than 80 % of the range of `other`, or more than five times its interval
+    with all other parameters fixed.
     """
     if at == other or not _is_traded(fit, at, other):
         return False
@@ -273,7 +276,8 @@ def _carries(fit: Fitted, at: int, other: int) -> bool:
 def _is_traded(fit: Fitted, at: int, other: int) -> bool:
     """Return whether two free parameters, given by their indices, may compensate each other.
 
-    They may if the data determine both badly, or if the interval of one reaches an end and both change at similar rates.
+    They may if both are badly determined. They may also if the interval of one parameter reaches an end of its range, and both
+    parameters change at similar rates along the interval of `at`.
     """
     if _is_wide(fit, at) and _is_wide(fit, other):
         return True

@@ -48,7 +48,7 @@ class Bands:
 def draws_of(fit: Fitted, seed: int = 1) -> tuple[np.ndarray, float]:
     """Return posterior samples (m, k) of the k free parameters, and the effective number of samples.
 
-    A sample holds the position of each number between its ends, 0 to 1. Method: importance sampling with Sobol points. The
+    A sample holds the position of each parameter between its ends, 0 to 1. Method: importance sampling with Sobol points. The
     proposal mixes a wide Student's t distribution about the best fit with a uniform distribution.
     """
     k = len(fit.parameters)

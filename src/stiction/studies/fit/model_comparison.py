@@ -17,9 +17,9 @@ _FOLDS = 5
 class ComparedModel:
     """Hold an alternative model with its fit, or with the reason `why_not` if it could not be fitted.
 
-    aicc: Akaike's criterion, lower is better. left_out: cross-validation error. It is the root mean square of (prediction -
-    measured value), for values that were left out of the fit. Each difference is divided by the standard error, or by the
-    largest measured value if no errors are stated.
+    aicc: Akaike's criterion, lower is better. left_out: cross-validation error. The error is the root mean square of
+    (prediction - measured value) over values that were left out of the fit. Each difference is divided by the standard error,
+    or by the largest measured value if no errors are stated.
     """
 
     name: str
@@ -48,7 +48,7 @@ def aicc_of(fit: Fitted) -> float:
     size of the errors is estimated, it counts as one of the k numbers, and n ln(sum of squares/n) replaces chi square. The
     criterion is infinite for n <= k + 1.
     """
-    n, k = len(fit.errors), int(fit.best.jacobian.any(axis=0).sum())  # a number without effect on the model does not count
+    n, k = len(fit.errors), int(fit.best.jacobian.any(axis=0).sum())  # a parameter without effect on the model does not count
     chi_square = fit.best.chi_square * fit.scale**2  # with the original errors instead of the enlarged ones
     if fit.stated:
         value = chi_square + 2 * k

@@ -32,9 +32,9 @@ class FitPlan:
 
     content: tables of the case without [fit], with scans and user-defined materials read. case: the case of these tables.
     given: the tables as the user wrote them. folder: folder at which relative paths in the tables start. free: the free
-    numbers. models: names of alternative models. predict: table [fit.predict], numbers of the contact at which the fitted model
-    makes predictions. resistance: specific contact resistance [ohm m^2], or None. data: the measured values. uncertain: dotted
-    names of numbers that the case states as uncertain but that are not fitted.
+    parameters. models: names of alternative models. predict: table [fit.predict], numbers of the contact at which the fitted
+    model makes predictions. resistance: specific contact resistance [ohm m^2], or None. data: the measured values. uncertain:
+    dotted names of numbers that the case states as uncertain but that are not fitted.
     """
 
     content: Mapping[str, Any]

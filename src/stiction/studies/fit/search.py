@@ -96,8 +96,8 @@ def jacobian(residuals: Residuals, shares: np.ndarray, columns: Sequence[int] | 
     """Return residuals (sets, n) and their derivatives by the free parameters, (sets, n, columns), by central differences.
 
     residuals: function from shares (sets, k) to residuals (sets, n). shares: for each set, the positions of the k free
-    parameters between their ends, 0 to 1; differences do not step beyond the ends. columns: indices of the numbers to
-    differentiate by, by default all.
+    parameters between their ends, 0 to 1; differences do not step beyond the ends. columns: indices of the parameters by which
+    the residuals are differentiated, by default all.
     """
     sets, k = shares.shape
     columns = range(k) if columns is None else columns
@@ -174,11 +174,11 @@ def polished(residuals: Residuals, shares: np.ndarray, columns: Sequence[int]) -
 
 
 def _damped(values: np.ndarray, slopes: np.ndarray, damping: np.ndarray, at: np.ndarray) -> np.ndarray:
-    """Return Levenberg-Marquardt steps (sets, columns), to be subtracted from positions of the free parameters.
+    """Return Levenberg-Marquardt steps (sets, columns), to be subtracted from the positions of the free parameters.
 
-    The step is 0 for a number at an end that would step beyond it. values (sets, n): residuals. slopes (sets, n, columns):
-    their derivatives. damping (sets,): Levenberg-Marquardt parameter. at (sets, columns): positions of the numbers between
-    their ends, 0 to 1.
+    The step is 0 for a parameter at an end of its range that would otherwise leave the range. values (sets, n): residuals.
+    slopes (sets, n, columns): their derivatives. damping (sets,): Levenberg-Marquardt parameter. at (sets, columns): positions
+    of the numbers between their ends, 0 to 1.
     """
     gradient = np.einsum("snk,sn->sk", slopes, values)
     held = ((at <= 0.0) & (gradient > 0.0)) | ((at >= 1.0) & (gradient < 0.0))
@@ -231,9 +231,9 @@ def _profile(residuals: Residuals, best: Best, at: int, threshold: float) -> Pro
 def _narrowed(residuals: Residuals, best: Best, at: int, grid: np.ndarray, rise: np.ndarray, threshold: float) -> float:
     """Return the position of a free parameter, 0 to 1, at which the rise of chi square reaches the threshold.
 
-    at: index of the number. grid, rise: positions (m,) outwards from the best fit, and the rise there. The grid cell in which
-    the threshold is reached is divided further, because the square root of the rise may have a kink there, where another number
-    reaches its end.
+    at: index of the parameter. grid, rise: positions (m,) outwards from the best fit, and the rise at these positions. The grid
+    cell in which the threshold is reached is divided further, because the square root of the rise has a kink where another
+    parameter reaches an end of its range.
     """
     for _ in range(_NARROWINGS):
         over = int(np.argmax(rise >= threshold))
@@ -270,7 +270,7 @@ def _along(residuals: Residuals, best: Best, at: int, grid: np.ndarray) -> tuple
     sets[:, at] = grid
     columns = [one for one in range(len(best.shares)) if one != at]
     sets, sums = polished(residuals, sets, columns)
-    for _ in range(2 if columns else 0):  # start again from the neighbours on the grid where that is better
+    for _ in range(2 if columns else 0):  # restart from the solution at a neighbouring grid point if that lowers chi square
         for shift in (1, -1):
             neighbours = np.roll(sets, shift, axis=0)
             neighbours[0 if shift == 1 else -1] = best.shares
@@ -286,9 +286,9 @@ def _along(residuals: Residuals, best: Best, at: int, grid: np.ndarray) -> tuple
 def _crossing(grid: np.ndarray, rise: np.ndarray, threshold: float) -> tuple[float, bool]:
     """Return the grid position at which the rise of chi square first reaches the threshold, and True if it never does.
 
-    grid, rise: positions (m,), 0 to 1, of a free parameter outwards from the best fit, and the rise there. The square root of
-    the rise, which is almost linear, is interpolated. If the threshold is never reached, the last position of the grid is
-    returned.
+    grid, rise: positions (m,), 0 to 1, of a free parameter outwards from the best fit, and the rise at these positions. The
+    square root of the rise, which is almost linear, is interpolated. If the threshold is never reached, the last position of
+    the grid is returned.
     """
     over = np.flatnonzero(rise >= threshold)
     if not over.size:

@@ -10,8 +10,8 @@ from stiction.quantities.inputs import Input
 class Fit(Input):
     """Define the table [fit] of a case file.
 
-    free: numbers of the case that are fitted, by name, each with its low and high end. models: names of alternative models to
-    fit as well. predict: numbers of the contact, single or arrays, for which the fitted model predicts at the loads or
+    free: numbers of the case that are fitted, by name, each with its low and high end. models: names of alternative models that
+    are fitted too. predict: numbers of the contact, single or arrays, for which the fitted model predicts at the loads or
     separations of [solve]. specific_contact_resistance: contact resistance times contact area [ohm m^2], needed if resistance
     was measured and this number is not free.
     """

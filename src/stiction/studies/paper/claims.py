@@ -6,7 +6,8 @@ and a bound on this number. Coated and uncoated surfaces are compared at the sam
 
 - The reference load is the load that the uncoated surface carries at h = -4. *Light load* is 1/1000 of it (h about 2, where
   under 3 % of the asperities touch), *moderate load* 1/100 (h about 1).
-- A curve is followed on approach, from its largest tension; a load is taken at the first separation that carries it.
+- A curve is followed on approach, from its largest tension. Results at a load belong to the first separation that carries this
+load.
 - A film is not comparable if a surface does not carry that load within the range of h, or if the uncoated surface has no
   friction.
 
@@ -27,7 +28,7 @@ from stiction.studies.paper.figures import FILM_VALUES, H_RANGE
 VARIANTS = ("corrected", "published", "layered")
 THETA = np.geomspace(1.0, 1e4, 25)
 LAM = np.geomspace(1e-3, 1e4, 25)
-LIGHT, MODERATE = 1e-3, 1e-2  # over the reference load
+LIGHT, MODERATE = 1e-3, 1e-2  # loads over the reference load
 _FEW = 0.03  # fraction of the plane that `where` neglects
 _TELLS = 1.0 / 3.0  # fraction that bounds must classify correctly of the points that a rule without bounds gets wrong
 _H = np.linspace(*H_RANGE, 161)
@@ -81,8 +82,8 @@ class Surfaces:
     def ratio(self, over_reference: float, quantity: int) -> np.ndarray:
         """Return a result of the coated surface over the same result of the uncoated one at equal load, (n, n_E, n_H, tau).
 
-        over_reference: the load over the reference load, which the uncoated surface carries at h = -4. quantity: 0 for contact
-        area, 1 for friction force, whose ratio is also the ratio of friction coefficients.
+        over_reference: ratio of the load to the reference load, which the uncoated surface carries at h = -4. quantity: 0 for
+        contact area, 1 for friction force, whose ratio is also the ratio of friction coefficients.
         """
         load = over_reference * self.bare.load[..., -1]
         bare, coated = self.bare.at(load)[quantity], self.films.at(np.broadcast_to(load, self.films.load.shape[:-1]))[quantity]
@@ -260,9 +261,9 @@ def where(claims: ClaimMap, chosen: np.ndarray) -> str:
     """Return a text that describes where the chosen points lie in the (theta, lambda) plane.
 
     chosen: mask (theta, lam). The text names one or two bounds on theta, lambda or the hardness group eta that best separate
-    the chosen points from the others, and the fraction of points that these bounds classify correctly. It is "everywhere"
-    or "nowhere" if all points or none are chosen, "almost everywhere" or "almost nowhere" if this holds but for a few points,
-    and "scattered" if no bounds separate them well.
+    the chosen points from the others, and the fraction of points that these bounds classify correctly. It is "everywhere" or
+    "nowhere" if all points or none are chosen, "almost everywhere" or "almost nowhere" if this holds except for up to 3 % of
+    the points, and "scattered" if no bounds separate them well.
     """
     share = float(np.mean(chosen))
     if share in (0.0, 1.0):
@@ -274,7 +275,7 @@ def where(claims: ClaimMap, chosen: np.ndarray) -> str:
     # Number of points that each pair of bounds classifies correctly: chosen inside both, others outside. Bound 0 includes all.
     right = np.sum(wanted < 0) + (sides * wanted) @ sides.T
     one, two = np.argmax(right[0]), np.unravel_index(np.argmax(right), right.shape)
-    blind = max(right[0, 0], wanted.size - right[0, 0])  # without any bound: all the points, or none
+    blind = max(right[0, 0], wanted.size - right[0, 0])  # correct points without any bound
     if right[two] - blind < _TELLS * (wanted.size - blind):
         return "scattered"
     best = {int(one)} if right[two] - right[0, one] < _FEW * wanted.size else {int(at) for at in two}
@@ -288,7 +289,7 @@ def _bounds(claims: ClaimMap) -> tuple[list[str], np.ndarray]:
     The bounds lie halfway between neighbouring points. The first bound has no name and includes all points.
     """
     theta, lam = (grid.ravel() for grid in np.meshgrid(claims.theta, claims.lam, indexing="ij"))
-    eta = np.sqrt(np.pi) * 18.0**0.25 * lam**0.25 * theta**-0.5  # theory, section 2
+    eta = np.sqrt(np.pi) * 18.0**0.25 * lam**0.25 * theta**-0.5  # theory.md, theory 1
     names, sides = [""], [np.ones(theta.size, dtype=int)]
     for name, values in (("theta", theta), ("lambda", lam), ("eta", eta)):
         steps = np.unique(np.round(np.log(values), 9))

@@ -1,9 +1,9 @@
 """Repeat the 2015 paper with an exactly solved film: elastic spheres on a film replace the paper's film law.
 
-The film law `layered` treats film and body as one solid, and goes with laws made for it. An asperity sticks until the edge of
-its contact peels. The peeling energy is computed for a contact on a film if the asperity is coated (`layered_peeling`),
-otherwise for a half-space (Savkoor & Briggs 1977). The paper's other limit, yield at the trailing edge, is left out in both
-cases, because it is not known for an adhesive asperity on a film.
+The film law `layered` treats film and body as one solid, and is used together with laws derived for this solid. An asperity
+sticks until the edge of its contact peels. The peeling energy is computed for a contact on a film if the asperity is coated
+(`layered_peeling`), otherwise for a half-space (Savkoor & Briggs 1977). The paper's other limit, yield at the trailing edge, is
+left out in both cases, because it is not known for an adhesive asperity on a film.
 
 The ratio t/sqrt(R sigma) decides how thick a film is relative to its contacts. The paper does not print it; with its
 tau = t/sigma it is tau sqrt(sigma/R). SHARPNESS is sqrt(sigma/R) for the asperities of the project's first example, with

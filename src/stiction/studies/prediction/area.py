@@ -38,7 +38,7 @@ _OTHER_FILMS = (
 # Only asperity sums accept heights that are not Gaussian.
 _OTHER_HEIGHTS = ((Choice(_SUM, asperity="zhao_maietta_chang_2000", tangential="none"), 1.0),)
 # Standard deviation of ln of the area where no solved surface is near, a judgement (grade C): a factor of 2 at 90 %.
-_FAR, _FAR_ON_MAP = 0.42, 0.03  # the latter for the map itself, which differs from the benchmarks only by a lighter load
+_FAR, _FAR_ON_MAP = 0.42, 0.03  # second value: the map itself was solved, but at larger loads only
 # Area fraction of the nominal contact above which a sample without a result counts as pressed flat. Below it, the spots
 # would exceed the hardness, and the area of the sample is the smallest that carries the load.
 _HALF, _MOST = 0.5, 1.0 - 1e-9

@@ -30,9 +30,9 @@ def curve_of(case: Case, data: "xarray.Dataset") -> "xarray.Dataset":
 def predict_with_curve(case: Case) -> "tuple[xarray.Dataset, xarray.Dataset]":
     """Return the prediction of a case at its loads, and a prediction over a range of loads.
 
-    If the case has a single load above 0 and no array
-    parameters, the range is from a tenth to ten times this load. Otherwise, or if the range cannot
-    be predicted, both datasets are the prediction at the loads of the case. Raises InputError.
+    If the case has a single load above 0 N and no array parameters, the range is from a tenth to ten times this load.
+    Otherwise, or if the range cannot be predicted, both datasets are the prediction at the loads of the case. Raises
+    InputError.
     """
     if case.is_swept or case.load is None or case.load.size != 1 or not case.load[0] > 0.0:
         data = predict(case)

@@ -38,7 +38,7 @@ def bare_metal(mixture: Mixture, level: float) -> list[float]:
     if not parted or any(class_of(body) not in _METALS for body in bodies):
         return []
     ratio = Pair(*bodies).k if contact.hardness_to_yield is None else contact.hardness_to_yield
-    shear_strength = np.full((_DRAWS, 1), 1.0 / (3.0**0.5 * float(np.mean(ratio))))  # over the hardness, as all stresses here
+    shear_strength = np.full((_DRAWS, 1), 1.0 / (3.0**0.5 * float(np.mean(ratio))))  # over hardness
     levels, ones = draw_levels(0, _DRAWS, 0), np.ones((_DRAWS, 1))
     strength = np.minimum(interface(_BARE).strength_at(levels["strength"], 1.0)[:, None], shear_strength)
     mu = strength * grown(levels["growth"], ones, strength, ones, shear_strength)

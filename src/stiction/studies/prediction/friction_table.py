@@ -19,7 +19,7 @@ _OF_MU, _OF_STIFFNESS = 4e-4, 1e-2
 
 
 def friction_table(contact: Any, *, load: Any = None, level: float = 0.5) -> "xarray.Dataset":
-    """Return a table of mu against nominal pressure with enough rows for linear interpolation of mu within 0.3 %.
+    """Return a table of mu against nominal pressure; linear interpolation of mu between its rows is accurate to 0.3 %.
 
     Parameters
     ----------

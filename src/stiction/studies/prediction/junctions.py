@@ -6,16 +6,16 @@ interface over that of the body. A junction that stays elastic up to the pressur
 assumptions are sampled with weights set by judgement: no growth; a bulk that shears at Y/sqrt(3) (yield stress Y, von Mises);
 and a junction that hardens until its bulk shears at up to H/3 if the interface is as strong as the body (alpha = 9, Tabor's
 experiments, the largest weight). As the body hardens, an interface that is given by its state hardens too. An interface whose
-strength is stated as a number, below half of the body's strength, does not, so that such a junction grows less. If the stated
+strength is stated as a number, below half of the body's strength, does not harden; such a junction grows less. If the stated
 strength is between half of the body's strength and all of it, the degree of hardening is sampled. None of the three assumptions
-limits growth for c near 1, so that c is limited to 0.999. On a film of thickness t the growth is raised to the power
-1/(1 + a/t) for a spot of radius a (judgement): a narrow spot is a junction of the bulk film, a wide one is carried by the body
-below. A state of the interface that was measured on films includes its growth.
+limits growth for c near 1, so that c is limited to 0.999. On a film of thickness t the growth is raised to the power 1/(1 +
+a/t) for a spot of radius a (judgement): a narrow spot is a junction of the bulk film; the body below supports a wide spot. The
+shear strength of an interface state that was measured on films already includes growth.
 
-Squeeze: a soft film of thickness t and hardness H_f between harder bodies bears up to H_f (1 + a/(7.3 t)) in a spot of radius
-a, the pressure of a plastic layer that sticks to both faces (Hill 1950). The pressure is limited by the hardness of the body,
-and by the pressure of elastic bodies that touch through the film, so that the area is at least the elastic area. A uniform
-random number sets how much of this increase is applied.
+Squeeze: a soft film of thickness t and hardness H_f between harder bodies bears a mean pressure up to H_f (1 + a/(7.3 t)) in a
+spot of radius a, the pressure of a plastic layer that sticks to both faces (Hill 1950). The pressure is limited by the hardness
+of the body, and by the pressure of elastic bodies that touch through the film, so that the area is at least the elastic area. A
+uniform random number sets how much of this increase is applied.
 """
 
 import numpy as np

@@ -23,7 +23,7 @@ COLUMNS: Mapping[str, tuple[str, ...]] = {
     "sliding": ("spots",),
 }
 PARTS = tuple(COLUMNS)
-_APART = "spots"  # not part of the Sobol sequence, because few contacts need it and a further column would change all others
+_APART = "spots"  # not part of the Sobol sequence: few contacts need this column, and a further column would change all others
 
 
 @dataclass(frozen=True)

@@ -163,8 +163,8 @@ def _together(
 def _one_finish(case: Case, numbers: Mapping) -> dict[tuple[str, ...], Any]:
     """Return the numbers; for a surface with a finish, roughness arrays of length one are replaced by floats.
 
-    numbers: number or labelled array (xarray) by address (tuple of keys). `with_finish` raises InputError for
-    arrays of heights; `predict_many` then bisects the batch until each part has one height.
+    numbers: number or labelled array (xarray) by address (tuple of keys). `with_finish` raises InputError for an array of
+    height deviations; `predict_many` then bisects the batch until each part has a single value.
     """
     finished = isinstance(case.subject, Contact) and case.subject.roughness.unknowns
     rows = dict(numbers)

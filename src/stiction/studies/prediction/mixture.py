@@ -15,14 +15,14 @@ from stiction.studies.prediction.sampled_case import SampledCase
 from stiction.studies.prediction.strength import Strength
 
 # n times the variance of ln(area) of n elastic spots under a given load. For Hertz spots with exponentially distributed depths
-# d, the area a goes with d and the load w with d^1.5. n times the variance is then
+# d, the area a is proportional to d and the load w to d^1.5. n times the variance is then
 # E a^2/(E a)^2 + E w^2/(E w)^2 - 2 E aw/(E a E w) = 2 + 32/(3 pi) - 5 = 0.395.
 _OF_SPOTS = 0.395
 # Median number of asperities of a solved benchmark surface, and how many of them touch at the lightest load. The errors of
 # the area on benchmark surfaces already contain the scatter of so few spots. Between seeds of one design this scatter of
 # ln(area) is .10, .07 and .03 at p/(E* h') = .002, .01 and .1, where _OF_SPOTS gives .16, .09 and .04.
 _SOLVED, _LEAST_SOLVED = 300.0, 15.0
-_MOST_SCATTER = 1.0  # largest standard deviation of ln(area), reached if hardly one asperity touches
+_MOST_SCATTER = 1.0  # largest standard deviation of ln(area), for contacts with hardly one touching asperity
 
 
 @dataclass(frozen=True)
@@ -71,7 +71,7 @@ class Mixture:
         """Return the mixture of area models, adhesion, interface strength and onset of sliding for a sampled contact.
 
         Raises InputError if no area model applies, or if a load exceeds hardness times nominal area; for many contacts, only if
-        every load does.
+        every load exceeds it.
         """
         _refuse_flattened(sampled)
         return cls(sampled, sampled.loads, area_laws(sampled), pull_of(sampled), Strength(sampled), Onset.of(sampled))
@@ -232,7 +232,7 @@ def _most_load(sampled: SampledCase) -> np.ndarray:
 def _refuse_flattened(sampled: SampledCase) -> None:
     """Raise InputError if a load exceeds hardness times nominal area.
 
-    For many contacts, the error is raised only if all their loads do.
+    For many contacts, the error is raised only if every load exceeds this limit.
     """
     most = np.broadcast_to(_most_load(sampled), sampled.loads.shape)
     flattened = sampled.loads > most

@@ -78,8 +78,7 @@ def predict_value(output: str, *pairs: str | float) -> float:
 def _predicted(given: tuple[tuple[str, Any], ...], changed: int) -> "xarray.Dataset":
     """Return the prediction for pairs of names and values, as in `predict_value`.
 
-    changed: modification time of the case file [ns], an argument only so that the cache does not answer for an older version of
-    the file.
+    changed: modification time of the case file [ns]. It is an argument so that a changed file is not answered from the cache.
     """
     pairs = dict(given)
     file = pairs.pop("case", None)

@@ -35,7 +35,7 @@ if TYPE_CHECKING:
     from stiction.quantities.arguments import FilePath, QuantityLike
 
 COUNT, _MANY = 512, 16384  # number of samples by default, and with measured values
-_FAR_LOAD = 3.0  # factor beyond the measured loads above which a prediction that uses them warns
+_FAR_LOAD = 3.0  # factor beyond the range of measured loads above which the prediction has a warning
 _UNTOLD = 0.8  # ratio of interval widths, after over before measuring, above which a number counts as not determined
 
 
@@ -56,7 +56,7 @@ def predict(
     load : number, text with a unit, or a sequence of these, optional
         Normal load [N], above 0; by default the loads of the case.
     level : float, optional
-        Coverage probability of the interval, between 0 and 1; by default the coverage of the case, 0.9.
+        Coverage probability of the interval, between 0 and 1; by default the coverage that the case states, or 0.9.
     measured : path, optional
         CSV file of measured friction of this contact, with the columns `load [N],friction_coefficient`. Samples are then
         weighted by their agreement with the measured values.
@@ -159,7 +159,7 @@ def is_predicted(case: Case) -> bool:
 def prediction_of(case: Case, load: float | None) -> "xarray.Dataset | None":
     """Return the prediction of a case at a load [N]; None if no prediction is possible.
 
-    None is returned if `load` is None, for [indices], and if the case states an input that decides friction but that
+    No prediction is possible if `load` is None, for a case with [indices], and for an input that decides friction but that
     predictions cannot use.
     """
     if load is None or not isinstance(case.subject, Contact) or refusal_of(case) is not None:

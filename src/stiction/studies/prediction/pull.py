@@ -10,9 +10,9 @@ with adhesion (validation/adhesion.py) have the larger factor 1 + c (g - 1) with
     c = 1 + 4 (w/U)^0.9,
 
 fitted to these maps. U/w is the elastic energy of flattening the roughness over the work of adhesion (Persson & Tosatti 2001),
-estimated by its bound E* h_rms h'/(4 w). If U/w is small, the surfaces jump into full contact. The form keeps the area finite
-as the load vanishes: it is then c times the area that adhesion alone makes. On these maps the standard deviation of the error
-of ln(factor) was 11 %. Twice that is used, because no map with plastic spots was solved.
+estimated by its bound E* h_rms h'/(4 w). If U/w is small, the surfaces jump into full contact. With this form the area stays
+finite as the load vanishes: it approaches c times the area due to adhesion alone. On these maps the standard deviation of the
+error of ln(factor) was 11 %. Twice that is used, because no map with plastic spots was solved.
 
 Menisci on 18 maps of silicon, solved with the Laplace pressure, raised the area by 1.03 to 5.9 times as much as the
 meniscus law does (four of them are in tests/prediction/test_menisci_of_a_prediction.py). The difference is largest if
@@ -122,9 +122,9 @@ def _by_adhesion(sampled: SampledCase) -> list[np.ndarray]:
 
 
 def _merging(sampled: SampledCase) -> np.ndarray:
-    """Return c (n or 1, m or 1), by which the increase g - 1 of an asperity sum is multiplied: 1 for weak adhesion.
+    """Return the factor c (n or 1, m or 1) that multiplies the increase g - 1 of an asperity sum.
 
-    It is larger for strong adhesion, which makes contact spots merge.
+    c is 1 for weak adhesion, and larger for strong adhesion, which makes contact spots merge.
     """
     from xarray import DataArray
 

@@ -27,7 +27,7 @@ _SOME = 0.1  # fraction of elastic samples above which the text mentions them
 _GROWN = 1.1  # factor of junction growth, and of the area by adhesion, from which it is mentioned
 _BY_STRENGTH = 0.2  # fraction of friction that tau_0 causes, below which another area hardly changes mu
 _FEW = 10.0  # number of touching asperities below which mu varies from place to place
-_DRY = ("clean metal", "oxidised metal", "ceramic", "dry polymer", "elastomer", "gold contact")  # a lubricant weakens them
+_DRY = ("clean metal", "oxidised metal", "ceramic", "dry polymer", "elastomer", "gold contact")  # a lubricant weakens these
 _STEEP = 0.93  # ratio c of interface to body strength above which mu is steep: d ln mu/d ln c = 1/(1 - c^2), 15 % for 2 %
 _SAME = 0.015  # relative difference of two strengths that counts as none
 _DECIDES = 0.05  # fraction of the variance above which a part is worth a warning
@@ -47,7 +47,7 @@ def regime_of(mixture: Mixture, samples: Samples, index: int) -> tuple[str, str]
     stated = mixture.sampled.contact.interface
     is_dry = stated is not None and stated.name in _DRY
     weaker = "a weaker interface (e.g. lubricated)" if is_dry else "a weaker interface"
-    by_area = _by_strength(samples, index) > _BY_STRENGTH  # else friction is alpha W, whatever the area
+    by_area = _by_strength(samples, index) > _BY_STRENGTH  # otherwise friction is nearly alpha W, for any area
     if area > _FLAT * float(np.median(mixture.sampled.drawn.nominal_area)):
         lever = f"more load, a smaller nominal area or {weaker}" if by_area else weaker
         flat = "pulled" if pull > _STICKS else "pressed"
