@@ -100,7 +100,7 @@ def with_method_spread(
     tables = np.stack(rows, axis=1)
     of_found = np.array([counts[name] or np.nan for name in contacts])
     touching = tables[1] * of_found.reshape(-1, *(1 for _ in like.shape))
-    meaning = {"units": "1", "long_name": "asperities found that touch"}
+    meaning = {"units": "1", "long_name": "detected asperities that touch"}
     result = with_range_over_methods(data, list(contacts), tables[0], points, _MU)
     result = result.assign(found_touching_by_method=((METHOD, *points), touching, meaning))
     return with_warnings(result, map(ValidityWarning, filter(None, [_on_the_tail(result)])))
@@ -126,8 +126,8 @@ def _on_the_tail(data: "xarray.Dataset") -> str:
     if not said:
         return ""
     return (
-        f"fewer than {FEW_TOUCH} of the asperities found touch ({', '.join(said)}): mu then follows from the assumed tail of "
-        "the height distribution, not from measured heights"
+        f"fewer than {FEW_TOUCH} of the detected asperities touch ({', '.join(said)}): mu then follows from the assumed tail "
+        "of the height distribution, not from measured heights"
     )
 
 

@@ -324,7 +324,7 @@ def _why_not(problem: Problem, column: str, points: int, most_points: float) -> 
     if not column:
         return "this variant of the model was not compared with solved surfaces"
     if problem.groups.roughness_parameter is None:
-        return "sigma, R and N of the roughness are not known together"
+        return "at least one of sigma, R and N of the roughness is unknown"
     if points > most_points:
         return f"computed for at most {most_points:g} points"
     return ""
