@@ -14,7 +14,7 @@ from stiction.report.answer import (
     working_load_in_words,
     worn_through,
 )
-from stiction.report.html_words import letters
+from stiction.report.html_words import letters, unbroken
 from stiction.studies.prediction.uncertainty_sources import sources_in_words
 
 if TYPE_CHECKING:
@@ -96,12 +96,12 @@ class Card(NamedTuple):
         value, by, model = map(escape, self.named.partition(" by "))
         named = f"<p><span {big}>{value}</span>{by}{model}</p>" if self.named else ""
         rows = "".join(
-            f"<dt><strong>{letters(head)}</strong></dt><dd>{escape(letters(text))}</dd>" for head, text in self.lines
+            f"<dt><strong>{letters(head)}</strong></dt><dd>{escape(unbroken(letters(text)))}</dd>" for head, text in self.lines
         )
         folded = f"<details><summary>why</summary>{html.table('', self.rows)}</details>" if why else ""
         return (
             f'<div class="card">{named}<p><span {big}>μ = {number(self.mu)}</span> '
-            f"{self.interval} ({self.level:.0%} interval) at {escape(self.load)}{more}</p>"
+            f"{self.interval} ({self.level:.0%} interval) at {escape(unbroken(self.load))}{more}</p>"
             f"{self.bar()}<dl>{rows}</dl>{folded}</div>"
         )
 

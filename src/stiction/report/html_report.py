@@ -21,7 +21,7 @@ from stiction.quantities.paths import require_place
 from stiction.quantities.progress import Progress, silent
 from stiction.report import report_sections as say
 from stiction.report.answer import ModelAnswer, PredictionAnswer, answer_record, model_record
-from stiction.report.html_words import breakable, formula
+from stiction.report.html_words import breakable, formula, unbroken
 from stiction.report.printed_sources import printed
 from stiction.report.report_answer import answer_in_words, headline, interval_of, main_inputs, question, warnings_here
 from stiction.report.report_sections import groups_of_groups, groups_of_inputs
@@ -149,7 +149,7 @@ def as_html(findings: ReportData, name: str, again: str, progress: Progress = si
     templates = jinja2.Environment(
         loader=loader, autoescape=True, undefined=jinja2.StrictUndefined, trim_blocks=True, lstrip_blocks=True
     )
-    templates.filters |= {"breakable": breakable, "formula": formula}
+    templates.filters |= {"breakable": breakable, "formula": formula, "unbroken": unbroken}
     own, of_materials, others = say.sources_of(findings)
     style = resources.files("stiction.report").joinpath("templates/report.css").read_text(encoding="utf-8")
     pictures = dict(_pictures(findings, progress))

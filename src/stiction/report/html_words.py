@@ -10,12 +10,18 @@ from stiction.report.table import Table, with_signs
 _GREEK = {"alpha": "α", "beta": "β", "gamma": "γ", "epsilon": "ε", "eta": "η", "theta": "θ", "lambda": "λ", "lam": "λ",
           "mu": "μ", "nu": "ν", "omega": "ω", "pi": "π", "psi": "ψ", "sigma": "σ", "tau": "τ", "Delta": "Δ"}  # fmt: skip
 _WORD = re.compile(rf"(?<![A-Za-z])({'|'.join(sorted(_GREEK, key=len, reverse=True))})(?![A-Za-z])")
+_BEFORE_UNIT = re.compile(r"(?<=\d) (?=(?:[pnuµmkMG]?(?:m[²³]?|N|Pa|J)|K|deg)(?!\w))")
 
 
 def letters(text: str) -> str:
     """Replace spelled-out Greek letters and units by their signs: "sigma = 2 um" becomes "σ = 2 µm"."""
     shown = _WORD.sub(lambda match: _GREEK[match[1]], text).replace("τ_0", "τ₀")
     return with_signs(shown.replace("sqrt(", "√(").replace("+-", "±"))
+
+
+def unbroken(text: str) -> str:
+    """Replace the space between a number and its unit by a space at which no line breaks."""
+    return _BEFORE_UNIT.sub("\N{NO-BREAK SPACE}", text)
 
 
 def on_page(table: Table, caption: str) -> Table:
