@@ -1,4 +1,4 @@
-"""Define validity ranges and limits that several laws share."""
+"""Define validity ranges and limiting cases that several laws share."""
 
 import math
 

@@ -3,10 +3,10 @@ r"""Growth of static friction with the logarithm of the hold time, by creep: Ber
 *Assumes*: the junctions creep under the load. The real contact area, and with it the shear force $\tau_0A$, grows with the
 logarithm of the hold time $t_\mathrm w$, the time at rest under load. The growth is small until the reference time
 $t_\mathrm c$ and has no upper limit. No shear force acts during the rest. *Source*: [dieterich_1978], abstract, for rocks
-(first [dieterich_1972]); [berthoud_1999] for rough polymers; [baumberger_caroli_2006], abstract: slow growth of the real area
-by creep. The formula is written from memory and derived below. [jagla_2010], abstract, finds this formula in a model of creep
-at low loads, but there the area tends to a limit. In [dillavou_rubinstein_2020], abstract, static friction and area both grow
-this way, and friction grows faster than area if a shear load acts at rest.
+(first in [dieterich_1972]); [berthoud_1999] for rough polymers; [baumberger_caroli_2006], abstract: slow growth of the real
+area by creep. The formula is written from memory and derived below. [jagla_2010], abstract, finds this formula in a model of
+creep at low loads, but in this model the area tends to a limit. In [dillavou_rubinstein_2020], abstract, static friction and
+area both grow this way, and friction grows faster than area if a shear load acts at rest.
 
 $$
 \tau_0\,A\;\to\;\tau_0\,A\left[1+m\ln\left(1+\frac{t_\mathrm w}{t_\mathrm c}\right)\right]
@@ -25,7 +25,7 @@ yield or grow under shear gain strength.
 
 Experiments followed the growth for about five decades of time; results for longer hold times carry a validity warning.
 
-*Limit*: zero hold time, or $m=0$: nothing changes. *Check*: $m=0.02$ and $t_\mathrm c=1$ s:
+*Limit*: at zero hold time, or for $m=0$, the strength does not change. *Check*: $m=0.02$ and $t_\mathrm c=1$ s:
 
 | $t_\mathrm w$ | 0 | 1 s | 1 min | 1 h | 1 day | 1 year |
 |---|---|---|---|---|---|---|
@@ -70,6 +70,6 @@ RECORD = Ageing(
     aged=aged,
     verified="the creep law integrated numerically at 20 digits; the aged and the constant part of a force, by hand",
     needs=("shear_strength", "waiting", "ageing_rate"),
-    validity=(Validity("waiting", 0.0, _MEASURED, "measured over five decades of time; longer rests are extrapolated", "fit"),),
+    validity=(Validity("waiting", 0.0, _MEASURED, "measured over five decades of time; longer holds are extrapolated", "fit"),),
     notes="Ageing rate and reference time must be measured; no law here predicts them. contact_area is the initial area.",
 )

@@ -100,7 +100,7 @@ def elastic(u, stiffness):
     return w, 2.0 * u, stiffness * w * u, w
 
 
-_LEAST = 1e-300  # lower bound of ln(w/w_c), whose inverse is finite
+_LEAST = 1e-300  # lower bound of ln(w/w_c), so that its inverse stays finite
 
 
 @formula

@@ -236,8 +236,9 @@ RECORD = AsperityLaw(
     load_falls=False,
     notes="The yield stress Y is hardness over hardness_to_yield. The law uses E* of the pair, and E and E_t of the asperity. "
     "`other_body` states how E follows from E*: two equal bodies (alike, as in most figures of the source) or one rigid body. "
-    "For E_t -> E the area becomes Hertz's, and the load covers 96 % of the difference to Hertz's. Without hardening the law "
-    "is that of Jackson and Green with another limiting pressure, a cosine in place of their exponential; the two differ where "
-    "a/R is not small. The figures of the source end at omega/R = 0.05. Beyond a = R the limiting pressure is kept at its "
-    "smallest value, Y; as omega approaches R, the area returns to Hertz's by eq 26.",
+    "For E_t -> E the area becomes Hertz's, and the load rises by 96 % of the difference between Hertz's load and the load "
+    "without hardening. Without hardening the law is that of Jackson and Green with another limiting pressure, a cosine in "
+    "place of their exponential; the two differ where a/R is not small. The figures of the source end at omega/R = 0.05. "
+    "Beyond a = R the limiting pressure is kept at its smallest value, Y; as omega approaches R, the area returns to Hertz's "
+    "by eq 26.",
 )

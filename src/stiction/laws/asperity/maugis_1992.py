@@ -39,8 +39,8 @@ Lennard-Jones half-spaces, $16\gamma/(9\sqrt3\,\varepsilon)$.
 | load at first touch over $\pi\gamma R$ | −1.9445 | −1.7494 | −1.5736 | −1.4055 | −1.3455 | −1.3345 | −1.3333 |
 
 The difference from JKR falls as $\mu_T^{-2}$ for large $\mu_T$, the difference from DMT only as $\mu_T^{1/2}$ for small
-$\mu_T$. *Departure*: here, as for JKR and DMT, an asperity attracts only while it touches, which during loading begins at
-$w=0$. In the source the ring attracts before contact. During unloading the contact lasts until $dw/ds=0$ or, for small
+$\mu_T$. *Departure*: here, as for JKR and DMT, an asperity attracts only while it touches. During loading, contact begins at
+$w=0$. In the source the ring also attracts before contact. During unloading the contact lasts until $dw/ds=0$ or, for small
 $\lambda_M$, until it has shrunk to a point.
 
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ in units of $KR^{1/2}\sigma^{3/2}$ and contact area $A$ in units of
@@ -152,7 +152,7 @@ def coordinate(w, g, lam):
     if w == math.inf:
         return math.inf
     D = w / (g * g)
-    A = math.sqrt(max(D, 0.0)) + 1.5  # no contact is wider at this displacement: JKR's at D = 0 has A = (8/3)^(1/3)
+    A = math.sqrt(max(D, 0.0)) + 1.5  # JKR's contact is the widest; at D = 0 its radius is A = (8/3)^(1/3)
     s = max(min(A * math.sqrt(2.0 * lam), (1.5 * lam * A * A) ** (1.0 / 3.0)), lam * min(1.2 * math.sqrt(A), 1.6 * lam * A))
     while normal(s, 1.0, lam)[0] < D:
         s *= 2.0

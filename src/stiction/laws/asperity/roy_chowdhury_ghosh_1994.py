@@ -11,8 +11,9 @@ P=2\eta w-\frac{2\pi}\theta,\qquad A=2w\qquad(u\ge u_1),\qquad u_1^3-\eta u_1-S=
 $$
 
 *Jumps*: at this transition, where $w_1=u_1^4-\tfrac23Su_1$, the load is multiplied by 1.276 and the area by 1.399 at
-$\theta=10$, $\lambda=1$; both are doubled without adhesion. Under strong adhesion the load falls there; it becomes tensile if
-$\lambda^{1/4}\theta^{-1/6}<0.184$. *Unknown*: the text of the 1994 paper; the law is taken from the 2015 paper.
+$\theta=10$, $\lambda=1$; both are doubled without adhesion. Under strong adhesion the load falls at this transition; it
+becomes tensile if $\lambda^{1/4}\theta^{-1/6}<0.184$. *Unknown*: the text of the 1994 paper; the law is taken from the 2015
+paper.
 
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ in units of $KR^{1/2}\sigma^{3/2}$ and contact area $A$ in units of
 $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$

@@ -127,10 +127,10 @@ def unloading_radius(u_max, P_max, S):
 
 @formula
 def residual(u_max, radius):
-    """Return the residual displacement in units of sigma, by which the unloading curve of a yielded asperity is shifted.
+    """Return the residual displacement of a yielded asperity in units of sigma, which is the shift of its unloading curve.
 
-    With this shift the displacement at the turning point is the same during unloading and loading. u_max: coordinate at the
-    turning point, u^4 = a^2/(R sigma) with the contact radius a. radius: R_p/R, from `unloading_radius`.
+    The shift makes the unloading curve start at the displacement at which loading ended. u_max: coordinate at the turning
+    point, u^4 = a^2/(R sigma) with the contact radius a. radius: R_p/R, from `unloading_radius`.
     """
     return u_max * u_max * u_max * u_max * (1.0 - 1.0 / radius)
 

@@ -1,9 +1,9 @@
 r"""Hardness of a film on a substrate as a function of depth, fitted to finite elements (a cone): Bhattacharya & Nix 1988.
 
 *Assumes*: a fit to finite elements of conical indentation. *Source*: [bhattacharya_nix_1988], as restated in later works. $H$
-is the hardness of film and substrate together at the depth $\omega$, $H_s$ that of the substrate. $n_H$, $n_E$ and $n_Y$ are
-hardness, modulus and yield stress of the film, each divided by the substrate's; $n_Y=n_H$ is assumed here. With the film
-thickness $t$ and $v=\omega/t$,
+is the hardness of film and substrate together at the depth $\omega$, $H_s$ the hardness of the substrate. $n_H$, $n_E$ and
+$n_Y$ are hardness, modulus and yield stress of the film, each divided by the substrate's; $n_Y=n_H$ is assumed here. With the
+film thickness $t$ and $v=\omega/t$,
 
 $$
 \frac H{H_s}=1+(n_H-1)\,e^{-c\,v^m},\qquad c=\frac{n_Y}{n_E}\ (n_H<1),\quad c=\frac{n_H}{n_Y\sqrt{n_E}}\ (n_H>1)

@@ -2,8 +2,8 @@ r"""Hardness of a film on a substrate, averaged over their areas under the inden
 
 *Assumes*: the hardnesses of film and substrate are weighted by their areas under a Vickers pyramid whose impression has the
 diagonal $d$. *Source*: [jonsson_hogmark_1984], as restated by the documentation of the NIMS toolbox. $H$ is the hardness of
-film and substrate together, $H_s$ that of the substrate, $n_H$ the film's hardness divided by the substrate's, $t$ the film
-thickness:
+film and substrate together, $H_s$ the hardness of the substrate, $n_H$ the film's hardness divided by the substrate's, $t$ the
+film thickness:
 
 $$
 \frac H{H_s}=1+(n_H-1)\left[\frac{2Ct}d-\left(\frac{Ct}d\right)^2\right],\qquad C=1,\ \text{or}\ \tfrac12\ \text{for}\ n_H>6.3
@@ -19,7 +19,7 @@ from stiction.engine.compiled import formula
 from stiction.records.registry import Composite, Validity
 from stiction.records.sources import Source
 
-_DIAGONAL = 7.0  # of a Vickers pyramid, over the depth of its impression
+_DIAGONAL = 7.0  # diagonal of a Vickers impression divided by its depth
 
 
 @formula

@@ -19,7 +19,7 @@ support this law, nor do films, whose junctions belong to two bodies.
 *Limit*: many junctions, or $c_\tau=0$: no scatter. *Check*: Hertz's asperities with exponential heights, for which $\langle
 A^2\rangle=2\langle A\rangle^2$: $s_\mu/\mu=c_\tau\sqrt{2/n}$ at every load.
 
-Full list: [symbols](#1-units).
+Symbols are defined in [units](#1-units).
 """
 
 from stiction.contact.indices import Groups

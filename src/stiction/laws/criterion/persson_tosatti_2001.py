@@ -1,9 +1,9 @@
 r"""Criterion for full contact by adhesion, and the effective work of adhesion: after Persson & Tosatti 2001.
 
-*Assumes*: elastic half-spaces in full contact, and small slopes. *Source*: [persson_tosatti_2001], as commonly quoted,
-derived again here. Full contact gains the work of adhesion $\gamma$ on the area of the rough face, which is $1+h'^2/2$ times
-the nominal area. It needs the elastic energy $U$ per nominal area that the rough-surface model `persson_tosatti_2001` states.
-The effective work of adhesion per nominal area is
+*Assumes*: elastic half-spaces in full contact, and small slopes. *Source*: [persson_tosatti_2001], as commonly quoted, derived
+again here. Full contact releases the work of adhesion $\gamma$ per area of the rough face, which is $1+h'^2/2$ times the
+nominal area. It costs the elastic energy $U$ per nominal area, given by the rough-surface model `persson_tosatti_2001`. The
+effective work of adhesion per nominal area is
 
 $$
 \gamma_\mathrm{eff}=\gamma\left(1+\tfrac12\int q^2C(q)\,d^2q\right)-\frac{E^*}4\int q\,C(q)\,d^2q

@@ -11,7 +11,7 @@ A=2w,\qquad P=\begin{cases}2\eta n_Hw&w<\tau\\P_s(w-\tau)+\eta n_H\left[2w-A_s(w
 $$
 
 where a negative bracket counts as 0. Load and area are continuous at $w=\tau$. Only the substrate resists shear, unless the
-tangential law describes the interface. *Check* of the abstract's statements: at high plasticity index the film changes area
+tangential law describes the interface. *Check* of the abstract's statements: at a high plasticity index the film changes area
 and load less; a thin film stiffens a lightly loaded contact. *Unknown*: all equations of the source. *Trap*: even at zero film
 thickness a rim of film around elastic contacts carries load.
 
@@ -114,7 +114,7 @@ FLOWING = (
         "tau",
         0.1,
         math.inf,
-        "the law gives the film around substrate contacts too much load, even at zero film thickness",
+        "the law overestimates the load on the film around substrate contacts, even at zero film thickness",
     ),
     Validity("film_plasticity_index", 8.0, math.inf, "the film is modelled as plastic from first touch"),
     Validity(

@@ -4,8 +4,8 @@ r"""A plastic film that roughness penetrates, with two shear strengths: after Da
 of it; the effect is stronger on rougher surfaces. According to the 2015 paper, [soft_coating_2015], the contact is plastic.
 *Source*: [dayson_1971], its abstract. *Reconstruction*: the geometry of [`chang_1997`](#chang_1997) with film and substrate
 both plastic. An asperity at the displacement $\omega$ touches on the area $2\pi R\omega$. Where it is deeper than the film
-thickness $t$, it touches the substrate on the area $A_s$ at the substrate's hardness $H$; the other part of the area, $A_f$,
-is film,
+thickness $t$, it touches the substrate on the area $A_s$ at the substrate's hardness $H$. On the other part of the area,
+$A_f$, it touches the film,
 
 $$
 A_f=2\min(w,\tau),\qquad A_s=2\max(w-\tau,0),\qquad P=\eta\,(pA_f+A_s),\qquad
@@ -20,10 +20,10 @@ the load through it ([bowden_tabor_1943]).
 *Limit*: the friction coefficient is $\mu=\tau_0/(pH)$ for a thick film, $\mu=1/(\sqrt3\,k)$ for zero thickness, and lies
 between these values otherwise. Friction therefore rises as the film gets thinner if $\tau_0/(pH)<1/(\sqrt3\,k)$. With $p=1$
 this holds for every film that is weaker in shear than its substrate. With $p=n_H$ a soft metal film that shears at its own
-shear yield stress $Y_f/\sqrt3$ does not change $\mu$; only weaker films (layered solids, polymers) behave as the abstract says.
-*Check*: for Gaussian heights (density $\varphi$, distribution function $\Phi$) and the mean separation $h$ in units of
-$\sigma$, the mean displacement is $F(h)=\varphi(h)-h\,[1-\Phi(h)]$. The penetrated fraction of the area is $F(h+\tau)/F(h)$,
-and with $p=1$
+shear yield stress $Y_f/\sqrt3$ does not change $\mu$; only weaker films (layered solids, polymers) show the trend of the
+abstract. *Check*: for Gaussian heights (density $\varphi$, distribution function $\Phi$) and the mean separation $h$ in units
+of $\sigma$, the mean displacement is $F(h)=\varphi(h)-h\,[1-\Phi(h)]$. The penetrated fraction of the area is
+$F(h+\tau)/F(h)$, and with $p=1$
 
 $$
 \mu=\frac{\tau_0}H+\left(\frac1{\sqrt3\,k}-\frac{\tau_0}H\right)\frac{F(h+\tau)}{F(h)},\qquad P=2\eta F(h)

@@ -215,5 +215,5 @@ RECORD = FilmLaw(
     load_falls=False,
     accuracy=2e-9,  # the worst of 400 000 parameter sets of the whole range; 1 in 10 000 is above 1e-10
     notes="This project's own composition. Where the load of an asperity would fall with growing displacement, it is kept "
-    "constant until the law reaches it again.",
+    "constant until the law gives this load again.",
 )

@@ -34,7 +34,7 @@ remains, $\mu=\tau_0/H$. In a shallow contact the gap has constant height, and t
 of the abstracts' statements: $\mu$ falls with load, and the pressure in the centre is many times the pressure at the edge. At
 constant load $\mu$ rises with thickness and with radius, and falls with the hardness of the film. *Unknown*: the empirical
 expression of [kato_1981]; in [kato_1982] the pressure at the edge, the shear stress on both faces, and whether the ball
-ploughs, which a later paper of the group states (J. Tribology 109 (1987) 545; not included here).
+ploughs as in a later paper of the group (J. Tribology 109 (1987) 545). Ploughing is not included here.
 
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ in units of $KR^{1/2}\sigma^{3/2}$ and contact area $A$ in units of
 $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$
@@ -232,7 +232,7 @@ RECORD = FilmLaw(
         THIN_LAYER,
         SOFT_FILM,
     ),
-    notes="load_substrate is the load on asperities under which the substrate's hardness limits the pressure. If it is most of "
-    "the load, the substrate is plastic and not rigid, as the source assumes. Ploughing is not included. Without film_aspect "
-    "(input by indices only) the pressure does not rise from edge to centre.",
+    notes="load_substrate is the load on asperities under which the substrate's hardness limits the pressure. If it is most "
+    "of the load, the substrate is plastic, although the source assumes a rigid one. Ploughing is not included. Without "
+    "film_aspect (input by indices only) the pressure does not rise from edge to centre.",
 )

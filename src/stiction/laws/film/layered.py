@@ -21,7 +21,7 @@ $k_n=2aE_S$ and $k_n'=dk_n/da=2B$ ($E_S$ and $B$ in Pa).
 
 *Bodies*: both bodies carry the same pressure, so their compliances add. This is exact for a film on one body against any other
 body, and for films with half of the thickness on each of two bodies, equal or not. With `Indices`, the film is on one body and
-the other body is rigid, unless `films` and the groups after it say otherwise.
+the other body is rigid, unless `films` and the groups after it specify other bodies.
 
 *Yield*: the asperity yields where its mean pressure reaches the value at which the chosen asperity law yields on a half-space
 of modulus $E_P$ and hardness $\chi H$. $\chi$ is the hardness of film and substrate together divided by the substrate's, from
@@ -107,7 +107,7 @@ def elastic(groups: Groups, law: Law) -> NormalSegment:
 
 
 def regimes(groups: Groups, law: Law, hardness: str, soft_film_exponent: str) -> list[Regime]:
-    """Return the regimes of a surface with a bonded film; all load counts as the film's.
+    """Return the regimes of a surface with a bonded film; results count the whole load as the film's.
 
     A regime is a segment of an asperity law together with the tangential force on it. Forces are in units of K R^(1/2)
     sigma^(3/2), with K = (4/3) E* of the substrate. groups: dimensionless groups of n coated contacts. law: asperity law

@@ -10,9 +10,9 @@ P=P_\text{Chang}-\frac{2\pi n_g}\theta
 $$
 
 (in SI the force is $2\pi R\gamma_f$). *Check* of the abstract's statements: with a shear strength of the interface, friction
-rises with film thickness at plasticity indices above 0.5; at a plasticity index of 0.25 and light load it rises as a very thin
-film gets thinner. With `chang_etsion_bogy_1988`, where only the substrate resists, only the second trend appears. *Unknown*:
-all equations of the source. *Limit*: `chang_1997` without adhesion.
+rises with film thickness at plasticity indices above 0.5; at a plasticity index of 0.25 and light load, friction rises as a
+very thin film gets thinner. With `chang_etsion_bogy_1988`, where only the substrate resists, only the second trend appears.
+*Unknown*: all equations of the source. *Limit*: `chang_1997` without adhesion.
 
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ in units of $KR^{1/2}\sigma^{3/2}$ and contact area $A$ in units of
 $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$

@@ -9,8 +9,8 @@ P=P_s(w),\qquad A=A_s(w),\qquad T=\tau_0A
 $$
 
 (the last equation is in SI). If the contact is plastic, this is Bowden and Tabor's soft film: the friction coefficient is
-$\mu=\tau_0/H_s$, with the substrate's hardness $H_s$. *Unknown*: the text of the source, which solved given surfaces
-numerically.
+$\mu=\tau_0/H_s$, with the substrate's hardness $H_s$. *Unknown*: the text of the source, which solved the contact of given
+surfaces numerically.
 
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ and tangential force $T$ in units of $KR^{1/2}\sigma^{3/2}$ and contact
 area $A$ in units of $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and

@@ -97,10 +97,10 @@ def _film_weights(segment: NormalSegment) -> tuple[Weights, Weights]:
 def regimes(groups: Groups, law: Law) -> list[Regime]:
     """Return the regimes of a coated surface according to the equations of soft_coating_2015 as printed.
 
-    A regime is a segment of an asperity law together with the tangential force on it. groups: dimensionless groups of n
-    coated contacts. `law` is not used, because the printed equations contain their own laws. An integral whose lower limit
-    exceeds the upper one is empty (D9). In the film only asperities with a displacement below the film thickness resist
-    shear (D10). The contact area, which the paper does not define, is the film's.
+    A regime is a segment of an asperity law together with the tangential force on it. groups: dimensionless groups of n coated
+    contacts. `law` is not used, because the printed equations contain their own laws. An integral whose lower limit exceeds
+    the upper one is empty (D9). In the film only asperities with a displacement below the film thickness resist shear (D10).
+    The contact area, which the paper does not define, is the contact area on the film.
     """
     tau = groups.tau
     film_part = film_regimes(LAW, groups, tau, _film_weights)
@@ -138,9 +138,7 @@ RECORD = FilmLaw(
     needs=("theta", "lam", "n_E", "n_H", "tau"),
     validity=(
         DEEP_FILM,
-        Validity(
-            "load_share_substrate", 0.0, 0.1, "the paper computes the load of the substrate as if it did not lie below a film"
-        ),
+        Validity("load_share_substrate", 0.0, 0.1, "the paper computes the load of the substrate as if no film covered it"),
         Validity(
             "n_E",
             0.9,

@@ -31,7 +31,7 @@ thickness. $\tau_0$ comes from a tangential law of the interface. A film harder 
 hard, $p=\eta$.
 
 *Check*: $\mu=\tau_0/(4^{1/3}H_f)=0.62996\,\tau_0/H_f$ for one sphere with $W=8\pi RH_ft$ and $q=1$. The powers of $t$ and $W$
-are exact between the two limits, over a range of loads of the factor $n_H^{-3}$. *Limit*: $\mu=\tau_0/H_f$ for a thick film,
+are exact between the two limits, whose loads differ by the factor $n_H^{-3}$. *Limit*: $\mu=\tau_0/H_f$ for a thick film,
 $\tau_0/H$ for zero thickness. *Unknown*: $c$, and how it depends on hardness, strength and radius. The sum over asperities is
 this project's own: at a given load, $\mu$ of a rough surface is an average over its asperities.
 

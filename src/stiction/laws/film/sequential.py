@@ -13,8 +13,8 @@ $$
 
 and the same for the tangential force; a law of the interface uses the total load and the outer area instead. But film and
 substrate transmit the same force in series, so their forces do not add up. The paper's sum is therefore too large by the force
-of the film; the record states the excess for zero film thickness. With `film_shear="in_series"` the smaller tangential force
-applies: the film's at the full displacement, or the substrate's at the displacement minus the film thickness,
+of the film. With `film_shear="in_series"` the smaller tangential force applies: the film's at the full displacement, or the
+substrate's at the displacement minus the film thickness,
 
 $$
 T=\min\left[n_ET_c(w),\,T_s(w-\tau)\right]\quad(w\ge\tau)

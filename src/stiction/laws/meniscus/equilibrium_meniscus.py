@@ -31,17 +31,19 @@ area and no resistance to sliding. It presses the solids together, and the tange
 work of adhesion of the contact, if any, is that of the solids inside the liquid. With a film, the liquid is on the film.
 
 *Limit*: as the humidity tends to zero, $w_\mathrm m\to0$, but touching asperities still have the full force, because the force
-in contact does not depend on $r$. If $r$ is only a few molecules, there is no such meniscus. Results carry a validity warning
-below the radii at which Kelvin's equation was confirmed: 4 nm, or 9 nm for water, which corresponds to 94 % relative humidity.
+in contact does not depend on $r$. If $r$ is only a few molecular diameters, no such meniscus exists. Results carry a validity
+warning below the radii at which Kelvin's equation was confirmed: 4 nm, or 9 nm for water, which corresponds to 94 % relative
+humidity.
 
 *Trap*: for elastic asperities at displacements far above $2rc$ the force falls to half of this value, see
-[`hertzian_meniscus`](#hertzian_meniscus). The missing force increases their contact area, so friction by a law of the interface
-is closer to the present law. *Measured*: fourteen Gaussian maps of silicon ($\sigma$ 1 to 50 nm, longest wavelength a half to a
-sixteenth of the side, nominal pressure 0.002 to 0.05 times $E^*h'$ with the root mean square gradient $h'$, 30 to 97 %
-humidity) were solved with Laplace's pressure on every bridged point ([`boundary_elements`](#boundary_elements)). If the menisci
-pull with more than a tenth of the load, this law gives 0.40 to 0.91 of their force (mean 0.58), and 1.00 to 1.03 of it on
-flooded maps. If they pull less, it gives 0.24 to 1.08. *Unknown*: menisci of constant volume, which do not dry up while
-surfaces separate; their volume depends on their history.
+[`hertzian_meniscus`](#hertzian_meniscus). The missing force increases their contact area, so friction by a law of the
+interface is closer to the present law. *Comparison*: fourteen Gaussian maps of silicon ($\sigma$ 1 to 50 nm, longest
+wavelength a half to a sixteenth of the side, nominal pressure 0.002 to 0.05 times $E^*h'$ with the root mean square gradient
+$h'$, 30 to 97 % humidity) were solved with Laplace's pressure on every bridged point
+([`boundary_elements`](#boundary_elements)). If the meniscus force exceeds a tenth of the load, this law gives 0.40 to 0.91
+times the computed force (mean 0.58), and 1.00 to 1.03 times on flooded maps. For smaller forces it gives 0.24 to 1.08 times
+the computed force. *Unknown*: menisci of constant volume, which do not dry up while surfaces separate; their volume depends on
+their history.
 
 *Check*: separation of a sphere and a flat in equilibrium needs the work $4\pi R\gamma_\mathrm Lrc^2$, half of the surface
 energy $2\gamma_\mathrm Lc\cdot4\pi Rrc$ that is created ([de_boer_de_boer_2007], abstract). For water at 20 °C, $r$ is
@@ -91,7 +93,7 @@ PULL_ON_MAPS = Validity(
     "meniscus_share",
     0.0,
     0.005,
-    "on solved height maps, menisci pull 0.9 to 4 times as strongly: mu may be too low",
+    "solved height maps give 0.9 to 4 times this meniscus force: mu may be too low",
     "assumption",
 )
 
@@ -127,7 +129,7 @@ RECORD = Meniscus(
         Source("thomson_1871", "", "Kelvin's equation: the radius of a meniscus at a given humidity"),
         Source("orr_scriven_rivas_1975", "", "circle approximation; the exact meniscus, solved independently as a check"),
         Source("israelachvili_2011", "", "force of a sphere and a flat; written from memory and derived again"),
-        Source("butt_kappl_2009", "", "review of the same; only the abstract was available"),
+        Source("butt_kappl_2009", "", "review of this force; only the abstract was available"),
         Source("de_boer_de_boer_2007", "abstract", "work of separating a sphere and a flat in equilibrium"),
         Source("fisher_gamble_middlehurst_1981", "abstract", "radii at which the Kelvin equation was found to hold"),
         Source("iapws_2014", "", "surface tension of water, from memory, checked against 72.74 mN/m at 20 C"),

@@ -34,8 +34,8 @@ $$
 Friction by a law of the interface is therefore too low here, more so than with `equilibrium_meniscus`. Use this law for loads
 and pull-off forces. Results carry a validity warning above $w=0.1\,w_\mathrm m$.
 
-*Measured*, on the same maps as `equilibrium_meniscus`: this law gives 0.27 to 0.79 of the meniscus force (mean 0.48), and 1.00
-to 1.03 of it on flooded maps.
+*Comparison*, on the maps of `equilibrium_meniscus`: this law gives 0.27 to 0.79 times the computed force (mean 0.48), and 1.00
+to 1.03 times on flooded maps.
 
 *Units*: $w=\omega/\sigma$, $P$ in units of $KR^{1/2}\sigma^{3/2}$. Full list: [symbols](#1-units).
 """
@@ -123,7 +123,7 @@ RECORD = Meniscus(
         *equilibrium_meniscus.VALIDITY,
         replace(
             equilibrium_meniscus.PULL_ON_MAPS,
-            why="on solved height maps, menisci pull up to 3.8 times as strongly: mu may be too low",
+            why="solved height maps give up to 3.8 times this meniscus force: mu may be too low",
         ),
         ELASTIC,
         Validity("penetration_over_meniscus", 0.0, 0.1, "contact area and friction are larger than computed"),

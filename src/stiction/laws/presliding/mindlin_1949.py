@@ -32,9 +32,9 @@ $$
 An asperity slides once $s$ reaches 1 and then retains the fraction $r$ of its strength. *Sources*: [bjorklund_1997] for the
 sum (the text was not available) and [eriten_2011]. The residual strength $r$ ($r=1$ for Coulomb's law), and $T_m$ in place of
 $fP$ for strengths that are not proportional to the load, are this project's own. With $r=1$, $F$ tends from below to the
-static friction force, where all asperities have their full strength at once. With $r<1$ the asperities do not reach their
-peaks together, and the largest force is lower. In a cycle between $\pm\delta$, unloading follows the same curve at twice the
-scale ([masing_1926]). The energy loss of a cycle is
+static friction force, where all asperities have their full strength at once. With $r<1$ the asperities do not reach their peak
+forces at the same displacement, and the largest force is lower. In a cycle between $\pm\delta$, unloading follows the same
+curve at twice the scale ([masing_1926]). The energy loss of a cycle is
 
 $$
 \Delta W=8\int_0^\delta F\,d\delta'-4\,\delta F,\qquad
@@ -155,9 +155,9 @@ def loss_share(s):
 def resistance(u, w, load, area, K_beta):
     """Return (stiffness, 0), with the tangential stiffness of one asperity at zero tangential force, as in `stiffness`.
 
-    The second number is 0 because the engine always sums two (see `TangentialResistance`). u, w, load: not used. area:
-    contact area in units of pi R sigma. K_beta: K beta, with K = (4/3) E* and the tangential compliance beta of the pair of
-    bodies.
+    The second number is 0, because the engine always sums two numbers (see `TangentialResistance`). u, w, load: not used.
+    area: contact area in units of pi R sigma. K_beta: K beta, with K = (4/3) E* and the tangential compliance beta of the pair
+    of bodies.
     """
     return stiffness(area, K_beta), 0.0
 

@@ -23,9 +23,9 @@ the work of adhesion $\gamma$ (method of [pastewka_robbins_2014]). The range $\v
 map resolves, for which $E^*\varrho^2/\gamma$ is twice the point spacing.
 
 *Menisci* of a liquid: the suction $\gamma_\mathrm L/r$ (surface tension over radius of the meniscus) acts on every point with
-a gap below the meniscus height $2rc$ of [`equilibrium_meniscus`](#equilibrium_meniscus), like the attraction of
-[maugis_1992]. Points in contact and wetted points are computed in turn, starting with the dry contact. With adhesion the
-liquid is left out.
+a gap below the meniscus height $2rc$ of [`equilibrium_meniscus`](#equilibrium_meniscus), like the attraction of [maugis_1992].
+Points in contact and wetted points are computed in turn, starting with the dry contact. With adhesion, menisci are not
+included.
 
 *Friction*: a law of the interface is applied to the pressure of every point. For the shear strength $\tau=\tau_0+\alpha p$ the
 sum is exact, $T=\tau_0A+\alpha P$ with the contact area $A$. With `shear="lesser"` the strength of a point is the smaller of
@@ -193,7 +193,7 @@ RECORD = RoughSurface(
         Source("almqvist_2007", "", "pressures between 0 and the hardness"),
         Source("nogi_kato_1997", "", "compliance of a film; checked by the boundary conditions of a wave, not against print"),
         Source("love_1929", "", "displacement under a loaded point of a map that is not periodic, for the checks"),
-        Source("pastewka_robbins_2014", "", "attraction with a finite range; solved here by another method of descent"),
+        Source("pastewka_robbins_2014", "", "attraction with a finite range; solved here by another minimisation method"),
         Source("maugis_1992", "", "attraction by a constant stress up to a gap; here the liquid at every point of a map"),
         Source("orowan_1943", "", "shear = lesser; reconstructed, not compared with print"),
         Source("tabor_1959", "", "shear = junction_growth; reconstructed, not compared with print"),
@@ -241,9 +241,9 @@ RECORD = RoughSurface(
         Validity("load_error", 0.0, limits.LEAST_LOAD_ERROR, "the computed pressures do not add up to the load", "effect"),
     ),
     notes=(
-        "The contact of the map is solved, after the preparation that its roughness states; a periodic map (periodic = true, "
-        "and generated maps) keeps its form and has no ends. There is no adhesion by default. The hardness is the largest "
-        'pressure of a point; the substrate of a film does not yield. points="sampled" solves the fewest points that give the '
-        "area to 1 to 2 %, or to 3 to 10 % for a surface with a lay."
+        "The map is prepared as its roughness specifies, then its contact is solved; a periodic map (periodic = true, and "
+        "generated maps) keeps its form and has no ends. There is no adhesion by default. The hardness is the largest pressure "
+        'of a point; the substrate of a film does not yield. points="sampled" uses the fewest points that give the area within '
+        "1 to 2 %, or within 3 to 10 % for a surface with a lay."
     ),
 )

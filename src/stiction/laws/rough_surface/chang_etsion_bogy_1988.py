@@ -1,4 +1,4 @@
-r"""Elastic-plastic asperities (1987), of which only the elastic ones resist sliding (1988): Chang, Etsion & Bogy.
+r"""Elastic-plastic asperities (1987) that resist sliding only while they are elastic (1988): Chang, Etsion & Bogy.
 
 *Assumes*: asperities of [`chang_etsion_bogy_1987`](#chang_etsion_bogy_1987) are independent and fail at [first
 yield](#chang_etsion_bogy_1988-tangential-law). *Source*: [chang_etsion_bogy_1988]. The friction coefficient at the mean

@@ -1,9 +1,10 @@
 r"""Asperities that interact, all lowered by the same displacement: Ciavarella, Greenwood & Paggi 2008.
 
-*Assumes*: the loads on Greenwood and Williamson's asperities lower all other asperities. To first order all are lowered by the
-same displacement: that of the nominal area under the mean pressure $p$. *Source*: [ciavarella_greenwood_paggi_2008];
-*unknown*: its text. *Reconstruction*: the nominal area is a square of side $L$ on a half-space and is displaced by its mean
-displacement under uniform pressure (Love's solution, [johnson_1985]), $0.9464\,pL/E^*$:
+*Assumes*: the loads on Greenwood and Williamson's asperities lower all other asperities. To first order, all asperities are
+lowered by the same displacement, the displacement of the nominal area under the mean pressure $p$. *Source*:
+[ciavarella_greenwood_paggi_2008]; *unknown*: its text. *Reconstruction*: the nominal area is a square of side $L$ on a
+half-space and is displaced by its mean displacement under uniform pressure (Love's solution, [johnson_1985]),
+$0.9464\,pL/E^*$:
 
 $$
 \bar P=F_{3/2}(h^*),\quad\bar A=F_1(h^*),\quad h^*=h+c\,F_{3/2}(h^*),\quad
@@ -13,9 +14,9 @@ $$
 $\bar P$ and $\bar A$ are load and area per asperity and $F_n$ the integrals of
 [`greenwood_williamson_1966`](#greenwood_williamson_1966), $h$ is the separation (in units of $\sigma$), $h^*$ the separation
 enlarged by the displacement, $\rho=NR\sigma$ and $\varsigma=\sqrt{\sigma/R}$. The relation of area and load is Greenwood and
-Williamson's. Only the separation differs, and more for a larger surface. *Check*, $\rho=0.04$, $\varsigma=0.03$,
-$L/\sigma=20\,000$: $\bar P=0.0420103$, $\bar A=0.0482781$ at $h=0$ and 0.00449705, 0.00584984 at $h=2$. *Limit*: Greenwood and
-Williamson for $L\to0$.
+Williamson's. Only the separation differs; the difference grows with the size of the surface. *Check*, $\rho=0.04$,
+$\varsigma=0.03$, $L/\sigma=20\,000$: $\bar P=0.0420103$, $\bar A=0.0482781$ at $h=0$ and 0.00449705, 0.00584984 at $h=2$.
+*Limit*: Greenwood and Williamson for $L\to0$.
 """
 
 import math

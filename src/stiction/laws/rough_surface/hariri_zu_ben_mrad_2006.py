@@ -38,8 +38,8 @@ over the profile's standard deviation, from simulated profiles of $2\cdot10^7$ p
 The load has a maximum at a level about half a standard deviation below the mean plane, because runs of points merge; the model
 ends at this level. At the same load it predicts a larger area than any other elastic model here. $\kappa$ in
 $A/A_n=\kappa\,p/(E^*h')$, with the root mean square gradient $h'$, is 4.3, 5.6 and 7.2 at the separations $h$ = 0, 1 and 2 for
-$\rho=0.0405$, and 3.7, 4.1 and 4.8 for $\rho=0.06$; simulated profiles give the same. It is unknown whether this comes from the
-paper or from the reconstruction.
+$\rho=0.0405$, and 3.7, 4.1 and 4.8 for $\rho=0.06$; simulated profiles give the same values. It is unknown whether the large
+area is due to the paper's model or to the reconstruction.
 """
 
 import math

@@ -1,10 +1,11 @@
 r"""Contact area as a function of load for a rough surface that attracts but does not stick: Pastewka & Robbins 2014.
 
 *Assumes*: as in the criterion [`pastewka_robbins_2014`](#pastewka_robbins_2014), attraction acts on rims around the contact
-spots and repulsion in the spots. Attractive and repulsive force are proportional to the areas of rims and spots, and these to
-the load. *Source*: [pastewka_robbins_2014]: the abstract (the area is proportional to the load; the factor rises linearly with
-weak attraction and changes sign at a threshold), and eq. (10) as restated by the authors' group. *Reconstructed*: eq. (10)
-states where the two forces cancel, $Q=1$. Here the attraction is also subtracted where they do not cancel:
+spots and repulsion in the spots. The attractive force is proportional to the area of the rims, the repulsive force to the area
+of the spots. Both areas are proportional to the load. *Source*: [pastewka_robbins_2014]: the abstract (the area is
+proportional to the load; the factor rises linearly with weak attraction and changes sign at a threshold), and eq. (10) as
+restated by the authors' group. *Reconstructed*: eq. (10) states where the two forces cancel, $Q=1$. Here the attraction is
+also subtracted where they do not cancel:
 
 $$
 p=\left(1-\frac1Q\right)\frac{E^*h'}{\kappa}\frac A{A_n},\qquad

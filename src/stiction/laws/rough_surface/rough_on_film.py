@@ -1,11 +1,11 @@
-r"""Contact area of a rough surface on a film, with the modulus of the coated body for contacts as large as a contact spot.
+r"""Contact area of a rough surface on a film, with the effective modulus of film and body at the size of contact spots.
 
 *Assumes*: a Gaussian isotropic surface without friction and adhesion, and a film bonded to its body. Pressures are limited to
 the film's hardness, or to the pressure that the body below a harder film can carry. Materials do not harden. *Source*: this
-project's own. It is grade B, because it was compared with solved maps; the limit that the body below sets is grade C: it was
-not compared. $F$ is the area law of bare surfaces, the formula from spectral moments in
-`solvers/boundary_elements/area_estimates.py` (see [`persson_widened`](#persson_widened)). With the nominal pressure $p$ and the
-root mean square gradient $h'$, the elastic contact area is
+project's own. It is grade B, because it was compared with solved maps. The pressure limit set by the body below a harder film
+was not compared and is grade C. $F$ is the area law of bare surfaces, the formula from spectral moments in
+`solvers/boundary_elements/area_estimates.py` (see [`persson_widened`](#persson_widened)). With the nominal pressure $p$ and
+the root mean square gradient $h'$, the elastic contact area is
 
 $$
 \frac{A_\mathrm{el}}{A_n}=F\!\left(\frac p{E_\mathrm{eff}h'}\right),\qquad
@@ -15,9 +15,9 @@ $$
 
 solved for $A_\mathrm{el}$. $E_P(a/t)$ is the exact effective modulus of the film on its body for a sphere with the contact
 radius $a$, as in [`layered`](#layered); $t$ is the film thickness. Waves of the wavenumber $k$ in the power spectrum $S$ are
-assumed to touch the film with spots of the radius $a(k)$, fitted to solved maps; $E_f/E_s$ is the modulus of the film divided
-by the body's. Weighting the film's compliance at the wavelength itself is not sufficient, because pressures vary over shorter
-lengths than heights. With the film's hardness $H_f$, or the pressure that the body below can carry if this is less,
+assumed to touch the film in spots of the radius $a(k)$, which is fitted to solved maps; $E_f/E_s$ is the modulus of the film
+divided by the body's. Weighting the film's compliance at the wavelength itself is not sufficient, because pressures vary over
+shorter lengths than heights. With the film's hardness $H_f$, or the pressure that the body below can carry if this is less,
 
 $$
 \left(\frac A{A_n}\right)^{3.5}=\left(\frac{A_\mathrm{el}}{A_n}\right)^{3.5}+\left(\frac p{H_f}\right)^{3.5},\qquad A\le A_n
@@ -29,9 +29,10 @@ of the map with its film is solved at up to five loads. Between and beyond them 
 spectrum of the map, and with $F$ from the slopes of the map as in [`persson_widened`](#persson_widened). A map too large to be
 solved uses the law alone. The result `area_by` names the method.
 
-*Limit*: the area law of bare surfaces, with the modulus of the bodies for zero film thickness and with the film's own for
+*Limit*: the area law of bare surfaces, with the modulus of the bodies for zero film thickness and the modulus of the film for
 infinite thickness. *Check*: if film and bodies have the same modulus, the area equals the bare surface's, for example at
-$p=0.05\,E^*h'$ and $NR\sigma=0.05$ (Nayak's $\alpha=6.93$); also with a film of ten times the modulus for $a/t\to\infty$.
+$p=0.05\,E^*h'$ and $NR\sigma=0.05$ (Nayak's $\alpha=6.93$); it also does for a film of ten times the modulus if
+$a/t\to\infty$.
 """
 
 import math
@@ -87,11 +88,10 @@ class Waves(NamedTuple):
 
 
 def waves_of_moments(density: np.ndarray) -> Waves:
-    """Return the spectra of self-affine surfaces that have the spectral moments of density = N R sigma (n,).
+    """Return the spectra of self-affine surfaces whose summits have the given N R sigma; density: N R sigma (n,).
 
-    Wavenumbers are in units of 1/sqrt(R sigma), from k_l to k_s = z k_l. With the Hurst exponent H and M_n, the integral of
-    k^(n + 1) k^(-2 - 2 H) between them, Nayak's alpha = (3/2) M_0 M_4/M_2^2 gives z, and m4/m2 = (3/4) M_4/M_2 = 6 pi sqrt(3) N
-    gives k_s (Nayak 1971).
+    Spectra k^(-2 - 2 H) extend over wavenumbers k_l to k_s = z k_l in 1/sqrt(R sigma); H: Hurst exponent; M_n: integral of
+    k^(n - 1 - 2 H) over k. Nayak's alpha = (3/2) M_0 M_4/M_2^2 gives z; m4/m2 = (3/4) M_4/M_2 = 6 pi sqrt(3) N gives k_s.
     """
     log_ratio = np.interp(np.log(bandwidth(density)), _log_bandwidths(), np.log(_RATIOS))[:, None]
     log_k = 0.5 * (_NODES - 1.0) * log_ratio  # ln k/k_s
@@ -172,7 +172,7 @@ def area_of_waves(
         change = np.log(np.maximum(area, _LEAST_AREA)) - guess
         if np.all(np.abs(change) <= 1e-14 * np.maximum(np.abs(guess), 1.0)):
             break
-        # The radius depends on the area to the power 0.086, so that a plain step leaves a tenth of the error, a secant less.
+        # The radius depends on the area to the power 0.086, so a plain step leaves a tenth of the error, a secant step less.
         with np.errstate(divide="ignore", invalid="ignore"):
             slope = (change - last_change) / (guess - last_guess)
         last_guess, last_change = guess, change

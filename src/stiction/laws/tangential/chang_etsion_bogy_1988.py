@@ -2,7 +2,7 @@ r"""Tangential force at which a Hertz contact first yields, on its axis or at it
 
 *Assumes*: a Hertz contact fails when it first yields (von Mises) under normal load and tangential force, at one of two points:
 on the axis at the depth $z=0.48$ contact radii, or at the trailing edge. At and beyond the displacement $\omega_c$, at which
-it yields under the normal load alone, it has no resistance. *Source*: [chang_etsion_bogy_1988], with the stresses of
+it yields under the normal load alone, the contact has no resistance. *Source*: [chang_etsion_bogy_1988], with the stresses of
 [hamilton_1983], as restated by [eriten_2010]. The friction coefficient $\mu$ of one asperity ($T=\mu P$) depends on $r=w/w_c$
 with $w_c$ and $K_H$ of [`chang_etsion_bogy_1987`](#chang_etsion_bogy_1987):
 

@@ -280,7 +280,7 @@ def _series_for(nu_bytes: bytes) -> tuple[np.ndarray, np.ndarray]:
 
     at_edge = _forms(nu, -1.0, 0.0)
 
-    # All three q fall with s. The one below the surface falls from above the others to zero, the one at the edge least steeply.
+    # q of all three positions falls with s: below the surface from above the others to zero, at the edge least steeply.
     first = end * (1.0 - below_reach(nu))
     reach = np.minimum(inside_reach(nu) / np.maximum(1.0 - 2.0 * nu, 1e-300), end)
     inside_until = _crossing(lambda s: q_inside(s) >= _root(s, *at_edge), np.zeros_like(nu), reach)

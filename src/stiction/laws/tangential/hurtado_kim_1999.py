@@ -1,9 +1,9 @@
 r"""A shear strength that decreases with contact size: Hurtado & Kim 1999, in the form of Adams, Muftu & Mohd Azhar 2003.
 
-*Assumes*: a small contact slips as a whole, at a strength that does not depend on its size; a larger one slips by a
-dislocation that glides across it, at a strength that falls with its radius; a very large one by many dislocations, at a lower
-constant strength. *Sources*: [hurtado_kim_1999] for the mechanism, [adams_muftu_azhar_2003] for an approximation by three
-straight lines; neither text was available. *Reconstructed*: the constants below are quoted from memory of secondary
+*Assumes*: a small contact slips as a whole, at a strength that does not depend on its size. A larger contact slips by a
+dislocation that glides across it, at a strength that falls with its radius. A very large contact slips by many dislocations,
+at a lower constant strength. *Sources*: [hurtado_kim_1999] for the mechanism, [adams_muftu_azhar_2003] for an approximation by
+three straight lines; neither text was available. *Reconstructed*: the constants below are quoted from memory of secondary
 literature. With the contact radius $a$, Burgers vector $b$ and shear modulus $G$
 
 $$
@@ -26,10 +26,10 @@ $$
 |---|---|---|---|---|---|---|---|
 | $1000\,\tau/G$ | 23.2558 | 23.2558 | 13.4970 | 5.04454 | 1.88541 | 0.775194 | 0.775194 |
 
-The strength of the bodies, $Y/\sqrt3$, does not limit it. *Measured*: a smooth gold asperity of nanometre size slid on mica at
-264 MPa; a rough one of micrometre size slid at 40.5 MPa, where Hurtado and Kim's model gave 208 to 245 MPa ([li_kim_2008],
-abstract). *Limits*: a constant strength [`bowden_tabor_1943`](#bowden_tabor_1943) of $G/43$ for contacts below $28\,b$ and
-$G/1290$ above $8\cdot10^4\,b$.
+The shear strength of the bodies, $Y/\sqrt3$, does not limit $\tau$. *Measured*: a smooth gold asperity of nanometre size slid
+on mica at 264 MPa; a rough one of micrometre size slid at 40.5 MPa, where Hurtado and Kim's model gave 208 to 245 MPa
+([li_kim_2008], abstract). *Limits*: a constant strength [`bowden_tabor_1943`](#bowden_tabor_1943) of $G/43$ for contacts below
+$28\,b$ and $G/1290$ above $8\cdot10^4\,b$.
 
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ and tangential force $T$ in units of $KR^{1/2}\sigma^{3/2}$ and contact
 area $A$ in units of $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and
@@ -92,7 +92,7 @@ RECORD = TangentialLaw(
         Source(
             "adams_muftu_azhar_2003",
             "abstract",
-            "the same in a sum over asperities; constants from the secondary literature as recalled, not read in the paper",
+            "the mechanism in a sum over asperities; constants recalled from secondary literature, not read in the paper",
         ),
         Source("li_kim_2008", "abstract", "264 and 40.5 MPa measured; 208 to 245 MPa of the model"),
     ),

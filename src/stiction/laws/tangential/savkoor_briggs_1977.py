@@ -4,7 +4,7 @@ r"""Tangential force at which an adhesive contact peels: Savkoor & Briggs 1977, 
 release rates $G_N$ of the normal load and $G_T$ of the tangential force and the work of adhesion $\gamma$; $\zeta$ is
 `peeling` of the contact, by default 1. *Source*: [savkoor_briggs_1977] for $\zeta=1$, derived again from the load before
 shearing. [johnson_1996] states that measured contacts couple the modes more weakly; the simple form with $\zeta$ is not from
-there.
+this source.
 
 $$
 G_N=\frac{(P_1-P)^2}{6\pi Ka^3},\quad G_T=\frac{\beta T^2}{32\pi a^3},\quad P_1=\frac{Ka^3}R\ \text{(SI)};\qquad
@@ -120,7 +120,7 @@ RECORD = TangentialLaw(
             "johnson_1996",
             "",
             "modes are coupled more weakly than in Savkoor and Briggs, by an empirical parameter; G_N + zeta G_T = gamma is "
-            "the simplest such law and not from there",
+            "the simplest such law and not from this source",
         ),
     ),
     tangential_resistance=tangential_resistance,

@@ -6,8 +6,8 @@ rise. Its interface slides at the shear strength $\tau_0=c\,\tau_b$, the fractio
 $\tau_b=H/\sqrt\alpha$ of the bulk. *Sources*: [mcfarlane_tabor_1950] and [tabor_1959]; the texts were not available. The
 criterion and its consequences are as commonly quoted, and derived again here.
 
-A plastic junction slides at the pressure $p=H\sqrt{1-c^2}$. An asperity with a lower pressure does not grow. Any other grows
-until its pressure has fallen to this value:
+A plastic junction slides at the pressure $p=H\sqrt{1-c^2}$. An asperity with a lower pressure does not grow. An asperity with
+a higher pressure grows until its pressure has fallen to this value:
 
 $$
 T=\tau_0\max\left(A,\ \frac P{H\sqrt{1-c^2}}\right)\quad\text{(SI)};\qquad

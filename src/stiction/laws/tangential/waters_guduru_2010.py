@@ -26,8 +26,8 @@ Hertz's contact, with $T=\frac{4\sqrt3\,\pi}{\theta\sqrt{K\beta}}\sqrt p/\cos\fr
 
 $\zeta$ is `peeling` of the contact, by default 1; $\zeta=0$ (no peeling) raises an error. `savkoor_briggs_1977` uses
 $G_N+\zeta G_T=\gamma$, which corresponds to another function of [hutchinson_suo_1992], $[1+(\zeta-1)\sin^2\psi]^{-1}$.
-*Limit*: that law for $\zeta=1$. *Unknown*: a third function, $1+(1-\zeta)\tan^2\psi$, has no largest force and is not
-included. *Check*: $T$ divided by its value for $\zeta=1$,
+*Limit*: `savkoor_briggs_1977` for $\zeta=1$. *Unknown*: a third function, $1+(1-\zeta)\tan^2\psi$, has no largest force and is
+not included. *Check*: $T$ divided by its value for $\zeta=1$,
 
 | $P/P_c$ | −0.5 | 0 | 2 | 10 |
 |---|---|---|---|---|

@@ -18,8 +18,9 @@ $w_\text{res}/w_m=(1-r^{-0.28})(1-r^{-0.69})$ and $r=w_m/w_c$, where $w_c$ is th
 larger by at most $0.11\,w_m$ for the law of Kogut and Etsion and by at most $0.19\,w_m$ for that of Chang, Etsion and Bogy, and
 smaller by at most $0.07\,w_m$ for Jackson and Green's (copper, $r\le300$).
 
-*Symbols*: displacements $w$ are in units of $\sigma$, loads $P$ of $KR^{1/2}\sigma^{3/2}$ and areas $A$ of $\pi R\sigma$, with
-the tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$ ($E^*$ contact modulus).
+*Symbols*: displacements $w$ are in units of $\sigma$, loads $P$ in units of $KR^{1/2}\sigma^{3/2}$ and areas $A$ in units of
+$\pi R\sigma$, with the tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$ ($E^*$ contact
+modulus).
 """
 
 import math
@@ -40,10 +41,10 @@ from stiction.laws.segment import NormalSegment
 def residual(w_max, load_max, area_max):
     """Return the displacement that remains after unloading, w_max - load_max/sqrt(area_max), at least 0, in units of sigma.
 
-    w_max, load_max, area_max: displacement, load and contact area of a yielded asperity at the turning point, where
-    unloading begins. In SI the formula is omega_max - 3 P/(4 E* a). The formula would be negative if the published law has
-    an upward jump of the load, or a downward jump of the area, at yield; the law of Kogut and Etsion does, up to 1.58 times
-    the displacement at yield.
+    w_max, load_max, area_max: displacement, load and contact area of a yielded asperity at the turning point, where unloading
+    begins. In SI the formula is omega_max - 3 P/(4 E* a). Where a published load jumps up at yield, or an area jumps down, the
+    formula can be negative; the result is then 0. This happens for Kogut and Etsion's law up to 1.58 times the displacement at
+    first yield.
     """
     if not area_max > 0.0:
         return 0.0

@@ -1,9 +1,9 @@
 """Find the kinks of the law of a graded film (modulus and hardness depend on depth), which are the edges of its regimes.
 
 Each kind of kink is a zero of a function of the coordinate u, a signal (`graded_signals`). A signal is smooth, except for a
-kink where the asperity begins to flow plastically. All signals are sampled together. Each sign change brackets a zero, which is
-then refined. Where a signal nears zero without a sign change, a pair of zeros is searched for. Where a compressive load would
-fall as the displacement grows, it is held constant until the law reaches it again (S5.19); this plateau adds two edges.
+kink where the asperity begins to flow plastically. All signals are sampled together. Each sign change brackets a zero, which
+is then refined. Where a signal nears zero without a sign change, a pair of zeros is searched for. Where a compressive load
+would fall with growing displacement, it is held constant until the law regains it (S5.19). This plateau adds two edges.
 """
 
 import math

@@ -1,4 +1,4 @@
-"""Find the weaker of two tangential resistances in series, that of a film that is pressed through and that of its substrate."""
+"""Find the smaller of two tangential resistances in series: of a pressed-through film, and of its substrate."""
 
 from collections.abc import Callable
 from functools import cache

@@ -1,7 +1,8 @@
-"""Derive laws of tangentially displaced contacts, which may not slide yet, from a tangential law.
+"""Derive the force, stiffness and sticking area of tangentially displaced contacts from a tangential law.
 
-In these laws the strength of a contact is replaced by its force, stiffness or sticking area at the given displacement, so that
-the engine can sum this quantity over heights. Equations and sources are in `laws/presliding/mindlin_1949.py`.
+Each function returns a tangential law in which the strength of a contact is replaced by one of these quantities, before and
+during sliding. The engine then sums this quantity over heights. Equations and sources are in
+`laws/presliding/mindlin_1949.py`.
 """
 
 from collections.abc import Callable
