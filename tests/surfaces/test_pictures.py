@@ -246,7 +246,7 @@ def test_asperities_are_marked_on_the_map_where_they_are():
     points = np.asarray(marks.get_offsets()) / across / surface.pitch[::-1] - 0.5
     np.testing.assert_allclose(points[:, ::-1], found.places, atol=1e-9)
     averages = map_figure(surface, asperities=asperities(surface, "mccool")).axes[0]
-    assert averages.get_title() == "moments (McCool): averages only, no places" and not averages.collections
+    assert averages.get_title() == "moments (McCool): averages only, no positions" and not averages.collections
 
 
 def test_one_method_is_one_colour_in_every_picture():
@@ -291,7 +291,7 @@ def test_the_fan_has_a_line_for_each_method_in_every_panel():
     ]  # fmt: skip
     assert [axes.get_ylabel() for axes in figure.axes] == labels
     for axes, (name, factor) in zip(figure.axes, {"sigma": 1e9, "R": 1e6, "N": 1e-12, "mu": 1.0}.items(), strict=True):
-        assert axes.get_xscale() == axes.get_yscale() == "log" and axes.get_xlabel().endswith("wavelength left [nm]")
+        assert axes.get_xscale() == axes.get_yscale() == "log" and axes.get_xlabel().endswith("wavelength kept [nm]")
         assert len(axes.lines) == 2
         for method, label in (("three_point", "three-point peaks"), ("mccool", "moments (McCool)")):
             x, y = lines(axes)[label].get_data()

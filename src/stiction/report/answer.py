@@ -34,7 +34,7 @@ _MU, _FORCE, _AREA = "friction_coefficient", "friction_force", "contact_area"
 _MUCH_WIDER = 1.5  # ratio of the upper ends above which the widest interval over the loads is printed too
 _ENOUGH = 2 / 3  # fraction of handbook contacts that must agree
 _CONFIDENCE = {1.5: "high", 3.0: "fair", math.inf: "low"}  # largest factor from mu to an end of its interval -> word
-_FEW_VALUES = 3  # measured values below which the confidence is at most fair
+_FEW_VALUES = 3  # number of measured values below which the confidence is at most fair
 _NO_WIDTH = 1e-9  # relative width of an interval that is only round-off
 
 
@@ -132,7 +132,7 @@ class ModelAnswer(TypedDict):
     """Define the JSON answer of one model at one load, in SI units.
 
     friction_coefficient: None if the model gives no friction. interval: ends of the interval of mu over the uncertain inputs.
-    level: coverage probability of that interval. Both are None if mu has no interval, see `model_record`.
+    level: coverage probability of that interval. interval and level are None if mu has no interval, see `model_record`.
     """
 
     load: float

@@ -45,8 +45,8 @@ def export(
     out : path, optional
         File to write. By default no file is written.
     load : number, text or sequence, optional
-        Normal load [N]; by default the loads of the case. The table covers the range of several loads. For one load it covers
-        two decades below and above.
+        Normal load [N]; by default the loads of the case. For more than one load, the table covers their range. For one load,
+        it covers two decades of load below and above it.
     level : float
         Quantile of mu to write, between 0 and 1: 0.5 is the median, 0.05 a lower bound.
     units : str

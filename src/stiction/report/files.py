@@ -123,7 +123,7 @@ def comment_lines(comments: Mapping[str, Any], data: "xarray.Dataset") -> list[s
 def write_csv(data: "xarray.Dataset", path: Path, comments: Iterable[str] = ()) -> None:
     """Write a dataset as CSV, with one column "name [unit]" for each coordinate and variable, in full precision.
 
-    Variables with fewer dimensions are repeated along the others. comments: lines to write above the table.
+    A variable that lacks a dimension is repeated along it. comments: lines to write above the table.
     """
     import xarray
 

@@ -21,8 +21,8 @@ def film_figure(data: "xarray.Dataset", section: "xarray.Dataset", title: str = 
     """Draw the stresses in a film under the mean touching asperity.
 
     Left panel: von Mises stress over the local yield stress in a cross-section. Right panel: normal and shear stress along the
-    interface of film and body. data: result of `film_stresses` at one load or separation. section: result of `film_section` for
-    it.
+    interface of film and body. data: result of `film_stresses` at one load or separation. section: result of `film_section` at
+    the same load or separation.
     """
     figure, (left, right) = canvas(11.0, 4.6, 1, 2, width_ratios=(1.45, 1.0))
     _section_panel(figure, left, section)
@@ -68,8 +68,8 @@ def _interface_panel(axes: Axes, section: "xarray.Dataset") -> None:
     x, normal, shear = (section[name].values for name in ("x", "interface_normal_stress", "interface_shear_stress"))
     in_si = section["interface_normal_stress"].attrs["units"] == "Pa"
     factor, unit = prefix("hardness", float(np.abs([normal, shear]).max())) if in_si else (1.0, "of the mean pressure")
-    axes.plot(x, factor * normal, color=BLUE, label="across it, tension above 0")
-    axes.plot(x, factor * shear, color=ORANGE, linestyle="--", label="shear on it, along x")
+    axes.plot(x, factor * normal, color=BLUE, label="normal stress, tension > 0")
+    axes.plot(x, factor * shear, color=ORANGE, linestyle="--", label="shear stress along x")
     axes.axhline(0.0, color=GREY, linewidth=0.8)
     axes.set_xlabel("$x/a$, along the tangential force")
     finish(axes, xlim=(x[0], x[-1]), ylabel=f"stress at the interface [{unit}]")

@@ -111,7 +111,7 @@ def _with_grade(number: Mapping[str, Any] | None) -> str:
 
 
 def interfaces_table() -> Group:
-    """Return a table of all interface states, one line each, with a legend and an example of how to state one in a case.
+    """Return a table of all interface states, one line each, with a legend and an example of how a case specifies a state.
 
     The table is at most 80 columns wide.
     """
@@ -141,7 +141,7 @@ def interface_in_full(name: str) -> Group:
             Padding(Text(number["source"]), (0, 0, 0, 4)),
         ]
     if (limit := row["pressure_limit"]) is not None:
-        lines.append(Text(f"holds up to {show(limit['value'], 'pressure_limit')} on the contact spots, grade {limit['grade']}"))
+        lines.append(Text(f"valid up to {show(limit['value'], 'pressure_limit')} on the contact spots, grade {limit['grade']}"))
         lines.append(Padding(Text(limit["source"]), (0, 0, 0, 4)))
     with_one = f"; one body of {' or '.join(row['only_with'])}" if row["only_with"] else ""
     pairs = (f"{pair} (a film)" if row["of_film"] and not weight else pair for pair, weight in row["pairs"].items())

@@ -94,7 +94,7 @@ def _resolution_panel(axes: Axes, resolution_study: "xarray.Dataset", variable: 
     order = np.argsort(places)
     for number, (method, values) in enumerate(zip(resolution_study[METHOD].values, drawn * factor, strict=True)):
         axes.plot(places[order], values[order], label=plain(str(method)), **look_of(str(method), number))
-    axes.set(xscale="log", xlabel=f"cutoff: shortest wavelength left [{length}]")
+    axes.set(xscale="log", xlabel=f"cutoff: shortest wavelength kept [{length}]")
     axes.set_ylabel(f"{name} ${QUANTITIES[quantity].latex}$" + (f" [{unit}]" if unit else ""))
     if np.isfinite(drawn).any():
         axes.set_yscale("log")

@@ -58,7 +58,7 @@ def summary(result: "xarray.Dataset") -> Summary:
     Raises
     ------
     InputError
-        This is no result.
+        The argument is not a result of these functions.
 
     Examples
     --------

@@ -62,9 +62,9 @@ def _friction_line(axes: Axes, data: "xarray.Dataset", **look: Any) -> None:
 def claims_figure(claims: "ClaimMap", point: Mapping[str, float]) -> Figure:
     """Draw where in the plane of the adhesion indices theta and lambda each claim of the 2015 paper holds.
 
-    claims: fraction of the cases of each claim for which it holds, on a grid of theta and lambda. Columns of the figure are
-    claims. Rows are variants of the model; the last row solves the film as an elastic layer. point: theta and lam of a contact,
-    which a star marks.
+    claims: for each claim, the fraction of its cases in which it holds, on a grid of theta and lambda. Columns of the figure
+    are claims. Rows are variants of the model; the last row solves the film as an elastic layer. point: theta and lam of a
+    contact, which a star marks.
     """
     figure = Figure(figsize=(3.1 * len(CLAIMS) + 0.8, 3.3 * len(VARIANTS)), layout="constrained")
     grid = figure.subplots(len(VARIANTS), len(CLAIMS), sharex=True, sharey=True, squeeze=False)

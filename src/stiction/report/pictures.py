@@ -296,7 +296,7 @@ def _parts_panel(axes: Axes, data: "xarray.Dataset", what: str, against: str) ->
     else:
         if data[against].attrs.get("units", "1") != "1":
             along(axes, "x", against, x, log=False)
-        axes.invert_xaxis()  # a harder contact is at the right, as in the other panels
+        axes.invert_xaxis()  # the load rises to the right, as in the other panels
     if sizes and data[what].attrs.get("units", "1") != "1":
         along(axes, "y", what, np.array(sizes))
     finish(axes)
@@ -326,7 +326,7 @@ def finish(axes: Axes, legend: bool = True, **named: Any) -> None:
 class InUnit(Formatter):
     """Format tick labels in a prefixed unit, or as powers of ten on a log axis with many decades or extreme values.
 
-    factor: by which a tick value is multiplied.
+    factor: number by which a tick value is multiplied.
     """
 
     def __init__(self, factor: float = 1.0):

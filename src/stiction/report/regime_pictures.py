@@ -16,8 +16,8 @@ if TYPE_CHECKING:
 
     from stiction.contact.contact import Contact
 
-_LEAST = 0.05  # share of the load above which adhesion counts (Johnson & Greenwood 1997)
-_FLOWING = 0.02  # share of the real area that flows at the onset of plasticity (Greenwood & Williamson 1966)
+_LEAST = 0.05  # adhesive part of the load, as a fraction, above which adhesion matters (Johnson & Greenwood 1997)
+_FLOWING = 0.02  # plastic fraction of the real area at the onset of plasticity (Greenwood & Williamson 1966)
 _TABOR = np.array([1e-3, 0.1, 5.0, 1e3])  # Tabor parameter: below 0.1 DMT, above 5 JKR
 
 

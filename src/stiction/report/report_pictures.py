@@ -61,7 +61,7 @@ def _drawing(text: str, name: str, words: str) -> str:
     for colour, of_page in _COLOURS.items():
         text = text.replace(colour, of_page)
     size = re.search(r'viewBox="([^"]*)"', text)
-    assert size is not None  # matplotlib writes one
+    assert size is not None  # matplotlib always writes a viewBox
     head = f'<svg role="img" aria-label="{html.escape(words)}" viewBox="{size[1]}">'
     return re.sub(r"\s*\n\s*", "\n", re.sub(r"<svg.*?>", lambda _: head, text, count=1, flags=re.DOTALL)).strip()
 

@@ -43,7 +43,7 @@ _PARTS = {
     "": "Contact",
 }
 _NOT_NUMBERS = {
-    "bodies": "which body carries the film",
+    "bodies": "which bodies have a film",
     "height_distribution": "distribution of asperity heights",
     "interface.name": "interface",
 }

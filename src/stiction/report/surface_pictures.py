@@ -20,7 +20,7 @@ from stiction.surfaces.asperity_set import Asperities
 from stiction.surfaces.heightmap import HeightMap
 from stiction.surfaces.spectrum import BinnedSpectrum
 
-_ABSENT: dict[str, Any] = {"facecolor": "#dddddd", "edgecolor": GREY, "hatch": "////"}  # the look of missing points
+_ABSENT: dict[str, Any] = {"facecolor": "#dddddd", "edgecolor": GREY, "hatch": "////"}  # style of missing points
 _MOST = 1200  # largest number of points along a side of a picture, which has fewer pixels anyway
 _OUTLYING = 0.1  # per cent of the heights at either end that colours and axes leave out
 _FAR = 6.0  # heights further from the median than this many robust deviations count as spikes
@@ -73,7 +73,7 @@ def _draw_places(axes: Axes, surface: HeightMap, asperities: Asperities, factor:
     factor: from metres to the unit of the height axis. Marks are smaller if there are many.
     """
     if not len(asperities.places):
-        return f"{plain(asperities.method)}: averages only, no places"
+        return f"{plain(asperities.method)}: averages only, no positions"
     across, _ = prefix("scan_size", surface.size[1] if surface.is_profile else max(surface.size))
     row, column = asperities.places.T
     if surface.is_profile:

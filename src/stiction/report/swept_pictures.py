@@ -223,7 +223,10 @@ def _name_axis(axes: Axes, which: str, data: "xarray.Dataset", dim: str) -> None
 
 
 def _in_ratios(values: np.ndarray) -> bool:
-    """Return whether values suit a logarithmic axis: they span about a decade, and their ratios vary less than their steps."""
+    """Return whether values suit a logarithmic axis.
+
+    Such values span about a decade, and the ratios of neighbouring values vary less than their differences.
+    """
     if values.size < 3 or values.min() <= 0.0 or values.max() < _DECADE * values.min():
         return False
     even, ratios = np.abs(np.diff(values)), np.abs(np.diff(np.log(values)))

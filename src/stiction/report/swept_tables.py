@@ -78,7 +78,7 @@ def combinations_shown(data: "xarray.Dataset", option: str) -> str:
 
 
 def _most(dims: list[str]) -> int:
-    """Return how many values of each dimension `swept_table` shows at most by default: one number for all `dims`."""
+    """Return the largest number of values that `swept_table` shows by default along each of the dimensions `dims`."""
     return max(2, int(_ROWS ** (1.0 / len(dims)) + 1e-9))
 
 
@@ -92,8 +92,8 @@ def _columns(data: "xarray.Dataset") -> list[int]:
 def swept_table(data: "xarray.Dataset", all_rows: bool = False) -> Table:
     """Return a table with a row for each of some combinations of array parameters, and mu at a few loads or separations.
 
-    At most four loads or separations have a column, or two if mu has an interval. all_rows: show every combination, not about
-    nine.
+    At most four loads or separations have a column, or two if mu has an interval. all_rows: whether to show every combination
+    instead of about nine.
     """
     name, dims, points = shown_quantity(data), varied(data), points_dimension(data)
     intervals = f"{name}_low" in data

@@ -27,7 +27,7 @@ from stiction.surfaces.theory.moments import Moments, bandwidth, combine
 SQ_OVER_RA = 1.25  # sqrt(pi/2) of Gaussian heights, rounded as is usual
 _ASPERITIES = ("asperity_height_deviation", "asperity_radius", "asperity_density")
 _HEIGHTS = ("rms_height", "mean_height")
-_SYMBOLS = ("Sq", "Rq", "Ra", "Sa")  # these are no keys, but the error of Finished then names the right key
+_SYMBOLS = ("Sq", "Rq", "Ra", "Sa")  # not valid keys, but the error of Finished then names the valid key
 _RULES = 0.8  # least fraction of the mean square slope with which one of two bodies alone decides the kind of surface
 
 
@@ -152,7 +152,7 @@ class FinishedBodies(Input):
         for name, body in self.bodies.items() if len(self.bodies) > 1 else ():
             for number in SHAPE:
                 if getattr(body, number) is not None:
-                    allowed = "no value where both bodies are rough: that of both together is not known"
+                    allowed = "no value where both bodies are rough: the combined value is unknown"
                     raise InputError(f"{name}.{number}", getattr(body, number), allowed)
         return self
 

@@ -200,7 +200,7 @@ def non_gaussian_surface(
     shape, size, spectrum, seed
         As in `gaussian_surface`.
     skewness, kurtosis : float
-        Of the heights; a Gaussian surface has 0 and 3. Allowed: skewness^2 + 1 < kurtosis <= 50.
+        Skewness and kurtosis of the heights; a Gaussian surface has 0 and 3. Allowed: skewness^2 + 1 < kurtosis <= 50.
     steps : int, optional
         Largest number of iterations; 0 only replaces Gaussian heights by those of the distribution, rank by rank.
     exact_spectrum : bool, optional
@@ -217,7 +217,8 @@ def non_gaussian_surface(
     Raises
     ------
     InputError
-        As `gaussian_surface`; also for a skewness and kurtosis that no heights can have, and for steps below 0.
+        For the reasons listed in `gaussian_surface`, for a skewness and kurtosis that no heights can have, or for steps below
+        0.
 
     Examples
     --------
@@ -239,7 +240,7 @@ def non_gaussian_surface(
     step = asked.history_line("non-Gaussian")
     step += f", aimed at skewness {skewness:g} and kurtosis {kurtosis:g}; after {taken} steps the amplitudes of its waves "
     step += f"were {100.0 * error:.2g} % off in rms, and "
-    step += "the spectrum was given back exactly" if exact_spectrum else "the heights are those of the distribution"
+    step += "the spectrum was restored exactly" if exact_spectrum else "the heights are those of the distribution"
     return HeightMap(spectral if exact_spectrum else ranked, asked.size, (step,), periodic=True)
 
 

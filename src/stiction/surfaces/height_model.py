@@ -19,7 +19,7 @@ MODELS = ("gaussian", "weibull", "empirical")
 # scan, although a larger contact has higher ones.
 _ONE_IN_TWENTY = 0.886
 _INDEPENDENT = 100
-_QUANTILES = 2000  # number of quantiles that stand for the samples if there are more samples
+_QUANTILES = 2000  # number of quantiles that replace the samples if there are more samples
 _LEAST_EXPONENT, _LARGEST_EXPONENT = 1.0, 100.0  # bounds of stiction.engine.heights.weibull
 
 

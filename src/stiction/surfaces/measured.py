@@ -107,7 +107,7 @@ class MeasuredRoughness(Input):
     )
     shortest: _Length | None = Field(None, description="shortest wavelength that is kept")
     longest: _Length | None = Field(None, description="longest wavelength that is kept")
-    heights: str | None = Field(None, description="gaussian, weibull or empirical; else the simplest that fits")
+    heights: str | None = Field(None, description="gaussian, weibull or empirical; by default the simplest that fits")
 
     @model_validator(mode="after")
     def _some_scan(self):
@@ -123,9 +123,9 @@ class Measured:
     Dicts have the keys of the methods, unless stated otherwise. by_method: Roughness. method: the chosen method. failures: why
     a method found no asperities. history: processing steps of each body's scan, by "first" or "second". notes: what was found,
     in words. counts: number of separate asperities; 0 for a method that only computes averages, and for two bodies.
-    mean_heights: mean asperity height above the mean plane [m]. validity_warnings: on scans and their combination. of_moments:
-    the method that computes spectral moments. stated: which of "method" and "heights" the user chose. solvable: maps for a
-    point-by-point solution.
+    mean_heights: mean asperity height above the mean plane [m]. validity_warnings: warnings on scans and on their combination.
+    of_moments: the method that computes spectral moments. stated: which of "method" and "heights" the user chose. solvable:
+    maps for a point-by-point solution.
     """
 
     by_method: Mapping[str, Roughness]

@@ -99,9 +99,9 @@ def prepared_period(
 
 
 def _seam(surface: HeightMap) -> str:
-    """Return a text for the history that warns if opposite edges of one period do not match; "" if they match.
+    """Return a warning for the history if opposite edges of one period do not match; "" if they match.
 
-    They do not match if the rms height step across the edges is at least 5 times that between neighbouring points.
+    They do not match if the rms height step across the edges is at least 5 times the rms step between neighbouring points.
     """
     heights = surface.heights
     far = 0.0
@@ -284,7 +284,7 @@ def filter_period(surface: HeightMap, shortest=None, longest=None) -> HeightMap:
             passed = np.exp(-np.minimum(math.log(2.0) * cutoff**2 * squared, 700.0))
             kept *= passed if sign > 0.0 else 1.0 - passed
     heights = scipy.fft.irfft2(scipy.fft.rfft2(surface.heights) * kept, s=surface.heights.shape)
-    return surface.with_heights(heights, f"{band}, going on over the ends")
+    return surface.with_heights(heights, f"{band}, continued periodically over the edges")
 
 
 def _as_given(given, length: float) -> str:

@@ -47,14 +47,14 @@ def read_scan(
     size : float [m], str with a unit, or (y, x), optional
         Size in place of the one in the file; a single length is along x, with square pixels. Text without a unit is in `unit`.
     unit : str, optional
-        Unit of the numbers in the file ("nm"), of the heights too unless `height_unit` is specified.
+        Unit of the numbers in the file, e.g. "nm". It applies to the heights too unless `height_unit` is specified.
     height_unit : str, optional
         Unit of the heights in the file.
     height_scale : float, optional
         Factor by which the heights are multiplied, not 0.
     channel : str or int, optional
-        Name or position of a channel; by default the default channel of the library if it holds heights, else the first with
-        heights.
+        Name or position of a channel; by default the library's default channel if it contains heights, else the first channel
+        with heights.
 
     Returns
     -------
@@ -69,8 +69,8 @@ def read_scan(
 
     Notes
     -----
-    Arrays (.npy, .npz) and matrices in text need `size` and `unit`, columns x y z or x z need `unit`. Profiles with unequal
-    spacing are resampled.
+    Arrays (.npy, .npz) and matrices in text need `size` and `unit`; columns x y z or x z need only `unit`. Profiles with
+    unequal spacing are resampled.
 
     Examples
     --------

@@ -54,7 +54,7 @@ SHAPE = ("skewness", "kurtosis", "texture_aspect_ratio")
 def refuse_impossible_kurtosis(skewness: float | None, kurtosis: float | None) -> None:
     """Raise InputError if no heights can have this kurtosis and skewness: the kurtosis is at least 1 + skewness^2.
 
-    None stands for an unknown number and is accepted.
+    None means an unknown number and is accepted.
     """
     if skewness is not None and kurtosis is not None and kurtosis < 1.0 + skewness**2:
         raise InputError("kurtosis", kurtosis, f"at least {1.0 + skewness**2:.3g}, 1 + skewness^2")
@@ -89,10 +89,11 @@ class Roughness(Input):
         name of a finish ("ground"). It changes no result of a model, only the benchmark surfaces that the result is compared
         to.
     skewness, kurtosis : float, optional
-        Ssk and Sku of the surface heights (ISO 25178-2), 0 and 3 of a Gaussian surface. Like `kind`, they choose the benchmark
+        Ssk and Sku of the surface heights (ISO 25178-2), 0 and 3 for a Gaussian surface. Like `kind`, they choose the benchmark
         surfaces that the result is compared to, and so narrow the interval of a prediction.
     texture_aspect_ratio : float, optional
-        Str of the surface (ISO 25178-2), 1 of an isotropic one, small with a lay. It is used like the skewness.
+        Str of the surface (ISO 25178-2), 1 for an isotropic surface and small for a surface with a lay. It is used like the
+        skewness.
     surface : Roughness, optional
         Asperities with the spectral moments of the surface and Gaussian heights (McCool 1986), for theories of the whole
         surface; by default these use the numbers above.
@@ -174,7 +175,9 @@ class Roughness(Input):
         rows = np.asarray(levels, dtype=float)
         if self._finished is None or rows.ndim == 0 or len(rows) != len(self.unknowns):
             allowed = (
-                f"a row for each of {', '.join(self.unknowns)}" if self.unknowns else "nothing, as sigma, R and N are stated"
+                f"a row for each of {', '.join(self.unknowns)}"
+                if self.unknowns
+                else "nothing, because sigma, R and N are stated"
             )
             raise InputError("levels", InWords(f"{len(np.atleast_1d(rows))} rows"), allowed)
         return self._finished.asperities(dict(zip(self.unknowns, rows, strict=True)))
@@ -196,7 +199,7 @@ class Roughness(Input):
         """Return a warning, in a list, if the heights of a discrete distribution are scaled; otherwise an empty list.
 
         The heights may be listed in m, mm, um, nm or Angstrom. If their standard deviation equals the specified value in none
-        of these units, they are scaled to this value, and the warning says so.
+        of these units, they are scaled to this value, and the warning states this.
         """
         samples = self.height_parameters.get("samples") if self.height_distribution == "discrete" else None
         deviation = 0.0 if samples is None else float(np.std(np.asarray(samples, dtype=float)))

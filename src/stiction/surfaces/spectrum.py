@@ -19,11 +19,11 @@ This package limits the reliable band by these criteria:
 
     longest   smallest size / LEAST_PERIODS: fewer waves give no reliable average, and the window mixes them with mean and tilt
     shortest  POINTS_PER_WAVE largest pitch, i.e. half of the Nyquist wavevector q_N. Waves beyond q_N appear at smaller q
-              (aliasing). At q_N/2 they add, for a self-affine map with spectrum q^(-2 - 2H), 5 % to the true value if
-              H = 0.8, 15 % if 0.5 and 37 % if 0.3; for a profile 9, 23 and 53 %
+              (aliasing). At q_N/2, for a self-affine map with spectrum q^(-2 - 2H), they add 5, 15 and 37 % to the true value
+              if H is 0.8, 0.5 and 0.3; for a profile 9, 23 and 53 %
     shortest  with a tip of radius R: the wavelength where all longer waves together have the rms curvature (half the
-              Laplacian) 1/(2 R). A tip cannot follow a valley more curved than itself. Below this wavelength the scan shows
-              the shape of the tip
+              Laplacian) 1/(2 R). A tip cannot follow a valley that is more curved than the tip. Below this wavelength the scan
+              shows the shape of the tip
 """
 
 import math
@@ -143,7 +143,7 @@ def _rectangle(shape, size) -> np.ndarray:
 
 def _hann(shape, size) -> np.ndarray:
     """Return Hann's window of this shape (rows, columns): the product of one-dimensional Hann windows along y and x."""
-    # That of SciPy is equal, but importing scipy.signal takes half a second.
+    # SciPy's window is equal, but importing scipy.signal takes half a second.
     rows, columns = (np.hanning(count + 1)[:-1] if count > 1 else np.ones(1) for count in shape)
     return rows[:, None] * columns
 

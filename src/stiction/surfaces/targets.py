@@ -58,7 +58,7 @@ class SelfAffine:
     Parameters
     ----------
     hurst : float
-        Hurst exponent H, 0 to 1: C falls as q^(-2 - 2 H) of a surface, as q^(-1 - 2 H) of a profile.
+        Hurst exponent H, 0 to 1: C decreases as q^(-2 - 2 H) for a surface and as q^(-1 - 2 H) for a profile.
     rolloff, shortest : float [m] or str with a unit
         Wavelength above which C is constant, and shortest wavelength; 0 < shortest <= rolloff <= longest.
     deviation : float [m] or str with a unit

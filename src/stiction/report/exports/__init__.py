@@ -7,7 +7,7 @@ the manual of the program.
 
 import pkgutil
 
-# Consistent units: length [m] and force [N] of each, with the words for length, force and pressure.
+# System of units -> units of length [m] and force [N], then the names of the units of length, force and pressure.
 UNITS = {
     "m-kg-s": (1.0, 1.0, ("m", "N", "Pa")),
     "mm-N-MPa": (1e-3, 1.0, ("mm", "N", "MPa")),

@@ -1,9 +1,9 @@
 """Write CalculiX input: a *SURFACE INTERACTION with *SURFACE BEHAVIOR and *FRICTION, for bodies without a film.
 
-Document: CalculiX CrunchiX User's Manual, "*FRICTION" (mu, and the stick slope in force per volume; no table over
-pressure) and "*SURFACE BEHAVIOR" (PRESSURE-OVERCLOSURE=TABULAR; lines: pressure, overclosure). Both numbers of *FRICTION
-are taken at the stated load. Outside the table the pressure stays constant. CalculiX 2.20 ran such a file: it accepts 20
-rows, and reads them for node-to-surface contact.
+Document: CalculiX CrunchiX User's Manual, "*FRICTION" (mu, and the stick slope in force per volume; no table over pressure) and
+"*SURFACE BEHAVIOR" (PRESSURE-OVERCLOSURE=TABULAR; lines: pressure, overclosure). Both numbers of *FRICTION are taken at the
+stated load. Outside the table the pressure stays constant. CalculiX 2.20 ran such a file. It accepts at most 20 rows, and reads
+them for node-to-surface contact.
 """
 
 from typing import TYPE_CHECKING

@@ -7,8 +7,8 @@ the overlap at this tension. The normal force is then P_c (2 x^3 - 3 x^2), and
 
     k^3 = 9 w E*^2/(32 pi^2 R*),    x = 1/2 + cosh(arcosh(1 + 2 P/P_c)/3),    Hertz's force 2 P_c x^3
 
-for a P_c that is JKR's pull-off force. mu is chosen such that mu times Hertz's force is the predicted friction force at the
-stated load P. For a sphere on a wall LIGGGHTS takes half of A, so k must be twice as large there.
+if P_c is JKR's pull-off force. mu is chosen such that mu times Hertz's force is the predicted friction force at the stated load
+P. For a sphere on a wall LIGGGHTS takes half of A, so k must be twice as large there.
 """
 
 from math import acosh, cbrt, cosh, pi

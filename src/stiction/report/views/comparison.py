@@ -124,10 +124,10 @@ GROUP_HEADS = ("model + others of equal mu", "mu", "area error", "in the model's
 class Group:
     """Store one row of a comparison: models that agree on mu.
 
-    family: what their friction is based on. names: models, by ascending mu. low, high: range of mu. errors: mean error of the
-    contact area on benchmark surfaces, of each model for which it is known. least, most: range of mu after correction for both
-    ends of the 90 % interval of that error; equal to low and high if no error is known. status: status of the first model, a
-    text that begins with "fits", "does not fit" or "cannot".
+    family: basis of their friction. names: models, by ascending mu. low, high: range of mu. errors: mean error of the contact
+    area on benchmark surfaces, of each model for which it is known. least, most: range of mu after correction for both ends of
+    the 90 % interval of that error; equal to low and high if no error is known. status: status of the first model, a text that
+    begins with "fits", "does not fit" or "cannot".
     """
 
     family: str
@@ -156,7 +156,7 @@ class Group:
 
     @property
     def possible(self) -> bool:
-        """Return whether the models can be right for this contact at all, by physics."""
+        """Return whether the results of the models are physically possible for this contact."""
         return not self.status.startswith("cannot")
 
 
@@ -252,7 +252,7 @@ def left_out_in_words(groups: list[Group], shown: list[Group], silent: int = 0) 
 
 
 def why_apart(groups: list[Group], prediction: "xarray.Dataset | None") -> str:
-    """State what a prediction adds to the models, if most models within their range differ from it by more than 20 %; else "".
+    """State what a prediction adds to the models, if most models within their range differ by more than 20 %; else "".
 
     groups: groups of models. prediction: result of `predict` at the load of the groups, or None.
     """
@@ -266,7 +266,7 @@ def why_apart(groups: list[Group], prediction: "xarray.Dataset | None") -> str:
     added = [f"a factor of {number(factor)} for {cause}" for cause, factor in prediction.attrs["enlarged_by"].items()]
     lower = sum(len(group.names) for group in suited if mu > _APART * group.high)
     if added and 2 * lower > count:
-        return f"mu = {number(mu)} includes {' and '.join(added)}; most models include less of it or none"
+        return f"mu = {number(mu)} includes {' and '.join(added)}; most models include these effects partly or not at all"
     return f"mu = {number(mu)} is a median over sampled inputs and corrected contact areas; each model uses nominal inputs"
 
 

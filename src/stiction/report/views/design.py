@@ -116,7 +116,7 @@ def design_view(design: "DesignSearch", folder: Path | None = None) -> View:
         model = data.attrs["model"]
         by = "the prediction" if model == RECOMMENDED else f"the model {model}"
         yield from (
-            f"{data.attrs['evaluated']} designs evaluated by {by}; with several loads, each column is at its worst one",
+            f"{data.attrs['evaluated']} designs evaluated by {by}; with several loads, columns are values at the worst load",
             "",
         )
         yield "best for each choice from the lists" if data.sizes["design"] > 1 else "best"

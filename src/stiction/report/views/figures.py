@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 def claims_table(rows: Iterable[Mapping[str, Any]], point: str) -> Table:
     """Return a table with a row for each claim and model variant.
 
-    It holds the fractions of the theta-lambda plane in which the claim holds for all, some or no films.
+    The columns are the fractions of the theta-lambda plane in which the claim holds for all, some or no films.
 
     rows: results of `claims.summary`. point: theta and lambda of the last column, as text. That column has the fraction of the
     films for which the claim holds at this point.

@@ -65,7 +65,7 @@ def prediction_view(
         name = Path(file).name
         more = f"--details; --out DIR; stiction compare {name}"
         if "measured" in data.attrs:
-            more = "--details; --out DIR; for other loads add --load LOAD: a case with this strength loses the measurement"
+            more = "--details; --out DIR; for other loads repeat this command with --load LOAD"
         rows = [(head, text.replace("CASE.toml", name)) for head, text in answer_lines(data)]
         if details:
             yield from (facts(rows), *_details(case, data))

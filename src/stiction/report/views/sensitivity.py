@@ -92,7 +92,7 @@ def log_sensitivities_table(data: "xarray.Dataset") -> Table:
     y are the results, such as mu, and x all input numbers.
     """
     results, names = at_working_load(data), results_of(data, "log_sensitivity")
-    digits = 2 if _SHARE in data else 3  # samples of a prediction scatter
+    digits = 2 if _SHARE in data else 3  # the sensitivities of a prediction scatter with its samples
     order: Any = ranked(results, names[0], "log_sensitivity", "number") if names else []
     rows = [
         [part_name(str(number)), *(_signed(float(results[f"{name}_log_sensitivity"][place]), digits) for name in names)]
@@ -136,7 +136,8 @@ def sensitivity_notes(data: "xarray.Dataset") -> Iterator[Text]:
             if text in WHY_NOT:
                 yield Text(f"excluded: {in_draws(share, text)}", style="bold yellow")
         yield Text(
-            "total, first: share of the variance of the logarithm; effect: its change over the range of the input", style="dim"
+            "total, first: share of the variance of the logarithm; effect: change of the logarithm over the range of the input",
+            style="dim",
         )
     else:
         yield Text('no input is uncertain: state errors, e.g. "0.5 +/- 0.1 GPa", or use --ranges', style="bold")

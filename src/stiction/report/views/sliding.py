@@ -42,7 +42,7 @@ def sliding_notes(data: "xarray.Dataset") -> Iterator[str]:
     used = data.attrs
     yield f"mu assumes that all contacts reach full strength at the same time; {used['sliding']}"
     if used["residual_strength"] == 1.0 and "sheared_contact_area" not in data:
-        yield "the tangential force approaches mu times the load; the displacement is where it reaches 99 % of that"
+        yield "the tangential force approaches mu times the load; the table has the displacement at 99 % of this limit"
     yield from run_notes(data)
 
 

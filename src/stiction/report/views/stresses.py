@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 MEANINGS = (
     "mu: by this model alone; `stiction run CASE.toml` predicts mu",
     "a/t: contact radius of the mean touching asperity over the thickness of a film",
-    "stress / Y, where: largest von Mises stress over the yield stress there, and in what",
+    "stress / Y, where: largest von Mises stress over the yield stress there, and its location",
     "tension / Y_w, shear / k_w: largest at the interface, over yield and shear yield stress of the weaker of film and body",
 )
 _HEADS = {

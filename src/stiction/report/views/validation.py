@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 _HOW = {
     "printed": "as printed",
-    "digitised": "read off a picture",
+    "digitised": "read from a figure",
     "data file": "from a data file",
     "computed": "computed, to show the format",
 }

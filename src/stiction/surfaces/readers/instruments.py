@@ -8,10 +8,10 @@ from stiction.quantities.extras import how_to_install
 from stiction.surfaces.raw_scan import RawScan, Reader, ends_in_a_line
 from stiction.surfaces.readers.shared.topography import on_grid, quiet_library
 
-# These formats count only if the file name has their ending. The first two have no mark of their own, so that the library finds
-# them in any file of a suitable length; of arrays the library assumes that the first index runs along x.
+# These formats are accepted only if the file name has their ending. The library recognises the first two in any file of
+# suitable length, because they have no identifying mark. For arrays the library assumes that the first index runs along x.
 _BY_NAME = ("hgt", "nms", "npy", "npz")
-_DENSEST = 32  # largest number of points per byte of a file; above, its header is wrong: compressed heights have about one
+_DENSEST = 32  # largest number of points per byte of a file; more mean a wrong header: compressed heights have about one
 
 
 def read(path: Path, channel) -> RawScan | None:

@@ -18,8 +18,8 @@ from stiction.surfaces.readers.shared.text import matrix, read_text
 def read(path: Path, channel) -> RawScan | None:
     """Read a text file: a matrix of heights (rows along x), or columns x z of a profile or x y z of a map.
 
-    channel: must be None. Returns None for a file whose # lines make other statements with a colon, or that begins with more
-    than one line of words.
+    channel: must be None. Returns None for a file with other # lines that contain a colon, or that begins with more than one
+    line of words.
     """
     units = _units(path)
     if units is None:
@@ -39,7 +39,7 @@ _REMARK = re.compile(r"#\s*(Channel|Lateral units|Value units):\s*(.*?)\s*")
 def _units(path: Path) -> tuple[str, ...] | None:
     """Return (lateral unit, height unit) from the lines at the start of a file that begin with #; () if they specify none.
 
-    Returns None if one of these lines has another statement with a colon, or if only one unit or an unknown one is specified.
+    Returns None if another of these lines contains a colon, if only one unit is specified, or if a unit is unknown.
     """
     said: dict[str, str] = {}
     with path.open(encoding="utf-8-sig", errors="replace") as file:

@@ -1,9 +1,9 @@
 """Relate the spectral moments of an isotropic Gaussian surface to its summits.
 
 The moments m0, m2, m4 are the mean squares of height, slope and second derivative along a line. The summits have a standard
-deviation sigma of their heights, a mean tip radius R and a number N per area. Each set of three numbers determines the other.
-Nayak (1971) derived the statistics of the summits. McCool (1986) uses the summits as asperities. Papers on other asperity
-models state the same conversion with N R sigma:
+deviation sigma of their heights, a mean tip radius R and a number N per area. m0, m2 and m4 determine sigma, R and N, and vice
+versa. Nayak (1971) derived the statistics of the summits. McCool (1986) uses the summits as asperities. Papers on other
+asperity models state the same conversion with N R sigma:
 
     sigma^2 = m0 - 3.717e-4 / (N R)^2,   mean height of the summits = 0.045944 / (N R).
 
@@ -114,14 +114,14 @@ def combine(first: Moments, second: Moments) -> Moments:
 
 
 def bandwidth(density):
-    """Return Nayak's bandwidth parameter alpha of a Gaussian surface from N R sigma of its summits; density: N R sigma."""
+    """Return Nayak's bandwidth parameter alpha of a Gaussian surface from its summits; density: N R sigma."""
     return _BANDWIDTH_FACTOR * density * density + SUMMIT_DEFICIT
 
 
 def density_of_bandwidth(alpha):
     """Return N R sigma of the summits of a Gaussian surface from Nayak's bandwidth parameter alpha >= 3/2.
 
-    It inverts `bandwidth`.
+    This function inverts `bandwidth`.
     """
     return np.sqrt((alpha - SUMMIT_DEFICIT) / _BANDWIDTH_FACTOR)
 

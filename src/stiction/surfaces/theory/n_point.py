@@ -1,9 +1,9 @@
 """Compute the statistics of n-point asperities of a Gaussian profile with exponential autocorrelation.
 
-Hariri, Zu & Ben Mrad (2006) define an asperity as n neighbouring sampled points whose n - 2 middle ones are above a level.
-The closer the surfaces are, the more points an asperity has. Their abstract states that height and curvature of such an
-asperity are defined and that their distributions are derived, with the exponential autocorrelation as an example. It does not
-state how. This module is a reconstruction:
+Hariri, Zu & Ben Mrad (2006) define an asperity as n neighbouring sampled points whose n - 2 middle ones are above a level. The
+closer the surfaces are, the more points an asperity has. Their abstract states that height and curvature of such an asperity
+are defined and that their distributions are derived, with the exponential autocorrelation as an example. It states no formula.
+This module is a reconstruction:
 
     asperity   a longest row of m = n - 2 neighbouring points above the level, and the neighbour below it on either side
     height t   the highest of the m points, above the level
@@ -160,7 +160,7 @@ def _table() -> np.ndarray:
 def solved_mean_height(level: float, correlation: float, heights: int = 48, fineness: float = 1.7, least: int = 2) -> float:
     """Return the mean height of n-point asperities above one level >= -3, from the integral equation of the module docstring.
 
-    - level: level, and result, in standard deviations of the profile; correlation: of neighbouring heights
+    - level: height of the level, in standard deviations of the profile, as is the result; correlation: of neighbouring heights
     - heights: number of heights z in the quadrature
     - fineness, least: a panel between two heights z has `least` Gauss points, plus `fineness` for every width of the kernel
 

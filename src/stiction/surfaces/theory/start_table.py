@@ -1,8 +1,8 @@
 """Tabulate approximate separations, from which the iteration for the separation at a given load starts.
 
-Independent spheres with Gaussian heights carry the load F_3/2(x) at the separation x (Greenwood & Williamson 1966). At the
-same load, the separation of another theory differs from x by an amount that varies slowly, with x and with the one
-dimensionless group of that theory. A bicubic spline through a few thousand values gives it to 1e-4 or better.
+Independent spheres with Gaussian heights carry the load F_3/2(x) at the separation x (Greenwood & Williamson 1966). At the same
+load, the separation of another theory differs from x by an amount that varies slowly, with x and with the one dimensionless
+group of that theory. A bicubic spline through a few thousand values gives this amount to 1e-4 or better.
 """
 
 from collections.abc import Callable
@@ -29,8 +29,8 @@ def _inverse():
 def lone_separation(load: np.ndarray) -> np.ndarray:
     """Return the separation x, in units of sigma, at which independent spheres with Gaussian heights carry a load.
 
-    It solves F_3/2(x) = load (see `summits.truncated_mean`). load: array, per sphere, divided by K R^(1/2) sigma^(3/2). The
-    error is about 1e-6. The result is NaN for loads of 0 or less, and where x is outside -40 to 36.
+    The separation x solves F_3/2(x) = load (see `summits.truncated_mean`). load: array, per sphere, divided by K R^(1/2)
+    sigma^(3/2). The error is about 1e-6. The result is NaN for loads of 0 or less, and where x is outside -40 to 36.
     """
     with np.errstate(divide="ignore", invalid="ignore"):
         return _inverse()(np.log(load))

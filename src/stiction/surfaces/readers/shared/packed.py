@@ -8,7 +8,7 @@ from pathlib import Path
 
 from stiction.quantities.errors import InputError
 
-# The last digits of heights are noise, so that they pack to a tenth of their size at best. _HARMLESS bytes always fit.
+# The last digits of heights are noise, so that heights compress to a tenth of their size at best. _HARMLESS bytes always fit.
 _DENSEST, _HARMLESS = 50, 1 << 26  # ratio, bytes
 _HDF5 = b"\x89HDF\r\n\x1a\n"
 

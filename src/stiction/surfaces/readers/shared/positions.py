@@ -5,7 +5,7 @@ import numpy as np
 from stiction.quantities.errors import InputError, InWords
 from stiction.surfaces.raw_scan import FEWEST_POINTS
 
-_ROUNDED = 0.75  # deviation of positions that may be their rounding, in units of the last digit: half of it, and some margin
+_ROUNDED = 0.75  # largest deviation of rounded positions, in units of their last digit: 0.5 and a margin
 
 
 def equally_spaced(x: np.ndarray, z: np.ndarray) -> tuple[np.ndarray, tuple[float, float], tuple[str, ...]]:
