@@ -211,7 +211,9 @@ def test_options_override_the_case_and_a_model_without_them_is_not_asked(tmp_pat
     other = strict(command("run", adhesive(tmp_path), "--model", "greenwood_williamson_1966", "--json").stdout)
     assert other["attrs"]["model"] == "greenwood_williamson_1966"
     assert "friction_coefficient" not in other["variables"]
-    assert "contact only" in command("run", adhesive(tmp_path), "--model", "greenwood_williamson_1966", "--details").stdout
+    assert (
+        "computes no friction" in command("run", adhesive(tmp_path), "--model", "greenwood_williamson_1966", "--details").stdout
+    )
     asperity = find(find("soft_coating_2015", RoughSurface).asperity, AsperityLaw)
     suitable = [law for law in of_kind(FilmLaw).values() if law.interchangeable and "2015" in law.wants]
     assert suitable and not any(incompatibility(law, asperity) for law in suitable)

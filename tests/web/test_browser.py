@@ -596,7 +596,7 @@ def test_a_scan_is_the_roughness_of_the_case(of_model):
     page.get_by_text("measured: see the tab Surface").wait_for()
     _until(page, "() => !document.querySelector('header').innerText.includes('μ ≈ 0.046')")
     _tab(page, "Share")
-    page.get_by_text(re.compile("Not in the address: .*The recipient needs these files")).wait_for()
+    page.get_by_text(re.compile("The address does not contain .*The recipient needs these files")).wait_for()
 
 
 def test_a_title_is_never_executed(fresh, address):

@@ -86,7 +86,7 @@ def interfaces(
 def cite(
     keys: list[str] | None = argument(
         "[KEY|CASE.toml]...",
-        "Keys of models or sources, or case files (sources of their results); without KEY, print the whole bibliography.",
+        "Keys of models or sources, or case files, for the sources of their results; without KEY, print the bibliography.",
         None,
         autocompletion=every_key,
     ),

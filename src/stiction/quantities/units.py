@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     from stiction.quantities.arguments import QuantityLike
 
 _NUMBER_AND_UNIT = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*?)\s*", re.DOTALL)
-# pint evaluates what it reads, and "m^9^9^9" would never end: only products of single-digit powers reach it.
+# pint evaluates each unit, and "m^9^9^9" would take forever: only products of single-digit powers are passed to pint.
 _POWER = r"(?:1|%|[^\W\d]+(?:(?:\^|\*\*)[+-]?\d|⁻?[⁰¹²³⁴-⁹])?)"
 _UNIT = re.compile(rf"/?\s*{_POWER}(?:(?:\s*[/*·]\s*|\s+){_POWER})*")
 _LONGEST_TEXT = 100  # characters; no quantity needs more, and the patterns above are slow on megabytes of text

@@ -57,7 +57,7 @@ def _bars(axes: Axes, data: "xarray.Dataset", objective: str) -> None:
 
 
 def _along_result(axes: Axes, which: str, name: str, values: np.ndarray, log: bool = True, **named: Any) -> None:
-    """Label an axis with a result or an end of its interval, e.g. friction_coefficient_high, as `along` does for a quantity."""
+    """Label an axis with a result, or with an end of its interval such as friction_coefficient_high, by `along`."""
     quantity = quantity_of(name)
     end = name.removeprefix(quantity).removeprefix("_")
     along(axes, which, quantity, values, log, f"{end} end of the interval of the\n" if end else "", **named)

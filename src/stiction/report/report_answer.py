@@ -86,7 +86,7 @@ def inputs_as_stated(findings: ReportData) -> dict[str, str]:
 def stated_roughness(contact: Contact) -> str:
     """Return the finishes or scans that the roughness of a contact was derived from, as text.
 
-    The text is "" if the contact states the numbers sigma, R and N.
+    The text is "" if the user specified the numbers sigma, R and N.
     """
     bodies = {name: body for name in ("first", "second") if isinstance(body := contact.roughness.part(name), Finished)}
     stated = [f"{name} body " * (len(bodies) > 1) + _finish_in_words(body) for name, body in bodies.items()]

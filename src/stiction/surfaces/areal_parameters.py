@@ -37,7 +37,7 @@ class ArealParameters:
     """Store the areal parameters of a map, with the names and definitions of ISO 25178-2.
 
     Lengths (Sp, Sv, Sal, Sk, Spk, Svk) are in m, the others are fractions (0.1 for 10 %). Sal is None if the autocorrelation
-    falls to 0.2 in no direction within the map. Str is None if it does not fall to 0.2 in every direction.
+    falls to 0.2 in no direction within the map. Str is None if, in some direction, it stays above 0.2 within the map.
     """
 
     Sp: float

@@ -19,8 +19,8 @@ if TYPE_CHECKING:
     from stiction.surfaces.heightmap import HeightMap
 
 _PER_DECADE = 40  # wave numbers of the combined spectrum in each decade
-_MOST_WAVES = 100.0  # largest weight of a bin; with more waves the instruments, not chance, make scans differ
-_MANY_WAVES = 30.0  # least number of waves in a bin for its density to be compared with that of another scan
+_MOST_WAVES = 100.0  # largest weight of a bin; with more waves, scans differ by their instruments and not by chance
+_MANY_WAVES = 30.0  # least number of waves in a bin for a comparison of its density with another scan
 
 
 @dataclass(frozen=True)

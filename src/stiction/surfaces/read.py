@@ -64,8 +64,8 @@ def read_scan(
     Raises
     ------
     InputError
-        The file is absent, empty, damaged, of unknown format, constant, too small (FEWEST_POINTS), without heights, or wrongly
-        scaled; or its size or unit is missing.
+        The file is absent, empty, damaged, of unknown format, too small (FEWEST_POINTS), without heights, with equal heights,
+        or wrongly scaled; or its size or unit is missing.
 
     Notes
     -----

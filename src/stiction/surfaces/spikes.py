@@ -3,7 +3,7 @@
 Dust, an edge or a lost signal causes spikes. A point is a spike if it is further from the median height than a given number of
 robust standard deviations. The robust standard deviation is 1.4826 times the median distance from the median. It equals the
 standard deviation for Gaussian heights, and a few spikes do not change it. A few spikes strongly change the rms height Sq and
-the range of heights Sz, and with Sz the default threshold of the asperity method `persistence`.
+the range of heights Sz. The default threshold of the asperity method `persistence` is proportional to Sz.
 """
 
 import math

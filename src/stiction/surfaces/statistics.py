@@ -18,17 +18,16 @@ Spectral moments are those of a profile (Nayak 1971), m0 = <z^2>, m2 = <(dz/dx)^
     by spectrum      along x: sum_q C {1, q_x^2, q_x^4} / A over all waves |q| <= 2 pi / cutoff, and likewise along y; for an
                      isotropic surface from the radial average:   {1, 1/2, 3/8} (1/2 pi) Int q C(q) {1, q^2, q^4} dq
 
-For a surface with a lay these means do not describe an isotropic surface. Equation (1) assumes that the surface is an
-isotropic one, stretched along some direction. Then m4/m2^2 is the same along every line, and the product of the principal m2
-is the determinant of the mean slope tensor. Hence
+For a surface with a lay these means do not describe an isotropic surface. Equation (1) assumes an isotropic surface that was
+stretched along one direction. Then m4/m2^2 is the same along every line, and the product of the principal m2 is the determinant
+of the mean slope tensor. Hence
 
     m2 = (<z_x^2><z_y^2> - <z_x z_y>^2)^(1/2),        m4 = m2^2 times the geometric mean of m4/m2^2 along x and y           (1)
 
 are the moments of an isotropic surface with the same number of summits per area. Its curvature is the geometric mean of the
 two principal curvatures. (Derived here from the affine map.) For an isotropic surface, (1) equals the means above.
 
-On a surface without a shortest wave m2 and m4 grow without bound as the cutoff decreases. They are meaningful only together
-with their cutoff.
+On a surface without a shortest wave, m2 and m4 grow without bound as the cutoff decreases: state the cutoff with them.
 """
 
 import math

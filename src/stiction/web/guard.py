@@ -39,7 +39,7 @@ class Guard:
             await send({"type": "http.response.body", "body": body})
 
     def _refusal(self, scope: Scope) -> tuple[int, str]:
-        """Return HTTP status and message of the answer to a request that is refused; (200, "") if it is accepted.
+        """Return the HTTP status and message with which a request is refused; (200, "") for an accepted request.
 
         scope: description of the request by ASGI.
         """

@@ -91,4 +91,4 @@ class ShareTab:
         """Show the newest case as text, and name the files that its address does not contain."""
         self._text.set_content(as_toml(self._explorer.answer.query.tables))
         files = ", ".join(files_named(self._explorer.query.tables))
-        self._files.set_text(f"Not in the address: {files}. The recipient needs these files." if files else "")
+        self._files.set_text(f"The address does not contain {files}. The recipient needs these files." if files else "")

@@ -81,7 +81,7 @@ class StudiesTab:
 
     def __init__(self, explorer: Explorer):
         self._explorer = explorer
-        ui.label("A study stops here after a minute; run the command shown to complete it.").classes("text-sm")
+        ui.label("A study on this page stops after one minute; run the command shown to complete it.").classes("text-sm")
         with _card("How sure, and what to measure better", "stiction run case.toml; stiction sensitivity case.toml"):
             self._sensitivity()
         with _card("Design for a friction coefficient", "stiction design case.toml, with a table [design]"):

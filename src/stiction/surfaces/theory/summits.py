@@ -3,7 +3,7 @@
 A summit is a point of zero slope that curves down in all directions. Nayak (1971) gives the number of summits by height z, mean
 curvature kappa and half the difference r of the principal curvatures kappa + r and kappa - r. At a point of an isotropic
 Gaussian surface with moments m0, m2, m4 the gradient is independent of heights and second derivatives and has the density 1/(2
-pi m2) at zero. z and kappa are Gaussian with variances m0 and 2 s^2 and covariance m2. r is independent of them and has
+pi m2) at zero. z and kappa are Gaussian with variances m0 and 2 s^2 and covariance m2. r is independent of z and kappa and has
 Rayleigh's distribution with s^2 = m4/3. The determinant of the second derivatives is kappa^2 - r^2. The number of summits per
 area and per dz dkappa dr is therefore
 
