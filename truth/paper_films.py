@@ -40,12 +40,12 @@ def main() -> None:
     print(f"| film | {' | '.join(f'({claim.key})' for claim in CLAIMS)} |\n|---|{'---|' * len(CLAIMS)}")
     row("law of the paper, peeling or yield", shares(lambda theta: surfaces_at(theta, LAM[::2], "corrected")))
     with patch.object(paper_layered, "choice", peeling_alone):
-        row("law of the paper, peeling alone", shares(solved))
+        row("law of the paper, peeling only", shares(solved))
     for ratio in (None, 1e-2, 1e-1, 1.0):
         sharpness = paper_layered.SHARPNESS if ratio is None else ratio**0.5
         with patch.object(paper_layered, "SHARPNESS", sharpness):
             ends = " to ".join(f"{tau * sharpness:.2g}" for tau in (2.0, 6.0))
-            row(f"solved, peeling alone, t/sqrt(R sigma) {ends}", shares(solved))
+            row(f"solved, peeling only, t/sqrt(R sigma) {ends}", shares(solved))
 
 
 if __name__ == "__main__":
