@@ -136,8 +136,8 @@ def with_roughness(content: Mapping, roughness: Any) -> Any:
 def as_numbers(content: Mapping) -> Mapping:
     """Return the tables of a case with roughness measured from scans replaced by its roughness parameters.
 
-    A study can vary these parameters: height deviation, radius and density of asperities, as found by the asperity method of
-    the case. Tables without scans are returned unchanged.
+    A study can vary these parameters: height deviation, radius and density of asperities, which the asperity method of the case
+    finds. Tables without scans are returned unchanged.
     """
     rough = roughness_in(content)
     return content if getattr(rough, "measured", None) is None else with_roughness(content, rough.replace())

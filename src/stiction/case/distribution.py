@@ -1,4 +1,4 @@
-"""Describe the probability distributions of uncertain inputs: named distributions, those of scipy.stats, and samples.
+"""Describe the probability distributions of uncertain inputs: named ones, scipy.stats distributions, and samples.
 
 In `0.5 +/- 0.1`, 0.1 is the standard deviation of a normal distribution (a standard uncertainty after JCGM 100:2008, 2.3.1). A
 median with a factor is a log-normal distribution whose logarithm has the standard deviation ln(factor).
@@ -92,8 +92,8 @@ class Distribution:
     """Describe the probability distribution of one uncertain input, in SI units.
 
     quantity: name of the quantity, e.g. "hardness". nominal: value used by computations that ignore the uncertainty. kind: type
-    of the distribution, e.g. "normal". parameters: its numbers, e.g. mean and standard deviation; of a scipy.stats
-    distribution, quantiles at nine levels. words: text that describes the distribution to users. law: object with `ppf` and
+    of the distribution, e.g. "normal". parameters: its numbers, e.g. mean and standard deviation; for a scipy.stats
+    distribution, its quantiles at nine levels. words: text that describes the distribution to users. law: object with `ppf` and
     `cdf` from scipy.stats; None for the named kinds. The distribution is cut off at the bounds of the quantity.
     """
 
@@ -113,7 +113,7 @@ class Distribution:
         """Return the probabilities of values below the lower and below the upper bound of the quantity, before the cut-off."""
         quantity = QUANTITIES[self.quantity]
         if self.kind in ("uniform", "log-uniform", "values"):
-            return 0.0, 1.0  # each end was read as a value of the quantity
+            return 0.0, 1.0  # both ends were already checked as values of the quantity
         return float(self._law.cdf(quantity.lower)), float(self._law.cdf(quantity.upper))
 
     @property

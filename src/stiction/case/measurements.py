@@ -37,9 +37,10 @@ _FORM = 'a CSV table whose first line names the columns, e.g. "load [mN],frictio
 class Measurements:
     """Store n measured values in SI units, with their loads, standard errors and samples.
 
-    Each field has n entries. quantity: name of the measured result, e.g. "friction_force". sample: name of the series, "" if
-    missing. load: in N, or dimensionless for [indices]; NaN if missing. error: standard error of the value, NaN if missing.
-    known: numbers of the contact in the same row, by address (tuple of keys). line: line number in the file.
+    Each field has n entries. quantity: name of the measured result, e.g. "friction_force". value: measured value. sample: name
+    of the series, "" if missing. load: in N, or dimensionless for [indices]; NaN if missing. error: standard error of the
+    value, NaN if missing. known: numbers of the contact in the same row, by address (tuple of keys). line: line number in the
+    file.
     """
 
     quantity: tuple[str, ...]

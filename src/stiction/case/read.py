@@ -44,7 +44,7 @@ if TYPE_CHECKING:
     from stiction.quantities.arguments import FilePath
 
 _CASE_FILE = "a TOML case file"
-_LARGEST_FILE = 10**7  # bytes; no case is that long, so that a larger file was named by mistake
+_LARGEST_FILE = 10**7  # bytes; no case file is larger, so a larger file was named by mistake
 
 
 @dataclass(frozen=True)
@@ -200,8 +200,8 @@ def read_case(path: "FilePath", *, ranges: bool | None = None) -> Case:
 def as_case(given: Any, ranges: bool | None = None) -> Case:
     """Return a Case from a Case, the path of a case file, or a dict of its tables.
 
-    ranges: whether material presets vary within their stated ranges; None uses the setting in the case. It is ignored for a
-    Case. Raises InputError as `read_case` does.
+    ranges: whether material presets vary within their stated ranges; None uses the setting in the case. The argument is ignored
+    for a Case. Raises the InputErrors of `read_case`.
     """
     if isinstance(given, Case):
         return given
@@ -275,8 +275,8 @@ def _is_text(value: Any, path: str) -> bool:
 def parse_case(content: Mapping, folder: Path = Path()) -> Case:
     """Return the Case that these tables describe, and warn of unlikely inputs.
 
-    content: tables of a case file. folder: folder at which relative paths of scans and of materials files start. Raises
-    InputError as `read_case` does. An InputWarning names unlikely inputs.
+    content: tables of a case file. folder: folder at which relative paths of scans and of materials files start. Raises the
+    InputErrors of `read_case`. An InputWarning names unlikely inputs.
     """
     case = case_in(content, folder)
     for warning in input_warnings(case.subject):
@@ -288,7 +288,7 @@ def case_in(content: Mapping, folder: Path = Path()) -> Case:
     """Return the Case that these tables describe, without warnings of unlikely inputs.
 
     content: tables of a case file. folder: folder at which relative paths of scans and of materials files start. For the
-    warnings, call `input_warnings(case.subject)`. Raises InputError as `read_case` does.
+    warnings, call `input_warnings(case.subject)`. Raises the InputErrors of `read_case`.
     """
     require_names(content)
     content, swept = with_files_read(content, folder)
@@ -321,7 +321,7 @@ def with_files_read(content: Mapping, folder: Path) -> tuple[Mapping, dict[Addre
 
 
 def with_single_numbers(content: Mapping[str, Any], folder: Path, allowed: str) -> tuple[Mapping, dict[Address, Uncertain]]:
-    """Return the tables of a case without those of studies, after reading all files, and its uncertain numbers by address.
+    """Return the tables of a case without tables of studies, after reading all files, and its uncertain numbers by address.
 
     An address is a tuple of keys. folder: base folder of relative paths. allowed: text that states what a list of values
     may be instead, for the error. Raises InputError if a number is swept.
@@ -336,7 +336,7 @@ def with_single_numbers(content: Mapping[str, Any], folder: Path, allowed: str) 
 
 
 def without_studies(content: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the tables of a case without those that studies read, such as [design] and [fit]."""
+    """Return the tables of a case without the tables of studies, such as [design] and [fit]."""
     return {key: value for key, value in content.items() if key not in study_tables()}
 
 

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 Address = tuple[str, ...]
 
 _MOST_POINTS = 100_000
-_ROUNDING = 1e-14  # a point smaller than this, relative to the larger end of its range, is 0 with a round-off error
+_ROUNDING = 1e-14  # a point below this fraction of the larger end of its range is 0 with a round-off error
 # Names that a dimension must not have, because results use them for dimensions, coordinates or variables.
 _TAKEN = (
     "asperity_method", "separation", "contact", "sample", "block", "rule", "statistic", "quantile", "input", "spread",

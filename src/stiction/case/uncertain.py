@@ -33,7 +33,7 @@ _NUMBER = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
 _ERROR = re.compile(rf"\s*\(?\s*({_NUMBER})\s*([^+±]*?)\s*(?:\+/-|\+-|±)\s*({_NUMBER})\s*\)?\s*(.*?)\s*", re.DOTALL)
 _MOST_SAMPLES = 1_000_000
 _LARGEST_FILE = 200_000_000
-_NOT_OF_A_CONTACT = ("surface_energy",)  # a contact uses its work of adhesion instead
+_NOT_OF_A_CONTACT = ("surface_energy",)  # not used: a contact uses its work of adhesion instead
 _TOGETHER = "name of a dimension; numbers with the same dimension are sampled together"
 
 
@@ -301,9 +301,9 @@ def at_bodies(numbers: Mapping[Address, Uncertain], content: Mapping) -> Iterato
 def with_ranges(content: Mapping, taken: Sequence[Address]) -> Iterator[Uncertain]:
     """Yield an uncertain number for every material property that has a stated range, for both bodies and the film.
 
-    content: tables of a case. taken: addresses (tuples of keys) of numbers to skip. Surface energies are left out. A positive
-    property is log-uniform in its range, others are uniform. The same property of two bodies of one material is sampled at the
-    same quantile levels.
+    content: tables of a case. taken: addresses (tuples of keys) of numbers to skip. Surface energies are left out. A property
+    with positive values has a log-uniform distribution over its range, other properties a uniform one. The same property of two
+    bodies of one material is sampled at the same quantile levels.
     """
     for body in BODIES:
         material = _material_of(entry_at(content, body))
@@ -330,7 +330,7 @@ def _material_of(body: Any) -> Material | None:
 
 
 def named(numbers: Sequence[Uncertain]) -> list[Uncertain]:
-    """Return uncertain numbers with unique names: the short name, or the dotted name if two numbers share the short one.
+    """Return uncertain numbers with unique names: the short name, or the dotted name if two numbers share the short name.
 
     A sample dimension that was the dotted name of its number gets the new name too.
     """

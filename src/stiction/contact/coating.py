@@ -25,7 +25,7 @@ class Coating(Input):
     material : Material, str or dict
         Material, name of a preset, or a dict with the fields of a Material.
     thickness : float [m], str with a unit, or array
-        Film thickness; with two films the sum of both.
+        Film thickness; with two films, the sum of both thicknesses.
     bodies : {"both", "first", "second"}
         Coated body; with "both" (default, as in the 2015 paper) each body has a film, and film meets film.
     work_of_adhesion : float [J/m^2], str with a unit, or array, optional
@@ -41,7 +41,7 @@ class Coating(Input):
 
     Notes
     -----
-    The film laws use the H/Y and the E_t/E (tangent modulus over Young's modulus) of the bodies for the film too. A
+    The film laws use the ratios H/Y and E_t/E (tangent modulus over Young's modulus) of the bodies for the film too. A
     yield_stress or tangent_modulus of the film only decides whether the film or an equally hard body yields first.
 
     Examples

@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from stiction.surfaces.heightmap import HeightMap
     from stiction.surfaces.measured import Measured
 
-# Equilibrium distance of two surfaces for the Tabor parameter: an atomic spacing, a customary round value, from memory.
+# Equilibrium distance [m] of two surfaces for the Tabor parameter: a customary round value for an atomic spacing; no source.
 EQUILIBRIUM_DISTANCE = 0.3e-9
 _STATE: Any = Field(None, description="the name of a state, see `stiction interfaces`, or a table of its numbers")
 
@@ -57,7 +57,7 @@ class Contact(Subject):
         State of the interface in place of these two numbers; `stiction interfaces` lists the states. Results use its medians.
     peeling, strength_variation, burgers_vector : float, the last [m] or str with a unit, optional
         Fraction of the energy released by shear that peels an adhesive asperity off, by default 1; coefficient of variation of
-        the strength of junctions; Burgers vector, for the law `hurtado_kim_1999`.
+        the junction strength; Burgers vector, which only the law `hurtado_kim_1999` uses.
     weakening_slip, residual_strength : float [m] and float, str with a unit, or array, optional
         Slip over which the strength of the interface falls, and fraction of the strength that remains; a slip needs a fraction.
     liquid, hold_time, reference_time, ageing_rate : optional
@@ -70,8 +70,9 @@ class Contact(Subject):
 
     Notes
     -----
-    Every number may be an array with a named dimension (`stiction.axis`). Strength is taken from the softer body; of equally
-    hard bodies from the one with the lower yield stress, then the lower Poisson's ratio, then the lower tangent modulus.
+    Every number may be an array with a named dimension (`stiction.axis`). The softer body determines the strength of the
+    contact. If both are equally hard, the body with the lower yield stress determines it, then the lower Poisson's ratio, then
+    the lower E_t/E (tangent modulus over Young's modulus).
 
     Examples
     --------
@@ -136,7 +137,7 @@ class Contact(Subject):
         return bool(np.any(np.asarray(0.0 if self.work_of_adhesion is None else self.work_of_adhesion) > 0.0))
 
     def indices(self) -> Indices:
-        """Return the dimensionless groups of this contact, of the bare bodies and, if there is a film, of the film.
+        """Return the dimensionless groups of this contact: groups of the bare bodies and, if there is a film, of the film.
 
         Array inputs are broadcast by the names of their dimensions. Raises InputError if a group is out of its bounds.
         """

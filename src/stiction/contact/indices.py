@@ -16,7 +16,7 @@ from stiction.quantities.table import QUANTITIES
 if TYPE_CHECKING:
     from stiction.quantities.arguments import NumberOrArray, QuantityLike, Values
 
-# H/Y without a yield stress: 2.8 as in Chang, Etsion & Bogy 1987; Tabor's would be 3.
+# Default H/Y of a body without a yield stress: 2.8 as in Chang, Etsion & Bogy 1987; Tabor's value is 3.
 HARDNESS_TO_YIELD = 2.8
 
 _FILM = (
@@ -24,7 +24,7 @@ _FILM = (
     "counter_nu", "film_friction_constant",
 )  # fmt: skip
 
-# Groups that follow from others where the user does not state them.
+# Groups that follow from other groups if the user does not state them.
 _FOLLOWS = ("hardness_group", "films", "layer_n_H", "layer_nu", "coated_share", "coated_nu", "counter_nu")
 
 
@@ -79,7 +79,7 @@ class Indices(Subject):
     nominal_width, size_over_burgers, shear_strength, pressure_coefficient, peeling, hardening, strength_variation : optional
         Groups that some laws use.
     waiting, ageing_rate, meniscus_index, meniscus_height : float or array, optional
-        Time at rest divided by the reference time, and ageing rate, both or none; two groups of menisci, both or none.
+        Time at rest divided by the reference time, and ageing rate: both or neither. Two groups of menisci: both or neither.
 
     Raises
     ------

@@ -25,7 +25,7 @@ _SYNONYMS = {
     **dict.fromkeys(("graphite", "mos2"), "layered solid"),
 }
 
-# Fields that state the strength: as a stress, over the hardness, or over the shear modulus of the softer body.
+# Fields that state the strength: as a stress, divided by the hardness, or divided by the shear modulus of the softer body.
 STRENGTHS = ("interfacial_shear_strength", "shear_strength", "strength_over_shear_modulus")
 
 
@@ -37,10 +37,10 @@ class Interface(Input):
     relative to the shear modulus of the softer touching body or film; exactly one is specified. pressure_coefficient: median of
     alpha; None if the strength does not depend on pressure. pressure_limit: mean pressure of contact spots [Pa] above which the
     interface fails; None if unknown. range: 5 and 95 % quantiles of a number, by name; a number without a range is exact.
-    source, grade: of each number, by name, with grades as in data_files.GRADES. pairs: prior weight of the state for a pair of
-    material classes, such as "metal, ceramic" or "polymer, any"; with weight 0 only the user can choose it. only_with: names of
-    materials; at least one body must be one of them. of_film: whether pairs of weight 0 require a film. not_for: uses that must
-    be avoided, as text.
+    source, grade: source and grade (a key of data_files.GRADES) of each number, by name. pairs: prior weight of the state for a
+    pair of material classes, such as "metal, ceramic" or "polymer, any"; with weight 0 only the user can choose it. only_with:
+    names of materials; at least one body must be one of them. of_film: whether pairs of weight 0 require a film. not_for: uses
+    that must be avoided, as text.
 
     These values are not capped at the strength of the bodies. Raises InputError for contradictory numbers.
     """
@@ -78,7 +78,7 @@ class Interface(Input):
     def strength_at(self, level: Any, hardness: Any = None, shear_modulus: Any = None, median: Any = None) -> Any:
         """Return the shear strength tau_0 [Pa] of this interface state at quantile levels between 0 and 1; arrays broadcast.
 
-        hardness, shear_modulus: of the softer body [Pa]; needed only if the strength is specified relative to one of them.
+        hardness, shear_modulus: properties of the softer body [Pa]; needed only if the strength is relative to one of them.
         median: numbers that replace the specified strength; its 5 and 95 % quantiles are unchanged. Raises InputError for a
         level that is not between 0 and 1, and if a needed hardness or shear modulus is missing.
         """

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 GAS_CONSTANT = 8.31446261815324
 # Molar volume of liquid water at 20 C [m^3/mol]: 18.015 g/mol over 0.99821 g/cm^3; between 0 and 60 C it changes by 1.7 %.
 WATER = 18.05e-6
-# Smallest radii [m] at which experiments found Kelvin's equation to hold: of organic liquids, and of water, measured down to a
+# Smallest radii [m] at which experiments confirmed Kelvin's equation: for organic liquids, and for water, measured down to a
 # relative humidity of 94.5 % (Fisher, Gamble & Middlehurst 1981, and sources cited there).
 CONFIRMED, CONFIRMED_OF_WATER = 4e-9, 9e-9
 # Critical temperature of water, and the temperatures between which it is a liquid [K] (IAPWS R1-76, revised 2014).

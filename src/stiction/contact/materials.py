@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
     from stiction.quantities.arguments import NumberOrArray, QuantityLike
 
-# Classes of materials, which decide what states an interface may have. The earlier class of a pair comes first in its name.
+# Classes of materials, which determine the possible interface states. The earlier class of a pair comes first in its name.
 MaterialClass = Literal["ice", "elastomer", "polymer", "layered solid", "carbon film", "soft metal", "metal", "ceramic"]
 MATERIAL_CLASSES: tuple[str, ...] = get_args(MaterialClass)
 
@@ -38,8 +38,8 @@ class Material(Input):
         Energy of a clean surface.
     characteristic_depth : float [m], str with a unit, or array, optional
         Depth h* of a pyramid's imprint at which the hardness is sqrt(2) times the value of large imprints (Nix and Gao 1998).
-        `hardness` is then the value of large imprints; small asperities use a larger one, except on a map solved point by
-        point.
+        `hardness` is then the value of large imprints; small asperities have a larger hardness, except in models that solve a
+        height map point by point.
     name : str, optional
         Name in results.
     source : str or dict, optional
@@ -148,7 +148,7 @@ def material(name: str, /, **changes: "QuantityLike | None") -> Material:
     Raises
     ------
     InputError
-        The name is unknown or stands for more than one preset, or a number is out of its bounds.
+        The name is unknown or belongs to more than one preset, or a number is out of its bounds.
 
     Examples
     --------
@@ -186,8 +186,9 @@ def work_of_adhesion(
 
     Notes
     -----
-    The interfacial energy is zero for one material in perfect registry; zero gives an upper bound otherwise. The surface
-    energies are those of clean surfaces; adsorbed layers lower the work of adhesion by one or two orders of magnitude.
+    The interfacial energy is zero for two bodies of one material in perfect registry. For other pairs, zero gives an upper
+    bound. The surface energies are those of clean surfaces; adsorbed layers lower the work of adhesion by one or two orders of
+    magnitude.
 
     Examples
     --------

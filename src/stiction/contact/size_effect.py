@@ -1,8 +1,8 @@
 r"""Compute the hardness of a material that is harder under smaller asperities (the indentation size effect).
 
 *Assumes*: a crystal that hardens by dislocations: those present before the contact, and those that the shape of an imprint
-requires. The latter fill a hemisphere as wide as the contact. Strength grows with the square root of the total density of
-dislocations (Taylor).
+requires. The dislocations of the imprint fill a hemisphere as wide as the contact. Strength is proportional to the square root
+of the total density of dislocations (Taylor).
 *Source*: [nix_gao_1998], the form in which other texts restate it;
 [swadener_george_pharr_2002], abstract: under spheres hardness does not depend on the depth
 but grows as the radius falls. The densities rho below are derived here by counting dislocation loops, as both sources do. For a
@@ -14,9 +14,9 @@ so that R* = (2/3) h*/tan^2(beta), 5.20 h* for Berkovich's and Vickers's pyramid
 is a sphere, so it has one hardness at every depth h. H_0 is the hardness of large imprints. h* is the characteristic depth,
 from a fit of hardness against the depth under a pyramid. The yield stress is assumed to grow as the hardness does.
 
-*Limit*: h* -> 0 or R -> infinity: H_0. *Unknown*: what limits the growth. Measured hardness is reported to be less than this at
-depths below some 100 nm, where the dislocations spread over more than the hemisphere; a result with R* above 10 R gets a
-validity warning.
+*Limit*: h* -> 0 or R -> infinity: H_0. *Unknown*: what limits the growth. Measured hardness is reported to be lower than this
+formula predicts at depths below some 100 nm, where the dislocations spread beyond the hemisphere; a result with R* above 10 R
+gets a validity warning.
 """
 
 from collections.abc import Iterable

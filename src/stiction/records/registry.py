@@ -1,8 +1,8 @@
 """Define the kinds of records of models and laws, list all records, and check which laws can be combined.
 
 A model or law is a module with a constant RECORD, in the folder of its kind. To add one, write that module, a file of reference
-numbers for the tests, and a bibliography entry. Another package provides it by an entry point in the group "stiction". Tables,
-command line, citations and contract tests use the record.
+numbers for the tests, and a bibliography entry. Another package provides its records by an entry point in the group "stiction".
+Tables, command line, citations and contract tests use the record.
 """
 
 from collections.abc import Callable, Iterable, Mapping
@@ -98,8 +98,8 @@ class FilmLaw(Record):
       other laws are then unused, and so is the work of adhesion of the bodies if the film has its own
     - solved_as_one: whether its elastic asperity is a sphere on a layered solid; tangential laws with `layered` then suit it
       too
-    - bares_substrate: whether the substrate can be exposed. A tangential law of the interface then shears only the part of the
-      contact with a film; the exposed part has the shear strength of the substrate
+    - bares_substrate: whether the substrate can be exposed. A tangential law of the interface then applies only where the film
+      covers the contact; the exposed part has the shear strength of the substrate
     - confined: whether the film can carry more than its own hardness, up to the hardness of the substrate
     - tangential: tangential laws that suit it: "" for all, "interface" for those that describe the interface, or the key of a
       single law
@@ -259,7 +259,7 @@ class Addition(Record):
 
 @dataclass(frozen=True, kw_only=True)
 class Criterion(Record):
-    """Describe a ratio that distinguishes two kinds of behaviour of a rough contact: one below the value 1, one above it.
+    """Describe a ratio that distinguishes two kinds of behaviour of a rough contact: one for ratios below 1, one above 1.
 
     - ratio(groups): the ratio (n,) for n contacts, whose dimensionless groups have the spectral moments of the surface
     - below, above: sentence on the contact if the ratio is below 1, or above 1, such as elastic or plastic
@@ -355,7 +355,7 @@ def incompatibility(law: TangentialLaw | FilmLaw | Addition, asperity: AsperityL
 
 
 def friction_incompatibility(film: FilmLaw, tangential: TangentialLaw | None) -> str:
-    """Return the reason why a film law cannot be combined with a tangential law, as text; "" if it can or there is none."""
+    """Return the reason why a film law cannot be combined with a tangential law, as text; "" without such a reason."""
     if tangential is None or film.tangential in ("", tangential.key):
         return ""
     if film.tangential != "interface":
@@ -378,7 +378,7 @@ def select_options(record: Record, options: Mapping[str, str]) -> dict[str, str]
 
 
 def resolve_options(known: Iterable[Record], options: Mapping[str, str | None]) -> dict[str, str]:
-    """Return the value of every option of these records, by name: the one in `options`, else the default.
+    """Return the value of every option of these records, by name: the value in `options`, or the default.
 
     known: records of the laws in use. options: values by name, None for the default. Raises InputError for an option that no
     record has, or for a value that is not allowed.

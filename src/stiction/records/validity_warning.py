@@ -17,8 +17,8 @@ class ValidityWarning:
     - quantity: key of the quantity outside its range; "" for a general warning, which has only `why` and `kind`
     - least, most: smallest and largest of the values outside the range
     - low, high: ends of the range; -inf or inf if open
-    - outside, points: number of solved points outside the range, and of all solved points. With points = 0 `why` is a whole
-      sentence, otherwise it follows the quantity and its values when printed
+    - outside, points: number of solved points outside the range, and number of all solved points. With points = 0 `why` is a
+      whole sentence, otherwise it follows the quantity and its values when printed
     - kind: a key of KINDS_OF_WARNING
     """
 

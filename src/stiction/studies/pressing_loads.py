@@ -10,16 +10,17 @@ from stiction.solving.solve import solve
 def pressing_loads(case: Case) -> tuple[np.ndarray, int]:
     """Return the loads of a case above 0 (n,), and the index of its working load among them.
 
-    Loads are in N, or dimensionless for [indices]. The working load is the middle entry in the list of all loads. If that is
-    not above 0, it is the load above 0 whose position in the list is nearest to the middle. If the case states separations, the
-    loads are those that its model computes there. The array is empty if no load is above 0.
+    Loads are in N, or dimensionless for [indices]. The working load is the middle entry in the list of all loads. If this entry
+    is not above 0, the working load is the load above 0 whose position in the list is nearest to the middle. If the case states
+    separations, the loads are those that its model computes at these separations. The array is empty if no load is above 0.
     """
     loads = case.load
     if loads is None:
         key = DEFAULT_MODEL if case.choice.model == RECOMMENDED else case.choice.model_key
-        own = case.choice.arguments() | {"model": key}  # unnamed, the default model refuses inputs that its friction ignores
+        # The default model is named, because without a name it refuses inputs that its friction ignores.
+        own = case.choice.arguments() | {"model": key}
         if key == DEFAULT_MODEL and all(value is None for name, value in own.items() if name != "model"):
-            own["tangential"] = "none"  # loads do not depend on friction, whose sums would take most of the time
+            own["tangential"] = "none"  # loads do not depend on friction, and computing friction would take most of the time
         loads = solve(case.subject.as_numbers(), separation=case.separation, **own)["load"].values
     pressing = np.flatnonzero(loads > 0.0)
     middle = (len(loads) - 1) // 2

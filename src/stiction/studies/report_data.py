@@ -130,7 +130,7 @@ _OF_FINISH = {f"roughness.{name}" for name in ("asperity_height_deviation", "asp
 
 
 def source_of_finish(subject: "Subject", name: str) -> str:
-    """Return where a number of a contact with a finish comes from, as text; "" if it does not come from a finish.
+    """Return a text on the origin of a number in a contact with a finish; "" if the number does not follow from the finish.
 
     name: dotted name, e.g. "roughness.asperity_radius".
     """

@@ -1,4 +1,4 @@
-"""Declare what a study of one case consists of, and list all studies.
+"""Define the class Study, and list all studies of one case.
 
 A study is a folder next to this file with a module `study.py` that defines STUDY.
 """
@@ -19,7 +19,7 @@ class Study:
     - help: help text of the command
     - case: what the case file must contain, for the help
     - plan(case, **options): reads and checks the case file at the path `case`, and returns a plan without long computations.
-      Its parameters are the options of the command. Shared ones need no description: load, ranges, model, ..., `out` (folder
+      Its parameters are the options of the command. Shared options need no description: load, ranges, model, ..., `out` (folder
       for results, or None) and `options` (those of models and laws).
     - run(plan, progress): computes the results and returns the arguments of the view, the function FOLDER_view in
       report/views/FOLDER.py, where FOLDER is the name of the study's folder. Without this file, run returns a tuple with one

@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 
     from stiction.quantities.arguments import FilePath
 
-# Predicted and measured values are compared by their ratio, which a separation, with its arbitrary zero, does not have.
+# Predicted and measured values are compared by their ratio. A separation has an arbitrary zero, so it has no such ratio.
 _NOT_COMPARED = ("mean_separation",)
 _TABLES = ("title", "materials", "contact", "indices", "measured")
 # Levels of the quantiles of the prediction: the ends of its 50 % and 90 % intervals, and the median.
@@ -107,7 +107,7 @@ class Entry:
 
     @property
     def ends(self) -> np.ndarray:
-        """Return the lower and upper end of every measured value (2, n); both equal the value unless ranges are published."""
+        """Return the lower and upper end of every measured range (2, n); for a single value, both ends equal this value."""
         bands = self.origin.band
         return np.array([[band.low for band in bands], [band.high for band in bands]] if bands else [self.values.value] * 2)
 
@@ -190,10 +190,10 @@ def validate(entry: "Entry | FilePath", *, progress: Steps = iter) -> "xarray.Da
     -------
     xarray.Dataset
         Over `row`, one for each measured value: measured and error in SI units, quantity, sample, load [N], line, and the ends
-        measured_low and measured_high of a published range. Over (model, row): `predicted`, NaN where a model refuses. Over
-        `model`: `bias`, the geometric mean of predicted over measured; `factor`, exp of the root mean square of ln(predicted
-        over measured); `in_errors`, the root mean square of the differences over the standard errors; `answered`, the number
-        of rows with a result; grade; `outside_validity`, the validity warnings, and `outside`, the symbols of their
+        measured_low and measured_high of a published range. Over (model, row): `predicted`, NaN where a model gives no result.
+        Over `model`: `bias`, the geometric mean of predicted over measured; `factor`, exp of the root mean square of
+        ln(predicted over measured); `in_errors`, the root mean square of the differences over the standard errors; `answered`,
+        the number of rows with a result; grade; `outside_validity`, the validity warnings, and `outside`, the symbols of their
         quantities. For friction also `prediction` (quantile, row), and `within_50` and `within_90`: whether the measured value
         or range is "inside", "partly" inside or "outside" the 50 % and 90 % interval of the prediction. Attributes: title,
         kind, source, place, doi, read, note, `not_applicable` (model: reason) and `sources`.

@@ -21,7 +21,7 @@ from stiction.solving.choice import Choice
 from stiction.studies.uncertainty.drawing import Variant, draw
 from stiction.surfaces.theory.moments import LEAST_DENSITY
 
-# Inputs of adhesion and of interface strength, which area models do not use because other parts of the prediction do.
+# Inputs of adhesion and of interface strength: area models ignore them, because other parts of the prediction use them.
 PULLS = ("work_of_adhesion", "liquid")
 _INTERFACE = (
     "interface",
@@ -42,9 +42,9 @@ _INTERFACE = (
 class Bodies:
     """Store strengths and stiffness of the touching surfaces in Pa, arrays (n or 1, m or 1).
 
-    The arrays run over n samples and m points (contacts at a load). hardness, shear_strength, shear_modulus: of the softer
-    surface. hardest: the largest pressure that a contact spot can bear, which is the hardness of the softer surface, or of the
-    softer body if that is harder.
+    The arrays run over n samples and m points (contacts at a load). hardness, shear_strength, shear_modulus: properties of the
+    softer surface. hardest: the largest pressure that a contact spot can bear. It is the larger of two values: the hardness of
+    the softer surface and the hardness of the softer body.
     """
 
     hardness: np.ndarray
@@ -73,7 +73,7 @@ class SampledCase:
 
     @cached_property
     def dims(self) -> dict[str, int]:
-        """Return the dimensions of the points and their lengths: those of the array parameters, and `load`."""
+        """Return the length of each dimension of the points: the dimensions of the array parameters, and `load`."""
         loads = {} if hasattr(self.load, "dims") else {"load": np.size(self.load)}
         return dimensions([*self.case.swept.values(), self.load]) | loads
 
@@ -102,7 +102,7 @@ class SampledCase:
     def places(self, dims: Mapping[str, int]) -> np.ndarray:
         """Return, for each of the m points (contacts at a load), its index in flattened results, (m,).
 
-        dims: dimensions of the results and their lengths. They are some or all of those in `self.dims`.
+        dims: length of each dimension of the results. Each of these dimensions is also in `self.dims`.
         """
         numbers = np.arange(math.prod(dims.values())).reshape(tuple(dims.values()))
         return np.broadcast_to(arranged(numbers, list(dims), self.dims), tuple(self.dims.values())).reshape(-1)
@@ -110,9 +110,9 @@ class SampledCase:
     def areas(self, choice: Choice, pulls: Sequence[str] = (), faint: bool = False) -> np.ndarray:
         """Return the real contact area [m2] (n, m) by one model for all samples; NaN where the model refuses or is invalid.
 
-        choice: the model. n is 1 without uncertain numbers. pulls: names in PULLS that act on the contact; adhesion and liquid
-        are left out otherwise. faint: whether the work of adhesion is reduced until it has no effect. Raises InputError if the
-        model refuses the nominal contact.
+        choice: the model. n is 1 without uncertain numbers. pulls: names in PULLS of the attractive forces to include; by
+        default adhesion and liquid are left out. faint: whether the work of adhesion is reduced until it has no effect. Raises
+        InputError if the model refuses the nominal contact.
         """
         left_out = [*_INTERFACE, *(name for name in PULLS if name not in pulls)]
         case = replace(_without(self.case, left_out), load=self.load, separation=None)
@@ -137,14 +137,14 @@ class SampledCase:
 
         A point is a contact at a load. N, R and sigma are density, radius and height deviation of asperities. The degree is 1
         if N R sigma reaches the smallest value of a Gaussian surface, and 0 at half of this value or less. The transition
-        between is a judgement.
+        between these values is a judgement.
         """
         rough = self.contact.roughness
         numbers = self.column(rough.asperity_density * rough.asperity_radius * rough.asperity_height_deviation)[0]
         return np.broadcast_to(np.clip(1.0 + np.log2(numbers / LEAST_DENSITY), 0.0, 1.0), self.loads.shape)
 
     def as_gaussian(self) -> "SampledCase":
-        """Return the case with the asperity density raised to the smallest that a Gaussian surface can have.
+        """Return the case with the asperity density raised to the smallest value that a Gaussian surface can have.
 
         This smallest density follows from the radius and the height deviation of asperities. A larger density is unchanged.
         """

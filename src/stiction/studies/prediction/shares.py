@@ -11,7 +11,7 @@ from stiction.studies.prediction.mixture import Mixture
 _STRENGTH = "interfacial_shear_strength"
 _EXCHANGES = range(8)  # seeds of random orders of exchange; samples shifted by a fixed number would stay correlated
 _LEAST = 0.005  # smallest fraction of the variance that is returned
-_NEGLIGIBLE = 4e-4  # variance of ln mu that is not worth dividing: mu varies by 2 % of itself
+_NEGLIGIBLE = 4e-4  # variance of ln mu below which it is not divided: mu varies by 2 %
 
 # Function of quantile levels and indices of the sampled inputs that returns the quantity (n,) whose variance is divided.
 Quantity = Callable[[Levels, np.ndarray], np.ndarray]
@@ -70,7 +70,7 @@ def _of_each_input(mixture: Mixture, levels: Levels, log_mu: Quantity, share: fl
     """Return the variance of ln mu that each uncertain number causes, by name.
 
     log_mu: function that returns ln mu (n,) from levels and rows of the inputs. share: variance that all inputs cause together.
-    It is divided in proportion to the squared slopes of a linear fit of ln mu to the normal scores of the inputs.
+    This variance is divided in proportion to the squared slopes of a linear fit of ln mu to the normal scores of the inputs.
     """
     from scipy.special import ndtri
 

@@ -13,11 +13,11 @@ from stiction.contact.interfaces import Interface, interface, interface_weights
 from stiction.laws.ageing.berthoud_1999 import factor
 from stiction.studies.prediction.sampled_case import SampledCase
 
-# Shear strength by Tresca, Y/2, over that by Mises, Y/sqrt(3).
+# Shear strength by Tresca, Y/2, divided by the shear strength by von Mises, Y/sqrt(3).
 _TRESCA = 0.5 * 3.0**0.5
-# Stated strength over the shear strength of the body, above which a metal junction may fail in the body.
+# Ratio of the stated strength to the shear strength of the body above which a metal junction may fail in the body.
 _NEAR_BODY = 0.5
-# Standard deviation of ln of a strength that is stated as one number: 2.5 % at 90 % (judgement, grade C). Without it the
+# Standard deviation of ln of a strength stated as one number: within 2.5 % at 90 % (judgement, grade C). Without scatter the
 # interval of a plastic contact, or of surfaces pressed flat, would have no width.
 _STATED = 0.015
 
@@ -26,9 +26,9 @@ class Strength:
     """Describe the distribution of the shear strength of an interface over n samples and m points (contacts at a load).
 
     states: states of the interface with weights that sum to 1; empty if tau_0 is stated. stated: tau_0 [Pa], or None.
-    coefficient: stated pressure coefficient, 0 if none. takes_states: whether the state supplies the pressure coefficient
-    instead. varied: values of the uncertain numbers and array parameters of a stated interface, by name. metallic: mask of
-    points with metal junctions. aged: factor by which the hold time raises tau_0. Arrays are (n or 1, m or 1).
+    coefficient: stated pressure coefficient, 0 if none. takes_states: whether the state of the interface supplies the pressure
+    coefficient instead. varied: values of the uncertain numbers and array parameters of a stated interface, by name. metallic:
+    mask of points with metal junctions. aged: factor by which the hold time raises tau_0. Arrays are (n or 1, m or 1).
     """
 
     def __init__(self, sampled: SampledCase):
@@ -150,10 +150,10 @@ def exact_strength(contact: Contact) -> Any:
 def _capped(tau: np.ndarray, shear: np.ndarray, level: np.ndarray, metallic: np.ndarray) -> np.ndarray:
     """Return the shear strength tau_0 [Pa] of the interface, limited by the shear strength of the weaker body.
 
-    tau: tau_0 before [Pa]. shear: shear strength of the body [Pa]. level: quantile levels (n, 1). metallic: mask of points with
-    metal junctions. For metals the limit is the von Mises value. For other materials the quantile level selects a limit between
-    the values of Tresca and von Mises. The width of this range grows from 0, if tau_0 is at most the body's strength, to its
-    full size at twice that strength.
+    tau: tau_0 before this limit [Pa]. shear: shear strength of the body [Pa]. level: quantile levels (n, 1). metallic: mask of
+    points with metal junctions. For metals the limit is the von Mises value. For other materials the quantile level selects a
+    limit between the values of Tresca and von Mises. The width of this range grows from 0, if tau_0 is at most the body's
+    strength, to its full size at twice that strength.
     """
     with np.errstate(divide="ignore"):
         beyond = np.clip(np.log2(tau / shear), 0.0, 1.0)

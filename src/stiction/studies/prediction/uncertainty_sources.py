@@ -1,6 +1,6 @@
 """Name the sources of the uncertainty of a prediction, and choose those that are worth naming."""
 
-_LEAST, _MOST_SOURCES = 0.05, 3  # smallest share of the variance, and largest number, of named sources
+_LEAST, _MOST_SOURCES = 0.05, 3  # smallest share of the variance of a named source; largest number of named sources
 _NO_REST = 0.005  # largest share of the other sources that is not shown
 _NAMES = {
     "interface": "interface strength",
@@ -24,12 +24,12 @@ def part_name(name: str) -> str:
 def main_sources(shares: dict[str, float]) -> list[tuple[str, float]]:
     """Return the main sources of uncertainty as pairs (name, share of the variance of ln mu), the largest first.
 
-    shares: share of the variance by name of the source. The list names at most three sources. All but the largest must have a
-    share of at least 5 %. The last entry, "other", is the difference to 100 %; it is omitted below half a per cent.
+    shares: share of the variance by name of the source. The list names at most three sources. Only the largest may have a share
+    below 5 %. The last entry, "other", is the difference to 100 %; it is omitted if it is below 0.5 %.
     """
     ordered = sorted(shares.items(), key=lambda item: -item[1])
     named = [item for rank, item in enumerate(ordered[:_MOST_SOURCES]) if not rank or item[1] >= _LEAST]
-    rest = 1.0 - sum(round(share, 2) for _, share in named)  # of the rounded shares, which a reader adds up
+    rest = 1.0 - sum(round(share, 2) for _, share in named)  # uses the rounded shares, because a reader adds them up
     return [*named, ("other", rest)] if named and rest > _NO_REST else named
 
 

@@ -61,7 +61,7 @@ def _of_bodies(sampled: SampledCase, strength: Strength) -> Iterator[tuple[str, 
 
 
 def _why_no_yield(sampled: SampledCase, strength: Strength) -> str:
-    """Return the reason why the yield stress has no effect; "" if it has one.
+    """Return the reason why the yield stress has no effect; "" if it has an effect.
 
     The yield stress limits tau_0, and it controls the growth of metal junctions.
     """

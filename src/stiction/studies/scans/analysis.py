@@ -32,9 +32,10 @@ class Analysis:
     surface: the prepared map. statistics: moments and distribution of its heights. spectrum: radial average of the power
     spectrum. of_spectrum: how gaps were filled for the spectrum, "" if there were none. spikes: number of points farther than
     SUSPICIOUS robust deviations from the median. by_differences, by_spectrum: spectral moments from differences and from the
-    spectrum, with the same cutoff. asperities, heights, failures: dicts by asperity method, with the asperities found, their
-    height distribution, and the reason if none were found. standing: method recommended for the surface, "" if none found
-    asperities. kind: kind of surface, one of finishes.SURFACE_KINDS, estimated from the heights; None if undecided.
+    spectrum, with the same cutoff. asperities, heights, failures: dicts by asperity method, with the asperities, their height
+    distribution, and the reason if the method found no asperities. standing: method recommended for the surface, "" if no
+    method found asperities. kind: kind of surface, one of finishes.SURFACE_KINDS, estimated from the heights; None if
+    undecided.
     """
 
     surface: HeightMap
@@ -66,9 +67,9 @@ def analyse(surface: HeightMap, progress: Steps = iter, tip_radius: "QuantityLik
     Returns
     -------
     Analysis
-        Its attributes: surface, statistics of the heights, spectrum, number of spikes, spectral moments, recommended asperity
-        method and kind of surface; and by asperity method the asperities found and their height distribution, or the reason why
-        none were found.
+        Its attributes are the surface, statistics of the heights, spectrum, number of spikes, spectral moments, recommended
+        asperity method and kind of surface. For each asperity method, they also include the asperities and their height
+        distribution, or the reason why the method found no asperities.
 
     Raises
     ------

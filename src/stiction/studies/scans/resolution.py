@@ -131,7 +131,7 @@ class _Friction:
         return float(solve(other, load=self.load, **self.arguments)["friction_coefficient"])
 
     def predicted(self, surface: HeightMap) -> float:
-        """Return the median of the predicted friction coefficient of the contact with this surface, as from `predict`."""
+        """Return the median friction coefficient that `predict` returns for the contact with this surface."""
         assert self.contact is not None
         return float(predict(self.contact.replace(roughness=surface), load=self.load)["friction_coefficient"])
 
@@ -157,15 +157,16 @@ def resolution_study(
     cutoffs : iterable of float [m] or str with a unit, optional
         Wavelengths at which the Gaussian low-pass halves the amplitude; 0 leaves the map unfiltered.
     methods : iterable of str, optional
-        Keys of asperity methods; by default all that the map allows.
+        Keys of asperity methods; by default all methods that the map allows.
     options : dict of dict, optional
         Options of each method, by its key.
     points_per_cutoff : float, optional
-        Take only every k-th point, with at least this many (2 or more) to a cutoff; by default all points.
+        Smallest number of points per cutoff wavelength, 2 or more. Only every k-th point is then used, with the largest k that
+        satisfies this; by default all points are used.
     progress : callable
         Receives the list of cutoffs and returns an iterator over it.
     contact : Contact, optional
-        Contact of single numbers, whose roughness is replaced by that of the scan; without it no friction is computed.
+        Contact without arrays. The roughness of the scan replaces its roughness; without a contact, no friction is computed.
     load : float [N] or str with a unit, optional
         Load of the contact, above 0.
     choice : Choice, optional
@@ -176,7 +177,7 @@ def resolution_study(
     xarray.Dataset
         Over (asperity_method, cutoff): sigma [m], R [m] and N [1/m^2], the height deviation, radius and density of asperities;
         mean_height [m], skewness and count of asperities; height_distribution, the name of the fitted distribution; with a
-        contact also mu, its friction coefficient; and `failure`, the reason why numbers are NaN.
+        contact also mu, the friction coefficient; and `failure`, the reason why numbers are NaN.
 
     Raises
     ------
@@ -185,8 +186,8 @@ def resolution_study(
 
     Notes
     -----
-    Predictions and boundary_elements take the map, and theories of the whole surface its moments: their mu is the same for
-    every method.
+    Predictions and boundary_elements use the map itself; theories of the whole surface use its spectral moments. Their mu is
+    the same for every asperity method.
 
     Examples
     --------
@@ -263,8 +264,8 @@ def _methods(surface: HeightMap, methods: Iterable[str] | None) -> tuple[str, ..
 def _seen(surface: HeightMap, cutoff: float, points_per_cutoff: float | None) -> HeightMap:
     """Return the map without wavelengths below the cutoff [m]; a cutoff of 0 returns the map unchanged.
 
-    points_per_cutoff: the map is thinned to every k-th point with at least this many in a cutoff wavelength; None
-    keeps all points.
+    points_per_cutoff: the map is thinned to every k-th point, so that a cutoff wavelength contains at least this number of
+    points; None keeps all points.
     """
     if cutoff == 0.0:
         return surface

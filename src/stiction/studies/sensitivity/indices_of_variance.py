@@ -10,7 +10,7 @@ from stiction.studies.uncertainty.drawing import scrambled
 
 # Number of independently scrambled sequences; the scatter between them gives the error of the indices.
 PARTS = 8
-_T = 2.364624  # Student's t of 7 degrees of freedom at 97.5 %
+_T = 2.364624  # 97.5 % quantile of Student's t with 7 degrees of freedom
 _LEVELS = 4
 
 
@@ -37,7 +37,8 @@ def sobol_indices(values: np.ndarray) -> dict[str, np.ndarray]:
     `points` is the number of sample points used.
 
     Source: Saltelli et al. 2010, table 2: (b) for the first-order and (f), Jansen 1999, for the total index. The interval is
-    Student's t interval over the parts. Points with NaN are excluded, and then so many others that a power of two remains.
+    Student's t interval over the parts. Points with NaN are excluded. Further points are then excluded until a power of two
+    remains.
     """
     columns = values.shape[1] - 2
     known = np.isfinite(values).all(axis=1)

@@ -1,7 +1,7 @@
 """Compute logarithmic sensitivities d ln y/d ln x of results y to every number x of a contact.
 
 They are central differences in ln x with two widths, extrapolated to width 0 (Richardson 1911). The error is of fourth order in
-the width and is bounded by the change through the extrapolation. All points are solved together.
+the width. Its bound is the change of the derivative by the extrapolation. All points are solved together.
 """
 
 import math

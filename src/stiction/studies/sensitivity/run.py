@@ -63,12 +63,12 @@ def sensitivity(
     Returns
     -------
     xarray.Dataset
-        For y of friction_coefficient, contact_area, load (at separations) and pull_off_force. Over `input`, the uncertain
-        inputs: y_first_order and y_total_order, Sobol indices of ln y with 95 % intervals (`_low`, `_high`); y_effect, the mean
-        elementary effect of Morris on ln y from the 2.5 to the 97.5 % quantile of the input, with y_effect_error and
-        y_effect_deviation. Over `number`, all numbers of the contact: y_log_sensitivity, d ln y/d ln x at the nominal numbers.
-        If no model is named, the results are those of the prediction: friction_coefficient_share over `input`, the fraction of
-        the variance of ln mu, and friction_coefficient_log_sensitivity over `number`.
+        In the names of the variables, y denotes friction_coefficient, contact_area, load (at separations) or pull_off_force.
+        Over `input`, the uncertain inputs: y_first_order and y_total_order, Sobol indices of ln y with 95 % intervals (`_low`,
+        `_high`); y_effect, the mean elementary effect of Morris on ln y from the 2.5 to the 97.5 % quantile of the input, with
+        y_effect_error and y_effect_deviation. Over `number`, all numbers of the contact: y_log_sensitivity, d ln y/d ln x at
+        the nominal numbers. If no model is named, the results are those of the prediction: friction_coefficient_share over
+        `input`, the fraction of the variance of ln mu, and friction_coefficient_log_sensitivity over `number`.
 
     Raises
     ------
@@ -77,7 +77,7 @@ def sensitivity(
 
     Notes
     -----
-    Sobol (2001); Morris (1991). Without uncertain inputs there are logarithmic sensitivities only.
+    Methods: Sobol (2001), Morris (1991). Without uncertain inputs, only logarithmic sensitivities are returned.
 
     Examples
     --------
@@ -113,7 +113,8 @@ def sensitivity(
 def _of_prediction(case: Case, load: float) -> "xarray.Dataset":
     """Return the sensitivities of a prediction at a load [N] as a dataset.
 
-    It has the fraction of the variance of ln mu that each input causes, and d ln mu/d ln x for every number x of the contact.
+    The dataset has the fraction of the variance of ln mu that each input causes, and d ln mu/d ln x for every number x of the
+    contact.
     """
     import xarray
 
@@ -197,7 +198,7 @@ def _with_log_sensitivities(said: "xarray.Dataset", slopes: LogSensitivities) ->
     variables: dict[str, Any] = {}
     for name, table in slopes.tables.items():
         if name in said.coords:
-            continue  # the result is given, not computed
+            continue  # the case states this result
         text = f"logarithmic sensitivity of the {said[name].attrs.get('long_name', name)}, d ln y/d ln x"
         dims = ("number", *slopes.dims[name])
         variables[f"{name}_log_sensitivity"] = (dims, table, {"units": "1", "long_name": text})

@@ -53,7 +53,7 @@ def film_section(contact: Subject, point: "xarray.Dataset") -> "xarray.Dataset":
     stresses, worst = _worst(bodies, radius, traction, strength)
     thickness = stresses.thickness
     deepest = min(1.3 * thickness, _DEEP) if _SHALLOW < 1.3 * thickness < 1.3 * _DEEP else _SHALLOW
-    both_sides = np.array([1.0 - _ASIDE, 1.0]) * thickness  # stresses parallel to the interface jump there
+    both_sides = np.array([1.0 - _ASIDE, 1.0]) * thickness  # stresses parallel to the interface jump at the interface
     z = np.union1d(np.linspace(0.0, deepest, _ROWS), both_sides[both_sides < deepest])
     field = pressure * section(stresses, traction, strength, _X, z)
     radial = stresses.in_film(np.abs(_X), np.array([thickness]))

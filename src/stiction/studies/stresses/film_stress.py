@@ -49,7 +49,7 @@ def film_stresses(
     Parameters
     ----------
     contact : Contact or Indices
-        One contact with a film: numbers, no arrays.
+        One contact with a film, without arrays.
     separation, load : float, str with a unit, or array, optional
         Exactly one of them, as in `solve`: mean separation [m] or normal load [N].
     model : str, optional
@@ -62,11 +62,11 @@ def film_stresses(
     Returns
     -------
     xarray.Dataset
-        As from `solve`, with contact_over_thickness, the contact radius over the film thickness; stress_over_yield, the
-        largest von Mises stress over the local yield stress; interface_tension and interface_shear, the largest stresses at
-        the interface over the yield stress and the shear yield stress of the weaker of film and body; and yields_first: "film",
-        "counterbody", "interface", "body", or "" where nothing touches. `validity_warnings` name the stresses that film or
-        body cannot bear.
+        The dataset that `solve` returns, with these additions: contact_over_thickness, the contact radius over the film
+        thickness; stress_over_yield, the largest von Mises stress over the local yield stress; interface_tension and
+        interface_shear, the largest stresses at the interface over the yield stress and the shear yield stress of the weaker of
+        film and body; and yields_first: "film", "counterbody", "interface", "body", or "" where nothing touches.
+        `validity_warnings` name the stresses that film or body cannot bear.
 
     Raises
     ------
@@ -75,8 +75,8 @@ def film_stresses(
 
     Notes
     -----
-    The mean asperity has the mean area, load and friction force of the touching ones. Its stresses are those of an elastic
-    sphere that is pressed and dragged on a layered half-space (`solvers.layered.stresses`).
+    The mean asperity has the mean area, load and friction force of the touching asperities. Its stresses are those of an
+    elastic sphere that is pressed and dragged on a layered half-space (`solvers.layered.stresses`).
 
     Examples
     --------

@@ -37,9 +37,10 @@ class OneAsperity:
 
     x (m,), z (n,): positions along the tangential force and depths, over the contact radius. stress (n, m): von Mises stress
     over the local yield stress. thickness: film thickness over contact radius, infinite without a film. largest: highest stress
-    anywhere, over the local yield stress. at: its position (x, z). where: part in which it lies, "film", "interface" or "body".
-    radius: contact radius over (R sigma)^(1/2), with the radius R and height deviation sigma of asperities. load: load over K
-    R^(1/2) sigma^(3/2), with K = (4/3) E* of the bodies. pressure: mean pressure over the hardness.
+    anywhere, over the local yield stress. at: position (x, z) of this stress. where: part in which this position lies, "film",
+    "interface" or "body". radius: contact radius over (R sigma)^(1/2), with the radius R and height deviation sigma of
+    asperities. load: load over K R^(1/2) sigma^(3/2), with K = (4/3) E* of the bodies. pressure: mean pressure over the
+    hardness.
     """
 
     x: np.ndarray

@@ -33,9 +33,9 @@ class Plan:
     Any process can compute any block, in any order, and gets the same bits. case: the case with the first value of each array
     parameter. swept: array parameters by address (tuple of keys). sweep: the table [sweep]. dims: number of contacts along each
     dimension. tile: number of contacts in one block along each dimension. points: number of loads or separations of each
-    contact. load: loads [N], None if separations are stated. uncertain: numbers that a prediction samples for every contact.
-    scans: attributes that describe measured roughness. maps: one map for each contact, in a sweep over maps. Use `make_plan` to
-    build a plan.
+    contact. load: loads [N], None if the case states separations. uncertain: numbers that a prediction samples for every
+    contact. scans: attributes that describe measured roughness. maps: one map for each contact, in a sweep over maps. Use
+    `make_plan` to build a plan.
     """
 
     case: Case
@@ -76,7 +76,7 @@ class Plan:
         return math.prod(some.stop - some.start for some in self.region(block).values())
 
     def case_at(self, region: Mapping[str, slice]) -> Case:
-        """Return the case for a region of contacts; the values of its array parameters are left to `arrays`.
+        """Return the case for a region of contacts, without the values of its array parameters, which `arrays` returns.
 
         region: slice by dimension. In a sweep over maps, the case has the roughness of the first map in the region.
         """

@@ -2,8 +2,8 @@
 
 A bin has one sign, one exponent and the first seven binary digits of the fraction, so its width is at most 1/128 of its lower
 end. All histograms have the same bins, so the counts of parts add up exactly, in any order. A quantile is the centre of its
-bin, within 1/256 of the true value. Source: bins of constant relative width, which bound the relative error of quantiles and
-can be merged, Masson, Rim & Lee 2019 (DDSketch), section 2. The authors' package takes one value after another in Python,
+bin, within 1/256 of the true value. Source: Masson, Rim & Lee 2019 (DDSketch), section 2. Bins of constant relative width bound
+the relative error of quantiles and can be merged. The authors' package processes one value after another in Python and is
 thirty times slower.
 """
 
@@ -25,7 +25,7 @@ PERCENTILES: Mapping[str, float] = {
 _CUT = 52 - 7  # binary digits that are left out of the 52 that a number has
 _FLIPPED = np.int64(2**63 - 1)  # all bits but the sign; flipping them puts negative numbers in ascending order
 _MIDDLE = 1 << (63 - _CUT)  # bin numbers below belong to negative values
-_AT_ONCE = 250_000  # counts that are added in one step; so many fit into the cache of a processor
+_AT_ONCE = 250_000  # counts that are added in one step; this number fits into the cache of a processor
 
 
 def bin_numbers(values: np.ndarray) -> np.ndarray:

@@ -38,7 +38,7 @@ def sweep(
     case : path, or dict like a case file
         Case whose numbers may be lists or ranges.
     out : path
-        Folder of the store: new, or one of this case, which is then completed.
+        Folder of the store: a new folder, or a store of this case, which is then completed.
     workers : int
         Number of processes on this machine.
     scheduler : str, optional
@@ -50,8 +50,8 @@ def sweep(
     Returns
     -------
     xarray.Dataset
-        The store, read from disk when needed: results as from `solve`, over the dimensions of the array parameters (or over
-        `sample`) and the loads or separations; and `validity_warnings`, bit flags whose meaning is in the attributes
+        The store, read from disk when needed. It has the results of `solve` over the dimensions of the array parameters (or
+        over `sample`) and the loads or separations; and `validity_warnings`, bit flags whose meaning is in the attributes
         flag_masks and flag_meanings.
 
     Raises

@@ -1,6 +1,6 @@
 """Read and write the store of a sweep: a zarr 3 folder of chunked, labelled arrays, which xarray.open_zarr opens.
 
-Each block is one chunk of every array and is written by itself. Its row in `validity_warnings_by_block` is written last and
+Each block is one chunk of every array and is written separately. Its row in `validity_warnings_by_block` is written last and
 marks the block as done. zarr moves complete files into place, so that no file is half written. An interrupted block is computed
 again, with the same bits.
 """

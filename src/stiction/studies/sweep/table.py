@@ -9,7 +9,7 @@ from stiction.quantities.inputs import Input, Seed
 from stiction.studies.sweep.quantile_counts import PERCENTILES
 
 Method = Literal["grid", "list", "sobol", "latin_hypercube"]
-_MOST_SOBOL, _MOST_HYPERCUBE = 2**32, 2**22  # a Latin hypercube is drawn whole, by every worker
+_MOST_SOBOL, _MOST_HYPERCUBE = 2**32, 2**22  # every worker samples the whole Latin hypercube
 LARGEST_BLOCK = 2**24
 MOMENTS = ("count", "mean", "standard_deviation", "least", "most")
 STATISTICS = (*MOMENTS, *PERCENTILES)

@@ -61,9 +61,9 @@ def _quantile(values: np.ndarray, shares: np.ndarray) -> np.ndarray:
 def with_bands(data: "xarray.Dataset", case: Case, choice: Choice, progress: Steps = iter) -> "xarray.Dataset":
     """Return the results of a case with quantiles over its uncertain numbers added.
 
-    data: results of the nominal contact. choice: the model. Added are NAME_quantile (quantile, ...) and NAME_quantile_error,
-    its standard error due to sampling. Without uncertain numbers the results are returned unchanged. For a model that solves
-    height maps, only a warning is added.
+    data: results of the nominal contact. choice: the model. The function adds NAME_quantile (quantile, ...) and
+    NAME_quantile_error, its standard error due to sampling. Without uncertain numbers the results are returned unchanged. For a
+    model that solves height maps, only a warning is added.
     """
     if not case.uncertain:
         return data
@@ -84,7 +84,8 @@ def with_bands(data: "xarray.Dataset", case: Case, choice: Choice, progress: Ste
 def _with_stated_values_beyond(data: "xarray.Dataset") -> "xarray.Dataset":
     """Return the dataset, with a warning if mu of the nominal contact is outside the interval of mu by more than 1 %.
 
-    This happens if mu has a maximum or minimum at the nominal values: all samples then lie on one side of it.
+    This happens if mu has a maximum or minimum at the nominal values: mu of all samples is then smaller, or larger, than the
+    nominal mu.
     """
     if "friction_coefficient_quantile" not in data:
         return data

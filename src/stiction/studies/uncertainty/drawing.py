@@ -113,8 +113,8 @@ def draw(
 
     shares: quantile levels (n, k) of the n samples, one column for each of the k entries in the case's `unknowns`. variants:
     models that may be used. rows: index of the variant that solves each sample, by default the first. names: results to return.
-    progress: wraps the list of batches. Raises InputError if the first variant refuses the nominal contact, if a variant solves
-    height maps, or if there are too many points.
+    progress: receives the list of batches and returns an iterator over it. Raises InputError if the first variant refuses the
+    nominal contact, if a variant solves height maps, or if there are too many points.
     """
     for variant in variants:
         if solves_maps(variant.choice):
@@ -199,7 +199,7 @@ def _layout(case: Case, variants: Sequence[Variant], names: Sequence[str]) -> Dr
     """Return Draws with the shapes and meanings of all results, from the nominal contact, but without samples.
 
     names: names of the results. Variants that refuse the nominal contact are ignored, except for the first. Raises InputError
-    or ArithmeticError if the first refuses it.
+    or ArithmeticError if the first variant refuses it.
     """
     draws = Draws()
     for index, variant in enumerate(variants):
