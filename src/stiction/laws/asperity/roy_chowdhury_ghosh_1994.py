@@ -43,7 +43,7 @@ def unit_root(a):
     The number of steps is fixed, because the compiler vectorises only loops in which every element takes the same number of
     steps. It is sufficient for every a.
     """
-    # For s^2 = -a > 0 the root is s + d with 2 s^2 d + 3 s d^2 + d^3 = 1. Both starts are upper bounds of it, and close.
+    # For s^2 = -a > 0 the root is s + d with 2 s^2 d + 3 s d^2 + d^3 = 1. Both starting values are close upper bounds.
     s = math.sqrt(max(-a, 0.0))
     v = s + 0.5 / max(s * s, 0.5) if a < 0.0 else 1.0 / max(a, 1.0)
     for _ in range(_STEPS):

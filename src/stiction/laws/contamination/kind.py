@@ -43,7 +43,7 @@ class Contamination(Addition, TangentialLaw):
         key "load". summed(law): sum of the resistance of `law` over all heights, per asperity. asperities: number of
         asperities.
         """
-        assert asperities is not None  # because the law needs the groups that determine it
+        assert asperities is not None  # the law requires groups that determine the number
         return {"friction_coefficient_scatter": quotient(np.sqrt(summed(self) / asperities), results["load"])}
 
 

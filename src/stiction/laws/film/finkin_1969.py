@@ -112,7 +112,7 @@ RECORD = FilmLaw(
     ),
     regimes=regimes,
     tangential="interface",
-    accuracy=2e-10,  # of loads at large separations, where sums over many separations lose digits
+    accuracy=2e-10,  # relative error of loads at large separations, where sums lose digits
     own_asperity=True,
     own_options={"bound": tuple(BOUNDS)},
     departures=(

@@ -46,7 +46,7 @@ from stiction.records.sources import Source
 def at_rest(w, load, slip_limited, yield_limited):
     """Return w, dw/du = 1, load, 0 and both resistances of a film that no longer deforms; the coordinate u is w.
 
-    The contact area is 0 here, because other regimes count it. load, slip_limited, yield_limited: the constant load and
+    The contact area is 0 here, because other regimes include it. load, slip_limited, yield_limited: the constant load and
     resistances.
     """
     return w, 1.0, load, 0.0, slip_limited, yield_limited

@@ -137,7 +137,7 @@ def of_map(
 
     if mode_mixity != "none":
         raise InputError(
-            "mode_mixity", mode_mixity, "none; slide() takes a law of mode mixity, because only shear changes the adhesion"
+            "mode_mixity", mode_mixity, "none; only slide() accepts a law of mode mixity, as only shear changes the adhesion"
         )
     bodies = bodies_of(contact)
     if yielding == "none":

@@ -63,7 +63,7 @@ def ellipses() -> Shapes:
     m1 = ratio * ratio  # b^2/a^2
     m = 1.0 - m1  # e^2
     K, E = ellipkm1(m1), ellipe(m)
-    dK, dE = (E - m1 * K) / (2.0 * m * m1), (E - K) / (2.0 * m)  # by m
+    dK, dE = (E - m1 * K) / (2.0 * m * m1), (E - K) / (2.0 * m)  # derivatives with respect to m
     t = (E * (1.0 + m1) - 2.0 * K * m1) / (E * m)
     # t = (1 + m1 - 2 m1 K/E) / m and dm/dratio = -2 ratio
     dt = (-1.0 + 2.0 * K / E - 2.0 * m1 * (dK * E - K * dE) / (E * E) - t) / m

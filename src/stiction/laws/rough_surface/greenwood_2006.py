@@ -8,9 +8,9 @@ $$
 $$
 
 ($\kappa_m$ is their mean, $r$ half of their difference). Greenwood found that Hertz's elliptic contact differs little from
-this. *Source*: [greenwood_2006], [nayak_1971]. *Check*: loads and areas agree with Bush et al. within 3 % for
-$\rho=NR\sigma$ from 0.017 to 0.3. The ratio $\kappa$ of area to load at light load tends to $\sqrt{2\pi}$ as there; its values
-are in the table on [that page](#bush_gibson_thomas_1975).
+this circular contact. *Source*: [greenwood_2006], [nayak_1971]. *Check*: loads and areas agree with Bush et al. within 3 % for
+$\rho=NR\sigma$ from 0.017 to 0.3. The ratio $\kappa$ of area to load at light load tends to $\sqrt{2\pi}$ in both models;
+values are in the table of [`bush_gibson_thomas_1975`](#bush_gibson_thomas_1975).
 """
 
 from functools import cache

@@ -1,7 +1,7 @@
 r"""Elastic-plastic contact by diffusion of the pressure distribution, with pressures up to the hardness: Persson 2001.
 
-*Assumes*: as [`persson_2001`](#persson_2001), with a second boundary at the hardness $H$, where the contact turns plastic and
-stays in contact. The hardness is the same at all scales. *Source*: [persson_2001_elastoplastic]; solved again here. The
+*Assumes*: as [`persson_2001`](#persson_2001), with a second boundary at the hardness $H$, where the contact becomes plastic
+and persists. The hardness is the same at all scales. *Source*: [persson_2001_elastoplastic]; solved again here. The
 probability density $P$ of the pressure $p$ obeys $\partial P/\partial G=\partial^2P/\partial p^2$. It starts as a delta
 function at the nominal pressure $p_0$ and is 0 at $p=0$ and at $p=H$. The solution as a series of sines of $n\pi p/H$ gives
 the elastic and the plastic contact area, divided by the nominal area,
@@ -11,9 +11,9 @@ $$
 \frac{A_\text{pl}}{A_n}=\frac{p_0}H+\sum_n(-1)^n\frac2{n\pi}\sin\frac{n\pi p_0}H\,e^{-n^2\pi^2G/H^2}
 $$
 
-with $G=(E^*h')^2/8$, the contact modulus $E^*$ and the root mean square gradient $h'$. The second follows from the probability
-flux out at $H$. Both areas together carry the load, $\int pP\,dp+HA_\text{pl}/A_n=p_0$. *Check* ($A_\text{el}/A_n$ and
-$A_\text{pl}/A_n$):
+with $G=(E^*h')^2/8$, the contact modulus $E^*$ and the root mean square gradient $h'$. The second formula follows from the
+probability flux through the boundary at $H$. Both areas together carry the load, $\int pP\,dp+HA_\text{pl}/A_n=p_0$. *Check*
+($A_\text{el}/A_n$ and $A_\text{pl}/A_n$):
 
 | $H/(E^*h')$ | $p_0/H$ | elastic | plastic |
 |---|---|---|---|

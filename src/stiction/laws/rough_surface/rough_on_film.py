@@ -66,7 +66,7 @@ _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(24)  # Gauss points of a spec
 # Ratios of largest to smallest wavenumber at which the bandwidth is tabulated.
 _RATIOS = np.concatenate([[1.0], 1.0 + np.geomspace(1e-4, 1.0, 60), np.geomspace(2.0, 1e12, 600)[1:]])
 _SOLVED_LOADS, _NEARLY_FLAT = 5, 0.98  # loads at which a map with its film is solved, up to this area over the nominal area
-_STEPS = 4  # powers of 10 per decade, of which the lightest solved pressure is one
+_PER_DECADE = 40  # the lightest solved pressure is 10^(k/40), with an integer k
 _TO_A_FACTOR_OF_E = 2  # tabulated pressures of the bare area of a map, per factor e
 _LEAST_AREA = 1e-300  # replaces an area of 0 in logarithms
 _SLOPES = -2.0, -0.5  # limits of the slope of a secant, which near convergence is a quotient of two rounding errors
@@ -304,7 +304,7 @@ def _elastic_on_map(pressure: np.ndarray, groups: Groups, surface: "HeightMap", 
 
     pressure (H,): nominal pressure divided by E* h'. slope: root mean square gradient h'. The contact is solved with its film
     at a few loads. The ratio of each solved area to the area law is interpolated in the logarithm of the pressure and applied
-    at all loads. If too few points touch at a load, the ratio at the lightest pressure 10^(k/4) with enough points is used.
+    at all loads. If too few points touch at a load, the ratio at the lightest pressure 10^(k/40) with enough points is used.
     """
     from scipy.interpolate import PchipInterpolator
 
@@ -320,9 +320,9 @@ def _elastic_on_map(pressure: np.ndarray, groups: Groups, surface: "HeightMap", 
     if not (some.size and points.solvable):
         return area
     nodes = np.exp(some if some.size <= _SOLVED_LOADS else np.linspace(some[0], some[-1], _SOLVED_LOADS))
-    lightest = 10.0 ** (math.floor(_STEPS * math.log10(nodes[0])) / _STEPS)
+    lightest = 10.0 ** (math.floor(_PER_DECADE * math.log10(nodes[0])) / _PER_DECADE)
     while float(law(np.array([lightest]))[0]) * points.finest_points < AT_LEAST:
-        lightest *= 10.0 ** (1.0 / _STEPS)
+        lightest *= 10.0 ** (1.0 / _PER_DECADE)
     of_law = law(nodes := np.unique(np.maximum(nodes, lightest)))
     solved = points.solved_with(compliance_of(groups, surface), nodes * slope, of_law)
     if not (there := np.isfinite(solved)).any():

@@ -19,8 +19,8 @@ $$
 c_4=\tfrac{9\pi}4(1-2\nu)\left(1-\tfrac\nu2\right),\qquad c_5=\tfrac32(1-2\nu)^2-\frac{0.56}{K_H^2\,r}
 $$
 
-0.2045 and 0.56 are $0.354/\sqrt3$ and $\tfrac92\cdot0.354^2$, rounded in print. The law therefore contains $Y=0.354H$,
-whatever the $k$ of the contact. *Check*, at $\nu=0.3$: $K_H=0.577$, $c_1=-0.284869$, $c_3=10.707750$, $c_4=2.403318$.
+0.2045 and 0.56 are $0.354/\sqrt3$ and $\tfrac92\cdot0.354^2$, rounded in print. The law therefore contains $Y=0.354H$, for any
+$k$ of the contact. *Check*, at $\nu=0.3$: $K_H=0.577$, $c_1=-0.284869$, $c_3=10.707750$, $c_4=2.403318$.
 
 | $\omega/\omega_c$ | 0.01 | 0.05 | 0.1 | 0.2 | 0.3 | 0.4 | 0.5 | 0.6 | 0.7 | 0.8 | 0.9 | 0.95 | 0.99 |
 |---|---|---|---|---|---|---|---|---|---|---|---|---|---|

@@ -25,7 +25,7 @@ form; it is a Chebyshev series in $s$ and $\nu$, computed from the stresses and 
 
 *Check*: first yield of the sheared contact, $\nu=0.3$; the last column is $p_0/Y$ for yield at the trailing edge:
 
-| $\mu=q_0/p_0$ | $p_0/Y$ | place $(x,z)/a$ | the trailing edge alone |
+| $\mu=q_0/p_0$ | $p_0/Y$ | position $(x,z)/a$ | the trailing edge alone |
 |---|---|---|---|
 | 0 | 1.6128 | (0, 0.481) | 4.3301 |
 | 0.05 | 1.6099 | (0.055, 0.481) | 3.4103 |

@@ -18,7 +18,7 @@ bodies or one rigid body:
 | $P/P_c$ | −0.5 | 0 | 2 | 10 |
 |---|---|---|---|---|
 | $T/P_c$ | 1.28338 | 1.81497 | 3.14362 | 6.01958 |
-| area when it peels over initial area | 0.6423 | 0.6300 | 0.6598 | 0.7458 |
+| area at peeling over initial area | 0.6423 | 0.6300 | 0.6598 | 0.7458 |
 
 *Caution*: real contacts shrink much less under shear than the last line of the table states, and a uniform interfacial shear
 stress would not change JKR's contact ([menga_carbone_dini_2018], [papangelo_ciavarella_2018]).

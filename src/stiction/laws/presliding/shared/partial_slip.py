@@ -22,7 +22,7 @@ from stiction.laws.segment import NormalSegment, TangentialResistance
 from stiction.records.registry import TangentialLaw
 
 _DEEPEST = 100.0  # displacement over sigma beyond which no asperity contributes
-_MOST = 4  # changes between sticking and sliding that are searched for on a segment
+_MOST = 4  # largest number of changes between sticking and sliding on a segment
 
 
 @cache
