@@ -94,7 +94,7 @@ class Case:
 
     @property
     def unknowns(self) -> dict[str, list[Uncertain]]:
-        """Return lists of uncertain numbers by sample dimension; those of one dimension are sampled at the same quantiles."""
+        """Return lists of uncertain numbers by sample dimension; numbers of one dimension are sampled at the same quantiles."""
         by_dimension: dict[str, list[Uncertain]] = {}
         for number in self.uncertain:
             by_dimension.setdefault(number.dimension, []).append(number)

@@ -251,12 +251,12 @@ class Indices(Subject):
 
     @property
     def strength_over_bodies(self) -> "NumberOrArray | None":
-        """Return the shear strength of the interface divided by that of the weaker surface; None if unknown."""
+        """Return the shear strength of the interface divided by the shear strength of the weaker surface; None if unknown."""
         return None if self.shear_strength is None else self.shear_strength / self.body_shear_strength
 
     @property
     def interface_strength(self) -> "NumberOrArray | None":
-        """Return the interfacial shear strength divided by hardness, at most that of the weaker surface; None if unknown."""
+        """Return the interfacial shear strength over hardness, at most the strength of the weaker surface; None if unknown."""
         strengths: Any = self.shear_strength, self.body_shear_strength
         return None if self.shear_strength is None else np.minimum(*strengths)
 

@@ -187,7 +187,7 @@ def work_of_adhesion(
     Notes
     -----
     The interfacial energy is zero for two bodies of one material in perfect registry. For other pairs, zero gives an upper
-    bound. The surface energies are those of clean surfaces; adsorbed layers lower the work of adhesion by one or two orders of
+    bound. The surface energies apply to clean surfaces; adsorbed layers lower the work of adhesion by one or two orders of
     magnitude.
 
     Examples
@@ -206,7 +206,7 @@ def work_of_adhesion(
 
 
 def preset_name(word: Any, field: str = "material", others: Sequence[str] = ()) -> str:
-    """Return the name of the preset material that a name, chemical symbol or formula stands for: "silver" for "Ag".
+    """Return the name of the preset material that a name, chemical symbol or formula denotes: "silver" for "Ag".
 
     Case matters only where it distinguishes presets: "tin" is the metal, "TiN" the nitride. field: name of the input, for the
     error. others: names of materials that the case defines, for the error. Raises InputError for an unknown or ambiguous word.

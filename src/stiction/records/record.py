@@ -147,7 +147,7 @@ def _from_package(folder: str) -> tuple[Record, ...]:
 
 
 def of_kind(kind: type[_R]) -> dict[str, _R]:
-    """Return all records of one kind by key, in alphabetical order, with those of plug-ins; kind: a class, such as FilmLaw."""
+    """Return all records of one kind by key, in alphabetical order, including records of plug-ins; kind: a class."""
     everybody = (*(record for record, _ in _from_plug_ins()), *_from_package(_package(kind)))
     matches = [record for record in everybody if isinstance(record, kind) and record.kind == kind.kind]
     return {record.key: record for record in sorted(matches, key=lambda record: record.key)}

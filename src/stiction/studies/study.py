@@ -20,7 +20,7 @@ class Study:
     - case: what the case file must contain, for the help
     - plan(case, **options): reads and checks the case file at the path `case`, and returns a plan without long computations.
       Its parameters are the options of the command. Shared options need no description: load, ranges, model, ..., `out` (folder
-      for results, or None) and `options` (those of models and laws).
+      for results, or None) and `options` (options of models and laws).
     - run(plan, progress): computes the results and returns the arguments of the view, the function FOLDER_view in
       report/views/FOLDER.py, where FOLDER is the name of the study's folder. Without this file, run returns a tuple with one
       dataset, which is shown as tables. A run with a parameter `callback` instead of `progress` receives a function that shows

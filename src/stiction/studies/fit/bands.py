@@ -71,7 +71,7 @@ def draws_of(fit: Fitted, seed: int = 1) -> tuple[np.ndarray, float]:
     return sets[mixed[np.minimum(chosen, len(sets) - 1)]], effective
 
 
-_DEGREES = 4.0  # degrees of freedom of Student's t, so that its tails are wider than those of the likelihood
+_DEGREES = 4.0  # degrees of freedom of Student's t, so that its tails are wider than the tails of the likelihood
 
 
 def _student(uniform: np.ndarray) -> np.ndarray:
@@ -128,7 +128,7 @@ def check_predicted(plan: FitPlan) -> None:
     sizes = {dim: size for array in arrays.values() for dim, size in getattr(array, "sizes", {}).items()}
     count = math.prod(sizes.values()) * (points if isinstance(points, int) else 1)
     if count > _MOST_PREDICTED:
-        raise InputError("fit.predict", InWords(f"{count} points with those of [solve]"), f"{_MOST_PREDICTED} at most")
+        raise InputError("fit.predict", InWords(f"{count} points with the points of [solve]"), f"{_MOST_PREDICTED} at most")
 
 
 def _predicted_numbers(plan: FitPlan) -> dict[Address, Any]:

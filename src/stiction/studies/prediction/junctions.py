@@ -2,15 +2,15 @@
 
 Growth: a plastic junction under the shear stress tau obeys p^2 + alpha tau^2 = H^2 (Tabor 1959), with its mean pressure p and
 the hardness H. The pressure falls, and the area grows by 1/sqrt(1 - c^2), where c = tau_0/tau_b is the shear strength of the
-interface over that of the body. A junction that stays elastic up to the pressure H sqrt(1 - c^2) does not grow. Three
-assumptions are sampled with weights set by judgement: no growth; a bulk that shears at Y/sqrt(3) (yield stress Y, von Mises);
-and a junction that hardens until its bulk shears at up to H/3 if the interface is as strong as the body (alpha = 9, Tabor's
-experiments, the largest weight). As the body hardens, an interface that is given by its state hardens too. An interface whose
-strength is stated as a number, below half of the body's strength, does not harden; such a junction grows less. If the stated
-strength is between half of the body's strength and all of it, the degree of hardening is sampled. None of the three assumptions
-limits growth for c near 1, so that c is limited to 0.999. On a film of thickness t the growth is raised to the power 1/(1 +
-a/t) for a spot of radius a (judgement): a narrow spot is a junction of the bulk film; the body below supports a wide spot. The
-shear strength of an interface state that was measured on films already includes growth.
+interface over the shear strength of the body. A junction that stays elastic up to the pressure H sqrt(1 - c^2) does not grow.
+Three assumptions are sampled with weights set by judgement: no growth; a bulk that shears at Y/sqrt(3) (yield stress Y, von
+Mises); and a junction that hardens until its bulk shears at up to H/3 if the interface is as strong as the body (alpha = 9,
+Tabor's experiments, the largest weight). As the body hardens, an interface that is given by its state hardens too. An interface
+whose strength is stated as a number, below half of the body's strength, does not harden; such a junction grows less. If the
+stated strength is between half of the body's strength and all of it, the degree of hardening is sampled. None of the three
+assumptions limits growth for c near 1, so that c is limited to 0.999. On a film of thickness t the growth is raised to the
+power 1/(1 + a/t) for a spot of radius a (judgement): a narrow spot is a junction of the bulk film; the body below supports a
+wide spot. The shear strength of an interface state that was measured on films already includes growth.
 
 Squeeze: a soft film of thickness t and hardness H_f between harder bodies bears a mean pressure up to H_f (1 + a/(7.3 t)) in a
 spot of radius a, the pressure of a plastic layer that sticks to both faces (Hill 1950). The pressure is limited by the hardness

@@ -38,7 +38,7 @@ _DRY, _WET = (
 _ADHESION_ERROR = 0.25  # standard deviation of ln of the factor, over ln of the factor
 _MERGING, _POWER = 4.0, 0.9  # c - 1 at U/w = 1, and the power of w/U with which it grows
 _FLAT = 1e6  # factor of the area of surfaces that adhesion pulls into full contact
-# Mean and standard deviation of ln(increase of the area by menisci on solved maps over that of the meniscus law).
+# Mean and standard deviation of ln of a ratio: increase of area by menisci on solved maps over increase by the meniscus law.
 _MENISCUS_BIAS, _MENISCUS_ERROR = 0.7, 0.53
 
 

@@ -119,7 +119,7 @@ def _pull_off_force(sampled: SampledCase) -> float:
 
 
 def _by_strength(samples: Samples, index: int) -> float:
-    """Return the median fraction of friction that tau_0 causes; the pressure coefficient causes the rest.
+    """Return the median fraction of friction that tau_0 causes; the pressure coefficient causes the remaining friction.
 
     index: position of the load among the loads of the prediction.
     """
@@ -199,7 +199,7 @@ def warnings_of(
     is_open = not is_flat and pressure < _PLASTIC
     decides = not shares or shares.get("area model", 0.0) > _DECIDES
     if decides and (is_open or contact.has_film) and _kind_is_missing(mixture):
-        text = "The kind of surface is not stated: with the same numbers, the contact area can differ several times."
+        text = "The kind of surface is not stated: with the same numbers, the contact area can differ severalfold."
         first = shares.get("area model", 0.0) > shares.get("interface", 0.0)
         warnings.insert(0 if first else len(warnings), text)
     if decides and is_open and max(float(law.far[index] * law.weight[index]) * law.far_error for law in mixture.laws) > 0.2:

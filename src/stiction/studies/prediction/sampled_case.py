@@ -133,7 +133,7 @@ class SampledCase:
 
     @cached_property
     def gaussian_share(self) -> np.ndarray:
-        """Return the degree, 0 to 1, to which the asperities are those of a Gaussian surface, at each of m points (m,).
+        """Return the degree, 0 to 1, to which the asperities agree with a Gaussian surface, at each of m points (m,).
 
         A point is a contact at a load. N, R and sigma are density, radius and height deviation of asperities. The degree is 1
         if N R sigma reaches the smallest value of a Gaussian surface, and 0 at half of this value or less. The transition

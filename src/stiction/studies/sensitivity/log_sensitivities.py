@@ -113,7 +113,7 @@ def log_sensitivities(case: Case, choice: Choice, names: Sequence[str] = OUTPUTS
 def log_sensitivities_of_prediction(case: Case, load: float) -> dict[str, float]:
     """Return d ln mu/d ln x for the median mu of a prediction at a load [N], by name of the number x.
 
-    The derivative is the slope between ln x - 0.05 and ln x + 0.05. The numbers include those of a named interface.
+    The derivative is the slope between ln x - 0.05 and ln x + 0.05. The numbers include the numbers of a named interface.
     """
     inputs, stepped, steps = _stepped_case(case, _WIDE)
     numbers, mu = stepped.numbers_at(steps), np.full(len(steps), np.nan)

@@ -55,7 +55,7 @@ def film_stresses(
     model : str, optional
         Key of a rough-surface model (`st.models()`), as in `solve`.
     heights : Heights or str, optional
-        Height distribution, or its name; by default that of the contact, or Gaussian.
+        Height distribution, or its name; by default the distribution of the contact, or Gaussian.
     **laws : str, optional
         Laws and options of the model by keyword, as in `solve`; the film law is "layered".
 
