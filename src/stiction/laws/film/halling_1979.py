@@ -57,7 +57,7 @@ def _formulas(modulus_key: str, hardness_key: str) -> tuple[Any, Any, Any]:
     """Return three formulas: response of the elastic asperity, response of the plastic asperity, and whether it yields.
 
     modulus_key, hardness_key: keys of the composite laws for modulus and hardness. The formulas take 15 parameters, in the
-    order of `segments`; those of the responses also take the displacement at yield.
+    order of `segments`; the response formulas also take the displacement at yield.
     """
     modulus, hardness = composites_of("modulus")[modulus_key].value, composites_of("hardness")[hardness_key].value
 

@@ -26,8 +26,8 @@ $$
 and for $\omega>t$, where $b^2=-g^2$: $c=g\coth[\operatorname{arsinh}(g/\sqrt{2Rt})+mg]$. The tangential force comes from a law
 of the interface, with the shear strength $\tau_0$ on the whole area $2\pi R\omega$. Values of $\tau_0$ above $k_f$ have no
 meaning, because the film shears first. For $\tau_0$ below $k_f$ the film would slip, and its pressure in the centre would rise
-less than computed here, down to half. A film harder than its substrate ($n_H>1$) counts as equally hard, so the pressure is $H$
-everywhere.
+less than computed here, down to half. A film harder than its substrate ($n_H>1$) is treated as equally hard, so the pressure
+is $H$ everywhere.
 
 *Limit*: in a thick film the pressure is the film's hardness, $\mu=\tau_0/H_f$; with zero thickness the plastic substrate
 remains, $\mu=\tau_0/H$. In a shallow contact the gap has constant height, and the mean pressure is $H_f+2k_fa/(3t)$. *Check*
@@ -146,8 +146,8 @@ def depth_beyond(w, *row):
 def parameters(groups: Groups) -> tuple[np.ndarray, ...]:
     """Return the five parameters (n,) of the formulas: tau, hill, bound, edge and more, as in `squeezed`.
 
-    A film harder than its substrate counts as equally hard, and a film of zero thickness as extremely thin. groups:
-    dimensionless groups of n coated contacts.
+    A film harder than its substrate is treated as equally hard; a film of zero thickness is replaced by an extremely thin one.
+    groups: dimensionless groups of n coated contacts.
     """
     laws = len(groups)
     n_H, aspect = np.broadcast_to(np.minimum(groups.n_H, 1.0), laws), np.broadcast_to(groups.film_aspect, laws)

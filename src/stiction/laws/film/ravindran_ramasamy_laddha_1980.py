@@ -27,8 +27,8 @@ $$
 
 $C$ is `friction_constant` of the coating (`film_friction_constant` of indices is $C/(K\sqrt{R\sigma})$); together with
 $\tau_0$ it determines $q$. If it is not given, $q=1$, and the substrate takes part once the displacement exceeds the film
-thickness. $\tau_0$ comes from a tangential law of the interface. A film harder than its substrate ($n_H>1$) counts as equally
-hard, $p=\eta$.
+thickness. $\tau_0$ comes from a tangential law of the interface. A film harder than its substrate ($n_H>1$) is treated as
+equally hard, $p=\eta$.
 
 *Check*: $\mu=\tau_0/(4^{1/3}H_f)=0.62996\,\tau_0/H_f$ for one sphere with $W=8\pi RH_ft$ and $q=1$. The powers of $t$ and $W$
 are exact between the two limits, whose loads differ by the factor $n_H^{-3}$. *Limit*: $\mu=\tau_0/H_f$ for a thick film,

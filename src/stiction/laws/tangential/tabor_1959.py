@@ -53,7 +53,7 @@ def grown_area(load, area, eta, share):
     """Return the contact area at which the interface of a junction slides, or `area` if the junction does not grow.
 
     Units: load W in K R^(1/2) sigma^(3/2), areas in pi R sigma. area: contact area before shear. eta: hardness group; load/eta
-    represents W/H, with the hardness H. share: c, strength of the interface divided by that of the bulk. The area A follows
+    represents W/H, with the hardness H. share: c, strength of the interface divided by the bulk's. The area A follows
     from W^2 + alpha T^2 = H^2 A^2 with the force of the interface, T = c H A/sqrt(alpha). A mean pressure above H counts as H.
     """
     return max(area, min(load / eta, area) / math.sqrt((1.0 - share) * (1.0 + share)))

@@ -28,8 +28,8 @@ def stiffness(u, bodies):
 
     K_eff/K_s is the ratio (S5.11) of the contact modulus with the film to that without it, at the contact radius a = sqrt(R
     sigma) u^2. The weight is averaged over the coated bodies. bodies: two bounds on the result (unused here), sqrt(R sigma)
-    divided by the film thickness on one body, then the first four fields of `TwoBodies`, and for each body the mean of its
-    own Poisson's ratio and that of the film.
+    divided by the film thickness on one body, then the first four fields of `TwoBodies`, and for each body the mean of its own
+    Poisson's ratio and the film's.
     """
     _, _, per_aspect, first, second, s, films, nu_first, nu_second = bodies
     share, slope = modulus_share(u * u * per_aspect, nu_first)

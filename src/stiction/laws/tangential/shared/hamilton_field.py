@@ -35,8 +35,8 @@ def pressed(x: ArrayLike, y: ArrayLike, z: ArrayLike, nu: ArrayLike) -> Stress:
     """Return the six stresses (x, y, z, xy, yz, xz) in a half-space under the pressure p0 sqrt(1 - r^2) alone, in units of p0.
 
     x, y, z: coordinates of a point, with the depth z >= 0. r: distance from the axis. Lengths are in units of the contact
-    radius. nu: Poisson's ratio. All arguments are broadcast. Tension is positive. Source: Hamilton (1983), the stresses of
-    the normal load. In the cylindrical coordinates r, theta, z they are those of Huber (1904).
+    radius. nu: Poisson's ratio. All arguments are broadcast. Tension is positive. Source: Hamilton (1983), the stresses of the
+    normal load. In the cylindrical coordinates r, theta, z they agree with Huber (1904).
     """
     x, y, z, nu = np.broadcast_arrays(*(np.asarray(value, dtype=float) for value in (x, y, z, nu)))
     M, N, S, phi, cos, sin = _spheroidal(x, y, z)

@@ -26,7 +26,7 @@ _MOST = 2  # crossings on a segment: the pressure rises above the value, and may
 
 
 def interface_over_bulk(groups: Groups, alpha: str) -> np.ndarray:
-    """Return c = sqrt(alpha) tau_0/H (n,), the ratio of the interface's shear strength to that of the bulk.
+    """Return c = sqrt(alpha) tau_0/H (n,), the ratio of the interface's shear strength to the bulk's.
 
     alpha: key of ALPHA, the factor in the yield criterion p^2 + alpha tau^2 = H^2 of a junction under the mean pressure p and
     the mean shear stress tau. H: hardness. tau_0: shear strength of the interface.

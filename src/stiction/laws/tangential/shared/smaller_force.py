@@ -19,7 +19,7 @@ class Force(NamedTuple):
     """Hold a formula of (u, load, area, row) and its parameters as columns, arrays (n,); row has one value of each column.
 
     The formula of a peeling force returns the force. The formula of a yield force returns two numbers: one that is negative
-    where the force is not real, and the force itself. A force that is negative or not real counts as 0.
+    where the force is not real, and the force itself. A force that is negative or not real is replaced by 0.
     """
 
     formula: Callable
