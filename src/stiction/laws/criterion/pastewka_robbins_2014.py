@@ -82,7 +82,7 @@ RECORD = Criterion(
         Source("nayak_1971", "gradient and curvature of the surface from sigma, R and N"),
     ),
     ratio=stickiness,
-    below="the contact sticks: it carries a tension when pulled apart",
+    below="the contact sticks: separating the bodies needs a tensile force",
     above="the contact does not stick: it needs a load",
     verified="the same ratio computed in SI units, to rounding",
     needs=("theta", "roughness_parameter", "tabor_parameter"),

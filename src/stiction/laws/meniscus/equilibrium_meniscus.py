@@ -28,7 +28,8 @@ displacement $w$ of the asperity; negative $w$ is a gap. $P$ is added to the loa
 An asperity that does not touch is bridged by liquid and attracted if its gap is below $2rc$. The force of all menisci is at
 most Laplace's pressure on the area where the solids do not touch, $\gamma_\mathrm L(A_n-A)/r$. The meniscus has no contact
 area and no resistance to sliding. It presses the solids together, and the tangential law uses the load that they carry. The
-work of adhesion of the contact, if any, is that of the solids inside the liquid. With a film, the liquid is on the film.
+work of adhesion of the contact, if any, is the work of adhesion of the solids inside the liquid. With a film, the liquid is on
+the film.
 
 *Limit*: as the humidity tends to zero, $w_\mathrm m\to0$, but touching asperities still have the full force, because the force
 in contact does not depend on $r$. If $r$ is only a few molecular diameters, no such meniscus exists. Results carry a validity

@@ -13,7 +13,7 @@ $$
 Its summits have the height deviation $\sigma$, the number per area $N$ and the mean curvature $1/R$ of the contact. Below
 $\rho=NR\sigma=0.01581$ no such surface exists, and an error is raised. The paper's own result is that area and load become
 proportional: $\kappa$ in $A/A_n=\kappa\,p/(E^*h')$ tends to $\sqrt{2\pi}=2.5066$ at light load, slowly and from below, so that
-area and load are proportional only at separations beyond those of any real contact. $A/A_n$ is contact area divided by nominal
+area and load are proportional only at separations larger than in any real contact. $A/A_n$ is contact area divided by nominal
 area, $p$ the nominal pressure, $E^*$ the contact modulus and $h'$ the root mean square gradient. *Check*: $\kappa$ of this and
 of the simplified model [`greenwood_2006`](#greenwood_2006) for the bandwidth parameter $\alpha=m_0m_4/m_2^2$ at the separation
 $h$ (in units of $\sigma$, from the mean summit height):

@@ -17,8 +17,8 @@ first yield changes. The maximum over all directions around the axis is exact; t
 plane of symmetry.
 
 *Results for films*: a soft film yields in the middle of the sheared surface. A stiff film is bent by the load. It yields at
-its interface below the axis ($a\approx t$) or, for wider contacts, where it is stretched over the body like a membrane. It
-then yields under a small load.
+its interface below the axis ($a\approx t$) or, for wider contacts, where it is stretched over the body like a membrane. There
+it yields under a small load.
 
 *Limit*: [`hamilton_1983`](#hamilton_1983) without a film, for a film of the same material as its body, and with the film's
 groups for $t\to\infty$. A very thin film is stretched with its body and yields accordingly. *Check*, for $\nu=0.3$, $Y_f=Y_s$

@@ -46,8 +46,8 @@ def edge_root(u, load, area, row):
 def edge_columns(groups: Groups) -> tuple[np.ndarray, ...]:
     """Return the parameters of `edge_root`, each an array (n,), for yield at the trailing edge of a contact with a film.
 
-    groups: dimensionless groups of n contacts with all defaults filled in, from `Groups.resolved`. If the film thickness is
-    0, the parameters are those of the bare body.
+    groups: dimensionless groups of n contacts with all defaults filled in, from `Groups.resolved`. If the film thickness is 0,
+    the parameters describe the bare body.
     """
     laws = len(groups)
     different, which = bodies_of(groups)
