@@ -77,8 +77,8 @@ async def _until(user: User, wanted) -> None:
 
 
 def _card(user: User) -> str:
-    """The answer card, as HTML."""
-    return _elements(user, ui.html)[0].content
+    """The answer card, as HTML, with plain spaces for those at which lines do not break."""
+    return _elements(user, ui.html)[0].content.replace("\N{NO-BREAK SPACE}", " ")
 
 
 def _mu(user: User) -> str:

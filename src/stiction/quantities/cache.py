@@ -1,4 +1,4 @@
-"""Write files to the cache on disk, and delete old ones; the cache holds results that can be computed again."""
+"""Write files to the cache on disk, and delete old ones; the cache contains results that can be computed again."""
 
 import os
 import time

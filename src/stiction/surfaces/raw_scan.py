@@ -50,7 +50,7 @@ class Reader:
 def no_channel(channel) -> None:
     """Raise InputError unless `channel` is None; for files that have no channels."""
     if channel is not None:
-        raise InputError("channel", channel, "no value, because the file holds only one map")
+        raise InputError("channel", channel, "no value, because the file contains only one map")
 
 
 def ends_in_a_line(path: Path) -> tuple[str, ...]:

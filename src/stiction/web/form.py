@@ -304,7 +304,7 @@ class Form:
         return with_value_at(tables, INTERFACE, state if allowed else None)
 
     def _interface(self, part: Part) -> None:
-        """Add a menu of interface states and, if the strength is stated by number instead, the fields of its numbers."""
+        """Add a menu of interface states and, if the strength is specified by numbers instead, the fields of these numbers."""
         tables, numbers = self._explorer.query.tables, list(numbers_of(part))
         stated = any(value_at(tables, one.path) is not None for one in numbers)
         state = value_at(tables, part.path)

@@ -25,7 +25,7 @@ from stiction.web.pictures import drawing_of, show_drawing
 from stiction.web.study_button import Study
 
 _NO_CLAIM = "none"
-_NO_ADHESION = "No work of adhesion is stated, so both indices are infinite: enter one to place the contact."
+_NO_ADHESION = "Without a work of adhesion both indices are infinite: enter one to place the contact."
 _INDICES = {
     "theta": 40.0,
     "lam": 10.0,
