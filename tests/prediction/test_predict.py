@@ -10,7 +10,9 @@ from scipy.optimize import brentq
 from scipy.stats import norm
 
 import stiction as st
+from stiction.case.read import case_in
 from stiction.studies.prediction.area import grown_to
+from stiction.studies.prediction.finish import with_finish
 from stiction.studies.prediction.junctions import grown, squeezed
 from stiction.surfaces.theory.moments import LEAST_DENSITY
 
@@ -375,3 +377,25 @@ def test_the_area_of_a_worn_surface_grows_steadily_with_a_light_load():
     area = st.predict(worn, load=load).contact_area.values
     power = np.diff(np.log(area)) / np.diff(np.log(load))
     assert 0.2 < power.min() and power.max() < 2.0
+
+
+def test_an_uncertain_height_beside_a_finish_is_sampled():
+    """Sq of 200 nm +/- 40 nm: asperities are as scattered as it is, and mu of an elastic contact, which has the same slope,
+    is not."""
+    hard = {"youngs_modulus": "1 GPa", "poissons_ratio": 0.3, "hardness": "100 GPa"}
+    table = {"first": hard, "second": hard, "interfacial_shear_strength": "1 MPa", "nominal_area": "1 cm^2"}
+    exact, scattered = (
+        {"contact": table | {"roughness": {"rms_height": height, "finish": "polished"}}, "solve": {"load": "10 N"}}
+        for height in ("200 nm", "200 +/- 40 nm")
+    )
+    spread = []
+    for given in (exact, scattered):
+        sigma = with_finish(case_in(given)).uncertain[0]
+        assert sigma.name == "asperity_height_deviation"
+        values = sigma.at(np.linspace(0.005, 0.995, 200))
+        spread.append(np.std(values) / np.mean(values))
+    assert spread[1] == pytest.approx(math.hypot(0.2, spread[0]), rel=0.05)
+    found = [st.predict(given) for given in (exact, scattered)]
+    for end in ("_low", "", "_high"):
+        first, second = (one[f"friction_coefficient{end}"].item() for one in found)
+        assert second == pytest.approx(first, rel=0.05)

@@ -6,11 +6,12 @@ import numpy as np
 
 from stiction.case.distribution import of_samples
 from stiction.case.read import Case
-from stiction.case.uncertain import Uncertain
+from stiction.case.uncertain import SAMPLE, Uncertain
 from stiction.contact.contact import Contact
 from stiction.quantities.errors import InputError, InWords
 from stiction.quantities.sampling import sobol_points
 
+_HEIGHTS = ("rms_height", "mean_height")
 _NUMBERS = ("asperity_height_deviation", "asperity_radius", "asperity_density")
 _NAME = "finish of the surface"  # sample dimension of the three parameters, which are sampled together
 _ROWS, _SEED = 512, 1
@@ -20,9 +21,9 @@ SHARPEST = 1.0  # largest sigma/R: asperities higher than the radius of their ti
 def with_finish(case: Case) -> Case:
     """Return the case with roughness parameters left open by its surface finish as uncertain numbers.
 
-    These are height deviation, radius and density of asperities, which are sampled together. Samples with a height deviation
-    above the radius are excluded, unless that would exclude all samples. A case that states all three, or has a scan, is
-    returned unchanged. Raises InputError if a number of the roughness is an array.
+    These are height deviation, radius and density of asperities, which are sampled together; an uncertain Sq or Ra is part of
+    them. Samples with a height deviation above the radius are excluded, unless that would exclude all samples. A case that
+    states all three, or has a scan, is returned unchanged. Raises InputError if a number of the roughness is an array.
     """
     contact = case.subject
     if not isinstance(contact, Contact) or not contact.roughness.unknowns or contact.measured is not None:
@@ -30,12 +31,15 @@ def with_finish(case: Case) -> Case:
     if any(True for _ in contact.roughness.arrays()):
         allowed = "single numbers for a surface with a finish; a case file may state several"
         raise InputError("roughness", InWords("several heights"), allowed)
-    open_numbers = len(contact.roughness.unknowns)
-    points = sobol_points(open_numbers, _ROWS, _SEED)
-    drawn = np.array(contact.roughness.drawn(np.clip(points.T, 1e-6, 1.0 - 1e-6)))
+    heights = [number for number in case.uncertain if number.path[-1] in _HEIGHTS]
+    points = sobol_points(len(heights) + len(contact.roughness.unknowns), _ROWS, _SEED)
+    levels = np.clip(points.T, 1e-6, 1.0 - 1e-6)
+    sampled = {number.path: number.array(number.at(row), SAMPLE) for number, row in zip(heights, levels, strict=False)}
+    surfaces = case.at(sampled).subject.roughness  # type: ignore[union-attr]
+    drawn = np.array(surfaces.drawn(levels[len(heights) :]))
     possible = drawn[0] <= SHARPEST * drawn[1]
     drawn = drawn[:, possible] if possible.any() else drawn
     order = np.argsort(drawn[1], kind="stable")  # by radius, so that neighbouring quantile levels give similar surfaces
     paths = [("contact", "roughness", name) for name in _NUMBERS]
     more = [Uncertain.of(path, of_samples(path[-1], row[order], False), _NAME) for path, row in zip(paths, drawn, strict=True)]
-    return replace(case, uncertain=(*case.uncertain, *more))
+    return replace(case, uncertain=(*(number for number in case.uncertain if number not in heights), *more))
