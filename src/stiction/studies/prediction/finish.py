@@ -35,7 +35,7 @@ def with_finish(case: Case) -> Case:
     points = sobol_points(len(heights) + len(contact.roughness.unknowns), _ROWS, _SEED)
     levels = np.clip(points.T, 1e-6, 1.0 - 1e-6)
     sampled = {number.path: number.array(number.at(row), SAMPLE) for number, row in zip(heights, levels, strict=False)}
-    surfaces = case.at(sampled).subject.roughness  # type: ignore[union-attr]
+    surfaces = case.at(sampled).subject.roughness  # type: ignore[attr-defined]
     drawn = np.array(surfaces.drawn(levels[len(heights) :]))
     possible = drawn[0] <= SHARPEST * drawn[1]
     drawn = drawn[:, possible] if possible.any() else drawn
