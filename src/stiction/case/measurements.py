@@ -148,7 +148,7 @@ def _is_data_line(line: str) -> bool:
 
 def _column(head: str, content: Mapping) -> _Column:
     match = _HEAD.fullmatch(head)
-    if match is None:
+    if match is None or not match[1][0].isalpha():
         raise InputError("--data", head, _FORM)
     name, unit = match[1], match[2] or ""
     if name == _SAMPLE or name in _NOTES:

@@ -229,9 +229,8 @@ def preset_name(word: Any, field: str = "material", others: Sequence[str] = ()) 
 
 
 def symbols_of(name: str) -> tuple[str, ...]:
-    """Return the chemical symbols, formulas and designations that only this preset has, in the order of its file."""
-    every = [symbol for preset in _presets().values() for symbol in preset.symbols]
-    return tuple(symbol for symbol in _presets()[name].symbols if every.count(symbol) == 1)
+    """Return the chemical symbols, formulas and designations of a preset, in the order of its file."""
+    return tuple(_presets()[name].symbols)
 
 
 def remaining_notes(source: Any, ranges: Mapping[str, Any], changes: Mapping[str, object]) -> dict[str, Any]:
