@@ -5,8 +5,8 @@ from markdown_table import table
 import stiction as st
 from stiction.quantities.data_files import GRADES
 from stiction.quantities.ranges import range_in_words
+from stiction.quantities.shown import show
 from stiction.quantities.table import QUANTITIES
-from stiction.quantities.units import show
 from stiction.report.lists import grade_of, median_in_words, range_of
 from stiction.surfaces.finishes import NUMBERS, finishes
 

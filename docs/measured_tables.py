@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 from markdown_table import table
 
 import stiction as st
-from stiction.quantities.units import show
+from stiction.quantities.shown import show
 from stiction.studies.validation import LEVELS, entries_in, read_entry
 
 if TYPE_CHECKING:

@@ -9,9 +9,9 @@ from .contact.materials import material as material
 from .contact.materials import work_of_adhesion as work_of_adhesion
 from .engine.heights import height_distribution as height_distribution
 from .engine.tiers import show_config as show_config
+from .quantities.dimensions import axis as axis
 from .quantities.errors import InputError as InputError
 from .quantities.errors import InputWarning as InputWarning
-from .quantities.units import axis as axis
 from .report.export import export as export
 from .report.html_report import write_report as write_report
 from .report.notebook import summary as summary

@@ -11,8 +11,8 @@ from scipy.optimize import brentq
 from refusals import refusal
 from stiction.contact.contact import Coating, Contact, Indices
 from stiction.contact.materials import Material, material, work_of_adhesion
+from stiction.quantities.dimensions import axis
 from stiction.quantities.errors import InputError
-from stiction.quantities.units import axis
 from stiction.solving.solve import solve
 from stiction.surfaces.roughness import Roughness
 

@@ -7,7 +7,7 @@ import pytest
 from scipy.stats import norm
 
 import stiction as st
-from stiction.quantities.units import show
+from stiction.quantities.shown import show
 from stiction.report.answer import answer_lines, at_working_load, confidence, confidence_in, working_load_in_words
 from stiction.report.card import Card, card_of, shortened
 from stiction.studies.prediction.measured import interval_after_measuring

@@ -11,7 +11,8 @@ from stiction.case.text import show_exactly
 from stiction.cli import app
 from stiction.contact.liquid import Liquid
 from stiction.quantities.errors import InputError
-from stiction.quantities.units import show, to_si
+from stiction.quantities.shown import show
+from stiction.quantities.units import to_si
 
 WATER = {"relative_humidity": 0.6, "temperature": "20 degC"}
 CASE = (

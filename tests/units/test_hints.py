@@ -7,8 +7,9 @@ import pytest
 
 import stiction as st
 from refusals import refusal
+from stiction.quantities.dimensions import axis
 from stiction.quantities.errors import InputError
-from stiction.quantities.units import axis, to_si
+from stiction.quantities.units import to_si
 
 # ASTM E140, table 1 (steels that are not austenitic), as manuals print it: HRC -> HV
 PRINTED = {68: 940, 65: 832, 62: 746, 60: 697, 58: 653, 55: 595, 50: 513, 45: 446, 40: 392, 38: 372, 35: 345}

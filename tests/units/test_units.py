@@ -11,9 +11,11 @@ from hypothesis import strategies as st
 
 from refusals import refusal
 from stiction.quantities import units
+from stiction.quantities.dimensions import axis
 from stiction.quantities.errors import InputError
+from stiction.quantities.shown import show
 from stiction.quantities.table import QUANTITIES
-from stiction.quantities.units import axis, show, to_si
+from stiction.quantities.units import to_si
 
 
 @pytest.mark.parametrize(

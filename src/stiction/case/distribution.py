@@ -13,8 +13,8 @@ from typing import Any
 import numpy as np
 
 from stiction.quantities.errors import InputError
+from stiction.quantities.shown import show
 from stiction.quantities.table import QUANTITIES
-from stiction.quantities.units import show
 
 # Largest probability of values outside the bounds of the quantity; the distribution is cut off at the bounds.
 _BEYOND = 0.025

@@ -10,8 +10,8 @@ from pydantic import Field
 from stiction.case.swept import Address, read_ends
 from stiction.quantities.errors import InputError, field_below
 from stiction.quantities.inputs import Input
+from stiction.quantities.shown import show
 from stiction.quantities.table import QUANTITIES
-from stiction.quantities.units import show
 
 
 class Interval(Input):

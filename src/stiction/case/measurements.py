@@ -15,8 +15,9 @@ from stiction.case.addresses import address_of, subject_table
 from stiction.case.swept import Address
 from stiction.quantities.errors import InputError, InWords, field_named, nearest
 from stiction.quantities.paths import read_text
+from stiction.quantities.shown import show
 from stiction.quantities.table import QUANTITIES
-from stiction.quantities.units import show, to_si
+from stiction.quantities.units import to_si
 
 # Results that a file may hold as measured against load; the electrical contact resistance follows from the contact area.
 MEASURABLE = (

@@ -12,8 +12,9 @@ from stiction.case.distribution import Distribution, is_scipy_law
 from stiction.contact.subject import Subject
 from stiction.quantities.errors import InputError, InWords, field_as
 from stiction.quantities.inputs import Input, plain_number
+from stiction.quantities.shown import values_in_words
 from stiction.quantities.table import QUANTITIES
-from stiction.quantities.units import to_si, values_in_words
+from stiction.quantities.units import to_si
 
 if TYPE_CHECKING:
     import xarray

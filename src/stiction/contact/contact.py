@@ -19,8 +19,9 @@ from stiction.contact.subject import Scales, Subject
 from stiction.quantities.dimensions import coordinates, labelled
 from stiction.quantities.errors import InputError, InWords, explained, field_named
 from stiction.quantities.inputs import Number, OptionalNumber, by_default, plain_number
+from stiction.quantities.shown import show
 from stiction.quantities.table import QUANTITIES
-from stiction.quantities.units import show, to_si
+from stiction.quantities.units import to_si
 from stiction.surfaces.rough_input import Rough
 
 if TYPE_CHECKING:
@@ -109,10 +110,9 @@ class Contact(Subject):
         self._check_adhesion()
         if self.interface is not None:
             check_interface(self, self.interface, *self.touching)
-        rest = ("hold_time", "reference_time", "ageing_rate")
-        left_out = [name for name in rest if getattr(self, name) is None]
-        if 0 < len(left_out) < len(rest):
-            raise InputError(left_out[0], None, f"{', '.join(rest)} together, or none of them")
+        left_out = [name for name in ("hold_time", "reference_time", "ageing_rate") if getattr(self, name) is None]
+        if 0 < len(left_out) < 3:
+            raise InputError(left_out[0], None, "hold_time, reference_time, ageing_rate together, or none of them")
         if self.weakening_slip is not None and self.residual_strength is None:
             raise InputError("residual_strength", None, "0 to 1, the fraction of strength that remains after weakening_slip")
         return self

@@ -7,7 +7,7 @@ from pydantic import model_validator
 
 from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import Input, Number, OptionalNumber, by_default
-from stiction.quantities.units import show
+from stiction.quantities.shown import show
 
 if TYPE_CHECKING:
     from stiction.quantities.arguments import NumberOrArray

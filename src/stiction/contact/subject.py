@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import Input
-from stiction.quantities.units import values_in_words
+from stiction.quantities.shown import values_in_words
 
 if TYPE_CHECKING:
     from stiction.contact.indices import Indices

@@ -1,8 +1,8 @@
-"""Align and broadcast arrays with named dimensions, and attach coordinates to results.
+"""Make, align and broadcast arrays with named dimensions, and attach coordinates to results.
 
-An array input is an xarray.DataArray with named dimensions. `without_indexes` removes its indexes, so that xarray matches
-arrays by the names of their dimensions alone, and never drops or sorts values. `coordinates` checks for all inputs together
-that arrays with the same dimension agree on its length and its coordinate values.
+An array input is an xarray.DataArray with named dimensions. `units.to_si` removes its indexes, so that xarray matches arrays by
+the names of their dimensions alone, and never drops or sorts values. `coordinates` checks for all inputs together that arrays
+with the same dimension agree on its length and its coordinate values.
 """
 
 from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
@@ -11,27 +11,15 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from stiction.quantities.errors import InputError, InWords
+from stiction.quantities.errors import InputError, InWords, nearest
+from stiction.quantities.table import QUANTITIES
+from stiction.quantities.units import to_si
 
 if TYPE_CHECKING:
     import xarray
     from numpy.typing import ArrayLike
 
-
-def without_indexes(array: Any) -> Any:
-    """Return an xarray array without indexes; its coordinates stay as plain variables.
-
-    xarray aligns arrays that have indexes, which may drop or sort values. An array without indexes is returned unchanged.
-    """
-    indexes = getattr(array, "xindexes", ())  # an xarray.Variable has no indexes
-    return array.drop_indexes(list(indexes)) if indexes else array
-
-
-def check_names(array: Any, field: str) -> None:
-    """Raise an InputError unless all dimension names of an xarray array are text; field: name of the input, for the message."""
-    for dim in array.dims:
-        if not isinstance(dim, str):
-            raise InputError(field, InWords(f"dimension {dim!r}"), "dimension names that are text")
+    from stiction.quantities.arguments import QuantityLike
 
 
 def dimensions(values: Iterable[Any], first: Mapping[str, int] = MappingProxyType({})) -> dict[str, int]:
@@ -156,6 +144,78 @@ def coordinate(dim: str, values: np.ndarray, attributes: Mapping[str, Any] | Non
     import xarray
 
     return xarray.Variable((dim,), pandas.Index(values), attributes)
+
+
+def axis(name: str, values: "QuantityLike | None" = None, dimension: str | None = None) -> "xarray.DataArray":
+    """Return values of a quantity along a named dimension.
+
+    Parameters
+    ----------
+    name : str
+        Name of a quantity, e.g. "load" or "thickness".
+    values : array_like (n,) [SI], or sequence of str with units
+        Values along the dimension.
+    dimension : str, optional
+        Name of the dimension; by default the name of the quantity. Needed if the same quantity varies for both bodies.
+
+    Returns
+    -------
+    xarray.DataArray
+        Values (n,) in SI units, which are also their own coordinate. Use it in place of any number of a Contact or Indices.
+
+    Raises
+    ------
+    InputError
+        The name is unknown, or a value has a wrong unit or is out of bounds.
+
+    Examples
+    --------
+    >>> import stiction as st
+    >>> st.axis("load", ["1 mN", "2 mN"]).values
+    array([0.001, 0.002])
+    """
+    import xarray
+
+    if not isinstance(name, str) or name not in QUANTITIES:
+        first = 'first the name of a quantity, then its values, e.g. axis("load", ["1 N", "2 N"])'
+        raise InputError("axis", name, f"{first}: {nearest(name, QUANTITIES)}")
+    quantity, numbers = QUANTITIES[name], values_along(name, values)
+    if dimension is not None and not isinstance(dimension, str):
+        raise InputError("dimension", dimension, "a name, as text")
+    dimension = dimension or name
+    attributes = {name: text for name, text in quantity.attributes.items() if name != "symbol"}
+    along = {dimension: coordinate(dimension, numbers, attributes)}
+    return xarray.DataArray(variable((dimension,), numbers, attributes), coords=along, name=name)
+
+
+def values_along(name: str, values: "QuantityLike | None") -> np.ndarray:
+    """Return values of a quantity as an array (n,) in SI units.
+
+    name: key of the quantity in QUANTITIES. values: one number or a one-dimensional sequence, in SI units or with units. Raises
+    InputError for None, for more than one dimension, and as `to_si` does.
+    """
+    if values is None:
+        raise InputError(name, None, f"its values along the axis, {QUANTITIES[name].wanted}")
+    numbers = np.atleast_1d(np.asarray(to_si(values, name)))
+    if numbers.ndim != 1:
+        raise InputError(name, InWords(f"array of shape {numbers.shape}"), "a list of values, or an array with one dimension")
+    return numbers
+
+
+def from_series(series, name: str):
+    """Return a pandas.Series with values of a quantity as an xarray.DataArray in SI units with one named dimension.
+
+    name: key of the quantity in QUANTITIES. The index of the series becomes the coordinate, and the name of the index the name
+    of the dimension. If the index has no name, the values are their own coordinate, as in `axis`. Raises InputError as `to_si`
+    does.
+    """
+    import xarray
+
+    along = series.index.name
+    if along is None:
+        return axis(name, series)
+    numbers = values_along(name, series)
+    return xarray.DataArray(numbers, dims=(str(along),), coords={str(along): series.index.to_numpy()}, name=name)
 
 
 def labelled(value: Any, names: Mapping[str, Any]) -> Any:

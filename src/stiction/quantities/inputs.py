@@ -11,12 +11,13 @@ import numpy as np
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationError, ValidationInfo
 
 from stiction.quantities import html
-from stiction.quantities.dimensions import coordinates
+from stiction.quantities.dimensions import coordinates, from_series
 from stiction.quantities.errors import InputError, InWords, field_named, nearest
 from stiction.quantities.foreign import is_series
 from stiction.quantities.quantity import Quantity
+from stiction.quantities.shown import show
 from stiction.quantities.table import QUANTITIES
-from stiction.quantities.units import from_series, show, to_si
+from stiction.quantities.units import to_si
 
 if TYPE_CHECKING:
     import xarray

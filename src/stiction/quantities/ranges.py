@@ -7,8 +7,9 @@ import numpy as np
 from pydantic import BeforeValidator
 
 from stiction.quantities.errors import InputError, field_named
+from stiction.quantities.shown import show
 from stiction.quantities.table import QUANTITIES
-from stiction.quantities.units import show, to_si
+from stiction.quantities.units import to_si
 
 DIGITS = 3  # significant digits with which the ends of a range are shown
 _FORM = 'a table of low and high values, e.g. hardness = ["0.3 GPa", "0.5 GPa"]'

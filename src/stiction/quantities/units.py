@@ -1,4 +1,4 @@
-"""Convert between text with units ("48 nm") and numbers in SI units; no other module reads units.
+"""Read text with units ("48 nm") and other inputs as numbers in SI units; no other module reads units.
 
 The file units.csv lists common units. All others are read by pint, which is imported only when needed, because its import is
 slow.
@@ -6,29 +6,21 @@ slow.
 
 import re
 import shutil
-from collections.abc import Iterable
 from decimal import Decimal
 from fractions import Fraction
 from functools import cache
 from numbers import Real
-from typing import TYPE_CHECKING
+from typing import Any
 
 import numpy as np
 
 from stiction.quantities import foreign
 from stiction.quantities.cache import cache_folder
-from stiction.quantities.dimensions import check_names, coordinate, variable, without_indexes
-from stiction.quantities.errors import InputError, InWords, nearest
+from stiction.quantities.errors import InputError, InWords
 from stiction.quantities.extras import bring_back
 from stiction.quantities.hardness import from_hardness_test
-from stiction.quantities.hints import suggest_decimal_point, suggest_larger_unit, suggest_unit
-from stiction.quantities.quantity import Quantity, in_degrees
+from stiction.quantities.quantity import Quantity
 from stiction.quantities.table import QUANTITIES, rows_of_table
-
-if TYPE_CHECKING:
-    import xarray
-
-    from stiction.quantities.arguments import QuantityLike
 
 _NUMBER_AND_UNIT = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*?)\s*", re.DOTALL)
 # pint evaluates each unit, and "m^9^9^9" would take forever: only products of single-digit powers are passed to pint.
@@ -36,13 +28,11 @@ _POWER = r"(?:1|%|[^\W\d]+(?:(?:\^|\*\*)[+-]?\d|⁻?[⁰¹²³⁴-⁹])?)"
 _UNIT = re.compile(rf"/?\s*{_POWER}(?:(?:\s*[/*·]\s*|\s+){_POWER})*")
 _LONGEST_TEXT = 100  # characters; no quantity needs more, and the patterns above are slow on megabytes of text
 _DECIMAL_COMMA = re.compile(r"\s*[+-]?\d*,\d")
+_COMMAS = re.compile(r"\s*[+-]?\d*,\d[\d,]*")
 _ERROR = re.compile(r"\d.*(\+/?-|±)\s*\d")
 _CELSIUS = ("degC", "°C", "celsius", "deg C")  # allowed for temperatures only, because no factor converts them to kelvins
 _ZERO_CELSIUS = 273.15
-# Prefixes are chosen here, because `to_compact` of pint takes 27 times as long, and prints 999.9999999 nm as 1000 nm and
-# 1.7e10 1/m^2 as 17000 1/mm^2.
-_AREA_SHIFT = 2  # decades by which an area changes its prefix early, because prefixes of areas are six decades apart
-_PREFIXES = {-12: "p", -9: "n", -6: "µ", -3: "m", 0: "", 3: "k", 6: "M", 9: "G", 12: "T"}
+_PREFIXES = ("", "p", "n", "u", "m", "k", "M", "G")
 
 
 def to_si(value, name: str):
@@ -68,127 +58,20 @@ def to_si(value, name: str):
     return number
 
 
-def show(value, name: str, digits: int = 6) -> str:
-    """Return a value in SI units as short text with a suitable unit prefix, such as "48 nm", "1.25 mN" or "110 deg".
+def without_indexes(array: Any) -> Any:
+    """Return an xarray array without indexes; its coordinates stay as plain variables.
 
-    name: key of the quantity in QUANTITIES. digits: number of significant digits, 6 at most. Areas have at most four digits
-    before the point: 0.052 mm^2, not 52000 um^2.
+    xarray aligns arrays that have indexes, which may drop or sort values. An array without indexes is returned unchanged.
     """
-    value, unit = in_degrees(value, QUANTITIES[name].unit)
-    value = float(f"{value:.{digits}g}")
-    prefixed = re.fullmatch(r"(m|Pa|N|J)(\^[23])?(.*)", unit)
-    if prefixed is None or value == 0 or not np.isfinite(value):
-        return f"{value:.6g} {unit}".rstrip()
-    symbol, raised, rest = prefixed.groups(default="")
-    power = int(raised[1:] or 1)  # 1 mm^2 is (1 mm)^2: a prefix counts twice in an area
-    # It is rounded to the printed digits first, so that 999.9999999 nm is shown as 1 um and not as 1000 nm.
-    exponent = (int(f"{value:.5e}".partition("e")[2]) + (_AREA_SHIFT if power == 2 else 0)) // (3 * power) * 3
-    exponent = min(max(exponent, min(_PREFIXES)), max(_PREFIXES))
-    return f"{value / 10.0 ** (exponent * power):.6g} {_PREFIXES[exponent]}{symbol}{raised}{rest}"
+    indexes = getattr(array, "xindexes", ())  # an xarray.Variable has no indexes
+    return array.drop_indexes(list(indexes)) if indexes else array
 
 
-def span(ends: Iterable[float], form: str = ".3g") -> str:
-    """Return a range of numbers as text, "0.31 to 0.45", or a single number if both ends look the same, "0.31".
-
-    ends: the low and the high end. form: format specification of the numbers.
-    """
-    return " to ".join(dict.fromkeys(format(end, form) for end in ends))
-
-
-def values_in_words(values, where: str, count: int | None = None) -> InWords:
-    """Describe numbers, where only one was expected, as text for an error message: "3 numbers, 100 nm to 2 um".
-
-    values: numbers in SI units. where: dotted name of the input; its last part is the key of the quantity in QUANTITIES. count:
-    number of values, needed if `values` holds only the smallest and the largest.
-    """
-    numbers, name = np.asarray(values, dtype=float).ravel(), where.rpartition(".")[2]
-    count = numbers.size if count is None else count
-    many = f"{count} number{'' if count == 1 else 's'}"
-    if not numbers.size or name not in QUANTITIES:
-        return InWords(many)
-    ends = dict.fromkeys(show(end, name, 4) for end in (numbers.min(), numbers.max()))
-    return InWords(f"{many}, {' to '.join(ends)}")
-
-
-def reason_of(error: InputError) -> str:
-    """Return the reason why an InputError makes a model unusable, as text: a missing input or a value out of range."""
-    if error.value is None:
-        return f"{error.field} is not given: {error.allowed}"
-    name, value = error.field.rpartition(".")[2], error.value
-    if name not in QUANTITIES:
-        return error.allowed
-    return f"{error.field} is {show(value, name, 4) if isinstance(value, Real) else value}; allowed: {error.allowed}"
-
-
-def axis(name: str, values: "QuantityLike | None" = None, dimension: str | None = None) -> "xarray.DataArray":
-    """Return values of a quantity along a named dimension.
-
-    Parameters
-    ----------
-    name : str
-        Name of a quantity, e.g. "load" or "thickness".
-    values : array_like (n,) [SI], or sequence of str with units
-        Values along the dimension.
-    dimension : str, optional
-        Name of the dimension; by default the name of the quantity. Needed if the same quantity varies for both bodies.
-
-    Returns
-    -------
-    xarray.DataArray
-        Values (n,) in SI units, which are also their own coordinate. Use it in place of any number of a Contact or Indices.
-
-    Raises
-    ------
-    InputError
-        The name is unknown, or a value has a wrong unit or is out of bounds.
-
-    Examples
-    --------
-    >>> import stiction as st
-    >>> st.axis("load", ["1 mN", "2 mN"]).values
-    array([0.001, 0.002])
-    """
-    import xarray
-
-    if not isinstance(name, str) or name not in QUANTITIES:
-        first = 'first the name of a quantity, then its values, e.g. axis("load", ["1 N", "2 N"])'
-        raise InputError("axis", name, f"{first}: {nearest(name, QUANTITIES)}")
-    quantity, numbers = QUANTITIES[name], values_along(name, values)
-    if dimension is not None and not isinstance(dimension, str):
-        raise InputError("dimension", dimension, "a name, as text")
-    dimension = dimension or name
-    attributes = {name: text for name, text in quantity.attributes.items() if name != "symbol"}
-    along = {dimension: coordinate(dimension, numbers, attributes)}
-    return xarray.DataArray(variable((dimension,), numbers, attributes), coords=along, name=name)
-
-
-def values_along(name: str, values: "QuantityLike | None") -> np.ndarray:
-    """Return values of a quantity as an array (n,) in SI units.
-
-    name: key of the quantity in QUANTITIES. values: one number or a one-dimensional sequence, in SI units or with units. Raises
-    InputError for None, for more than one dimension, and as `to_si` does.
-    """
-    if values is None:
-        raise InputError(name, None, f"its values along the axis, {QUANTITIES[name].wanted}")
-    numbers = np.atleast_1d(np.asarray(to_si(values, name)))
-    if numbers.ndim != 1:
-        raise InputError(name, InWords(f"array of shape {numbers.shape}"), "a list of values, or an array with one dimension")
-    return numbers
-
-
-def from_series(series, name: str):
-    """Return a pandas.Series with values of a quantity as an xarray.DataArray in SI units with one named dimension.
-
-    name: key of the quantity in QUANTITIES. The index of the series becomes the coordinate, and the name of the index the name
-    of the dimension. If the index has no name, the values are their own coordinate, as in `axis`. Raises InputError as `to_si`
-    does.
-    """
-    import xarray
-
-    along = series.index.name
-    if along is None:
-        return axis(name, series)
-    return xarray.DataArray(to_si(series, name), dims=(str(along),), coords={str(along): series.index.to_numpy()}, name=name)
+def check_names(array: Any, field: str) -> None:
+    """Raise an InputError unless all dimension names of an xarray array are text; field: name of the input, for the message."""
+    for dim in array.dims:
+        if not isinstance(dim, str):
+            raise InputError(field, InWords(f"dimension {dim!r}"), "dimension names that are text")
 
 
 def _from_text(text: str, quantity: Quantity) -> float:
@@ -197,12 +80,12 @@ def _from_text(text: str, quantity: Quantity) -> float:
         raise InputError(quantity.name, text, allowed)
     match = _NUMBER_AND_UNIT.fullmatch(text) if len(text) <= _LONGEST_TEXT else None
     if match is None or _DECIMAL_COMMA.match(text[:_LONGEST_TEXT]):
-        raise InputError(quantity.name, text, quantity.wanted + suggest_decimal_point(text))
+        raise InputError(quantity.name, text, quantity.wanted + _suggest_decimal_point(text))
     number, unit = match.groups()
     rounded = float(number)
     if not unit:
         if quantity.unit:
-            hint = suggest_unit(number, "", quantity)
+            hint = _suggest_unit(number, "", quantity)
             raise InputError(quantity.name, text, f"a number with its unit: {quantity.wanted}{hint}")
         return rounded
     if quantity.unit == "K" and unit in _CELSIUS:
@@ -229,7 +112,7 @@ def _factor(unit: str, quantity: Quantity, text) -> Fraction:
     except _unit_errors() as error:
         problem = "has another dimension" if isinstance(error, _pint().DimensionalityError) else "is unknown"
         number = text.removesuffix(unit).strip()
-        allowed = f"{quantity.wanted} (the given unit {problem}){suggest_unit(number, unit, quantity)}"
+        allowed = f"{quantity.wanted} (the given unit {problem}){_suggest_unit(number, unit, quantity)}"
         raise InputError(quantity.name, text, allowed) from None
 
 
@@ -363,7 +246,7 @@ def _check(number, quantity: Quantity, original) -> None:
         worst = float(values[place])
         allowed = quantity.allowed if np.isfinite(worst) else f"finite, {quantity.allowed}"
         shown = _as_given(original, place, worst)
-        raise InputError(quantity.name, shown, allowed + suggest_larger_unit(shown, worst, quantity))
+        raise InputError(quantity.name, shown, allowed + _suggest_larger_unit(shown, worst, quantity))
 
 
 def _as_given(original, place: tuple[int, ...], worst: float):
@@ -377,3 +260,50 @@ def _as_given(original, place: tuple[int, ...], worst: float):
         return original[place[0]]
     unit = getattr(original, "attrs", {}).get("units", "")
     return f"{original.values[place]:g} {unit}" if unit not in ("", "1") else worst
+
+
+def _suggest_decimal_point(text: str) -> str:
+    """Return a hint that suggests a decimal point for a number with a decimal comma; "" if `text` has no decimal comma.
+
+    For a number with more than one comma, the hint suggests writing it without commas.
+    """
+    number = _COMMAS.match(text[:100])
+    if number is None:
+        return ""
+    if number[0].count(",") > 1:
+        return "; write the number without commas"
+    return f'; write a decimal point: "{text[:100].strip().replace(",", ".", 1)}"'
+
+
+def _suggest_unit(number: str, unit: str, quantity: Quantity) -> str:
+    """Return a hint for an error that suggests the unit the user probably meant; "" if there is no suggestion.
+
+    - number, unit: the two parts of the text that the user wrote; unit is "" if missing
+    - quantity: the quantity that was expected
+
+    The suggestion is a unit of this quantity that differs from `unit` only in capitalisation. For a pressure without unit, it
+    is the unit of the example in the table of quantities.
+    """
+    usual = quantity.example.rpartition(" ")[2]
+    if not unit:
+        return _did_you_mean(number, usual) if quantity.unit == "Pa" else ""
+    known = [usual, *(f"{prefix}{quantity.unit}" for prefix in _PREFIXES[::-1])]
+    alike = [symbol for symbol in known if symbol.casefold() == unit.casefold()]
+    return _did_you_mean(number, alike[0]) if alike else ""
+
+
+def _suggest_larger_unit(value: object, pascals: float, quantity: Quantity) -> str:
+    """Return a hint that suggests a larger unit for a pressure below its lower bound; "" for any other value.
+
+    value: the value as the user wrote it, such as "210 mPa". pascals: the same value in Pa. quantity: the expected quantity.
+    """
+    if quantity.unit != "Pa" or not 0.0 < pascals < quantity.lower:
+        return ""
+    words = str(value).split()
+    if len(words) == 2 and words[1] == "mPa":
+        return _did_you_mean(words[0], "MPa")
+    return _did_you_mean(f"{pascals:g}", quantity.example.rpartition(" ")[2])
+
+
+def _did_you_mean(number: str, unit: str) -> str:
+    return f'; did you mean "{number} {unit}"?'

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, TypedDict
 
 import numpy as np
 
-from stiction.quantities.units import show
+from stiction.quantities.shown import show
 from stiction.records.registry import GRADES
 from stiction.report.html_words import letters
 from stiction.solving.choice import LAWS

@@ -7,7 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator, MultipleLocator
 
-from stiction.quantities.units import show
+from stiction.quantities.shown import show
 from stiction.report.pictures import BLUE, COLOUR_MAP, GREY, ORANGE, RED, add_titles, canvas, finish
 from stiction.report.table import prefix, with_unit
 

@@ -8,7 +8,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from stiction.quantities.sampling import spread_rows
-from stiction.quantities.units import show
+from stiction.quantities.shown import show
 from stiction.report.pictures import BLUE, COLOURS, GREY, SKY, along, along_points, canvas, draw_band, finish, look_of
 from stiction.report.swept_tables import coordinates_along, of_value, points_dimension
 

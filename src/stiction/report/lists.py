@@ -11,8 +11,8 @@ from stiction.contact.interfaces import interfaces
 from stiction.contact.materials import Material, material, material_names, symbols_of
 from stiction.quantities.data_files import GRADES
 from stiction.quantities.ranges import DIGITS, range_in_words
+from stiction.quantities.shown import show
 from stiction.quantities.table import QUANTITIES
-from stiction.quantities.units import show
 from stiction.report.table import Column, Table
 
 LISTED = ("youngs_modulus", "poissons_ratio", "hardness", "surface_energy")

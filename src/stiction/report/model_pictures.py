@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from matplotlib.figure import Figure
 
+from stiction.quantities.shown import show
 from stiction.quantities.table import QUANTITIES
-from stiction.quantities.units import show
 from stiction.report.answer import ends_of_mu
 from stiction.report.pictures import BLUE, GREEN, GREY, MU_LABEL, ORANGE, RED, canvas, finish, label, say
 from stiction.report.scales import is_log, scale_friction

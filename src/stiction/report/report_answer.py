@@ -7,8 +7,8 @@ import numpy as np
 
 from stiction.contact.contact import Contact
 from stiction.laws.validity import warnings_of
+from stiction.quantities.shown import show
 from stiction.quantities.table import QUANTITIES
-from stiction.quantities.units import show
 from stiction.records.validity_warning import ValidityWarning
 from stiction.report import answer
 from stiction.report.html_words import letters

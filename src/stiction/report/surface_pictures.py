@@ -13,7 +13,7 @@ from matplotlib.figure import Figure
 from matplotlib.image import AxesImage
 from matplotlib.ticker import FixedLocator, MaxNLocator, NullLocator
 
-from stiction.quantities.units import show
+from stiction.quantities.shown import show
 from stiction.report.pictures import BLUE, COLOUR_MAP, GREEN, GREY, SKY, canvas, finish, look_of, plain, say
 from stiction.report.table import prefix, unit_for
 from stiction.surfaces.asperity_set import Asperities

@@ -15,8 +15,8 @@ from rich.table import Table as Printed
 from rich.text import Text
 
 from stiction.quantities.sampling import spread_rows
+from stiction.quantities.shown import show
 from stiction.quantities.table import QUANTITIES
-from stiction.quantities.units import show
 
 if TYPE_CHECKING:
     import xarray

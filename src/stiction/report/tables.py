@@ -12,8 +12,8 @@ from rich.text import Text
 from stiction.contact.contact import Contact
 from stiction.laws.validity import warnings_of
 from stiction.quantities.sampling import spread_rows
+from stiction.quantities.shown import show
 from stiction.quantities.table import QUANTITIES
-from stiction.quantities.units import show
 from stiction.records.registry import GRADES, AsperityLaw, FilmLaw, Record, RoughSurface, TangentialLaw, find
 from stiction.report.answer import grade_line, model_line, model_record, number
 from stiction.report.plain_formulas import as_text

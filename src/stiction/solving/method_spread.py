@@ -11,7 +11,7 @@ from stiction.laws.validity import with_warnings
 from stiction.quantities.dimensions import aligned
 from stiction.quantities.errors import InputError
 from stiction.quantities.quotient import quotient
-from stiction.quantities.units import show
+from stiction.quantities.shown import show
 from stiction.records.validity_warning import ValidityWarning
 from stiction.solving.choice import Choice
 from stiction.solving.pointwise import solve_batch

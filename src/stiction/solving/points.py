@@ -14,10 +14,9 @@ from stiction.contact.contact import Contact
 from stiction.contact.subject import Subject
 from stiction.engine.blocks import in_blocks
 from stiction.engine.summation import FARTHEST
-from stiction.quantities.dimensions import aligned, coordinate, coordinates, dimensions, variable
+from stiction.quantities.dimensions import aligned, coordinate, coordinates, dimensions, from_series, values_along, variable
 from stiction.quantities.errors import InputError, InWords
 from stiction.quantities.foreign import as_sequence, is_series
-from stiction.quantities.units import from_series, values_along
 from stiction.solving.inversion import Inversion, Unreachable, solved_at
 from stiction.solving.problem import Problem, with_requested_load
 
@@ -70,7 +69,8 @@ def points_of(problem: Problem, load: Any = None, separation: Any = None) -> Poi
             "separation", separation, f"a load instead, because {problem.record.key} does not compute a separation"
         )
     name, value = ("load", load) if separation is None else ("mean_separation", separation)
-    return points_at(problem, name, requested_points(problem.subject, name, value))
+    checked = requested_points(problem.subject, name, value)
+    return points_at(problem, name, checked)
 
 
 def points_at(problem: Problem, name: str, value: Any) -> Points:

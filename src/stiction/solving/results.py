@@ -8,8 +8,8 @@ import numpy as np
 from stiction.contact.subject import Subject
 from stiction.laws.validity import as_attributes
 from stiction.quantities.dimensions import aligned, dimensions, variable
+from stiction.quantities.shown import span
 from stiction.quantities.table import QUANTITIES
-from stiction.quantities.units import span
 from stiction.records.registry import JUNCTIONS, Addition
 from stiction.solving import unused
 from stiction.solving.accuracy import film_errors, measured_error

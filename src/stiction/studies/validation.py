@@ -21,8 +21,9 @@ from stiction.laws.validity import warnings_of
 from stiction.quantities.errors import InputError, InWords, field_below
 from stiction.quantities.inputs import Input
 from stiction.quantities.progress import Steps
+from stiction.quantities.shown import reason_of
 from stiction.quantities.table import QUANTITIES
-from stiction.quantities.units import reason_of, to_si
+from stiction.quantities.units import to_si
 from stiction.records.validity_warning import ValidityWarning
 from stiction.solving.candidates import candidates
 from stiction.solving.solve import solve

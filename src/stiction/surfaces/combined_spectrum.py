@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from stiction.quantities.errors import InputError, InWords, field_as
-from stiction.quantities.units import show
+from stiction.quantities.shown import show
 from stiction.surfaces.heightmap import in_metres
 from stiction.surfaces.held import as_height_map
 from stiction.surfaces.spectrum import BinnedSpectrum, power_spectrum, radial_average

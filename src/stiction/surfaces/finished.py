@@ -18,8 +18,8 @@ from pydantic import BeforeValidator, Field, model_validator
 from stiction.quantities.errors import InputError, InWords, field_named
 from stiction.quantities.inputs import Input, OptionalNumber, as_text, by_default
 from stiction.quantities.ranges import range_in_words
+from stiction.quantities.shown import show
 from stiction.quantities.table import QUANTITIES
-from stiction.quantities.units import show
 from stiction.surfaces.finishes import Finish, finish, mixture_of_kinds, surface_kind_of
 from stiction.surfaces.roughness import SHAPE, Roughness, ShapeNumber, refuse_impossible_kurtosis
 from stiction.surfaces.theory.moments import Moments, bandwidth, combine

@@ -9,7 +9,7 @@ from pydantic import BeforeValidator, Field, model_validator
 
 from stiction.quantities.errors import InputError, InWords, field_as
 from stiction.quantities.inputs import Input
-from stiction.quantities.units import show
+from stiction.quantities.shown import show
 from stiction.surfaces.finished import is_finished, roughness_of_finish
 from stiction.surfaces.roughness import Roughness
 from stiction.surfaces.solvable_maps import SolvableMaps

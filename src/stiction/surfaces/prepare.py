@@ -12,7 +12,7 @@ import scipy.fft
 from numpy.polynomial.legendre import legvander
 
 from stiction.quantities.errors import InputError, InWords
-from stiction.quantities.units import show
+from stiction.quantities.shown import show
 from stiction.surfaces.fill import fill_missing
 from stiction.surfaces.heightmap import HeightMap, metres
 from stiction.surfaces.held import as_height_map

@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from stiction.quantities.errors import InputError, InWords
-from stiction.quantities.units import show
+from stiction.quantities.shown import show
 from stiction.surfaces import readers as formats
 from stiction.surfaces.heightmap import HeightMap, metres, metres_per
 from stiction.surfaces.raw_scan import FEWEST_POINTS, RawScan, Reader

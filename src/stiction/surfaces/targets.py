@@ -19,7 +19,7 @@ import numpy as np
 
 from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import require_positive
-from stiction.quantities.units import show
+from stiction.quantities.shown import show
 from stiction.surfaces.heightmap import in_metres
 from stiction.surfaces.theory.moments import Moments
 

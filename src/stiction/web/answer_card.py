@@ -6,7 +6,7 @@ import xarray
 from nicegui import ui
 
 from stiction.laws.validity import warnings_of
-from stiction.quantities.units import show
+from stiction.quantities.shown import show
 from stiction.records.claims import KINDS_OF_WARNING
 from stiction.report.answer import answer_lines, at_working_load
 from stiction.report.card import Card, card_of, shortened

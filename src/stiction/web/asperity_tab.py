@@ -5,7 +5,7 @@ from typing import Any
 
 from nicegui import ui
 
-from stiction.quantities.units import show
+from stiction.quantities.shown import show
 from stiction.studies.stresses.one_asperity import OneAsperity, one_asperity
 from stiction.web.background import Latest
 from stiction.web.charts import COLOURS, SHADES, add_cells, chart, line, mark

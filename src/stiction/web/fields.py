@@ -20,8 +20,9 @@ from stiction.contact.contact import Contact, Indices
 from stiction.contact.materials import Material
 from stiction.quantities.errors import InputError
 from stiction.quantities.quantity import Quantity
+from stiction.quantities.shown import show
 from stiction.quantities.table import QUANTITIES
-from stiction.quantities.units import show, to_si
+from stiction.quantities.units import to_si
 from stiction.report.table import with_signs
 from stiction.surfaces.finished import Finished, is_finished
 from stiction.surfaces.finishes import SURFACE_KINDS, finish_names

@@ -10,7 +10,7 @@ from nicegui import ui
 
 from stiction.contact.contact import Contact
 from stiction.quantities.errors import InputError
-from stiction.quantities.units import show
+from stiction.quantities.shown import show
 from stiction.studies.scans.analysis import Analysis
 from stiction.surfaces.finding import methods
 from stiction.surfaces.spectrum import BinnedSpectrum

@@ -11,7 +11,7 @@ import numpy as np
 
 from stiction.contact.contact import Contact
 from stiction.quantities.errors import InputError, InWords
-from stiction.quantities.units import show
+from stiction.quantities.shown import show
 from stiction.report.method_pictures import resolution_figure
 from stiction.report.surface_pictures import asperity_figure, map_figure
 from stiction.studies.scans.analysis import Analysis, analyse

@@ -13,7 +13,7 @@ from rich.text import Text
 
 from stiction.contact.contact import Contact
 from stiction.laws.validity import read_warnings
-from stiction.quantities.units import show
+from stiction.quantities.shown import show
 from stiction.report.answer import answer_lines, answer_record, number
 from stiction.report.files import write_csv, write_netcdf
 from stiction.report.table import Column, Table, facts, notes, numbers

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from rich.text import Text
 
-from stiction.quantities.units import show
+from stiction.quantities.shown import show
 from stiction.report.files import record, rows_of, write_csv, write_rows
 from stiction.report.table import Column, Table, numbers
 from stiction.report.view import View, picture

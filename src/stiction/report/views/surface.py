@@ -10,7 +10,7 @@ import numpy as np
 from rich.text import Text
 
 from stiction.case.text import inline
-from stiction.quantities.units import show
+from stiction.quantities.shown import show
 from stiction.report.files import as_json, write_csv, write_netcdf, write_rows
 from stiction.report.table import Column, Table, facts, notes, numbers, short, shown
 from stiction.report.view import Picture, View, picture

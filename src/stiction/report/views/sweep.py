@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from rich.text import Text
 
-from stiction.quantities.units import show
+from stiction.quantities.shown import show
 from stiction.report.answer import number
 from stiction.report.view import View
 

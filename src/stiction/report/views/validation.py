@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from rich.text import Text
 
-from stiction.quantities.units import span
+from stiction.quantities.shown import span
 from stiction.report.files import rows_of, write_rows
 from stiction.report.table import Column, Table, notes, numbers, short, shown
 from stiction.report.view import View, picture

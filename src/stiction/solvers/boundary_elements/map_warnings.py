@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from stiction.quantities.units import show
+from stiction.quantities.shown import show
 from stiction.records.validity_warning import ValidityWarning
 from stiction.solvers.boundary_elements.compliance import Film
 from stiction.solvers.boundary_elements.limits import (

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from stiction.quantities.quotient import quotient
-from stiction.quantities.units import span
+from stiction.quantities.shown import span
 from stiction.solving.accuracy.errors_near import NORMAL_SCORES, ErrorsNear, bare_errors, film_errors_near, no_words
 from stiction.solving.accuracy.film_tables import MEASURED, MEASURED_ON_MAPS, MapFilmErrors, on_a_sphere, on_maps
 from stiction.solving.accuracy.solved_near import FILM_SCALES, ContactFeatures

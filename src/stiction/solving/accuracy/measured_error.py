@@ -24,7 +24,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stiction.quantities.quotient import quotient
-from stiction.quantities.units import span
+from stiction.quantities.shown import span
 from stiction.solving.accuracy.errors_near import LEVELS, NORMAL_SCORES, ErrorsNear, bare_errors, film_errors_near
 from stiction.solving.accuracy.film_errors import on_other_kinds, on_solved_maps
 from stiction.solving.accuracy.solved_near import ContactFeatures

@@ -13,8 +13,8 @@ from stiction.laws.validity import as_attributes
 from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import floats
 from stiction.quantities.progress import Steps
+from stiction.quantities.shown import reason_of
 from stiction.quantities.table import QUANTITIES
-from stiction.quantities.units import reason_of
 from stiction.records.record import plug_in_error
 from stiction.records.validity_warning import ValidityWarning
 from stiction.solving.accuracy import film_errors, measured_error

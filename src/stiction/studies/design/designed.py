@@ -11,8 +11,8 @@ from stiction.case.addresses import with_numbers
 from stiction.case.read import wants_ranges, without_studies
 from stiction.case.text import case_text, show_exactly, with_written
 from stiction.quantities.sampling import spread_rows
+from stiction.quantities.shown import show
 from stiction.quantities.table import QUANTITIES
-from stiction.quantities.units import show
 from stiction.solving.choice import RECOMMENDED
 from stiction.studies.design.plan import LOAD, DesignPlan, Options, quantity_of
 from stiction.studies.design.space import TOLERANCE

@@ -16,8 +16,8 @@ from stiction.case.uncertain import Uncertain
 from stiction.contact.contact import Contact
 from stiction.quantities.errors import InputError, InWords, field_below, nearest
 from stiction.quantities.inputs import require_names
+from stiction.quantities.shown import show
 from stiction.quantities.table import QUANTITIES
-from stiction.quantities.units import show
 from stiction.studies.design.table import Design, Objective
 
 LOAD = ("solve", "load")

@@ -15,7 +15,7 @@ from stiction.case.uncertain import Uncertain, with_ranges
 from stiction.quantities.dimensions import arranged
 from stiction.quantities.errors import InputError, InWords
 from stiction.quantities.sampling import sobol_points
-from stiction.quantities.units import reason_of, show
+from stiction.quantities.shown import reason_of, show
 from stiction.records.validity_warning import ValidityWarning
 from stiction.solving.choice import RECOMMENDED, Choice
 from stiction.solving.pointwise import WHY_NOT, BatchResult, Region, solve_batch

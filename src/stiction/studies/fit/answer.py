@@ -13,7 +13,7 @@ import numpy as np
 from stiction.case.free import Free
 from stiction.case.measurements import Measurements
 from stiction.quantities.errors import InputError, InWords
-from stiction.quantities.units import show
+from stiction.quantities.shown import show
 from stiction.studies.fit.model import ForwardModel
 from stiction.studies.fit.search import CONFIDENCE, FAR, Best, Profile, Residuals, profiles, search
 

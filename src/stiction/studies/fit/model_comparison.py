@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from stiction.quantities.errors import InputError
-from stiction.quantities.units import reason_of
+from stiction.quantities.shown import reason_of
 from stiction.studies.fit.answer import Fitted, fitted, refitted
 from stiction.studies.fit.model import forward_model
 from stiction.studies.fit.plan import FitPlan

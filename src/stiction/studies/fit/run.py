@@ -12,8 +12,8 @@ from stiction.case.read import tables_of, without_studies
 from stiction.case.text import case_text, with_written
 from stiction.quantities.inputs import require_callable
 from stiction.quantities.progress import Progress, silent
+from stiction.quantities.shown import show
 from stiction.quantities.table import QUANTITIES
-from stiction.quantities.units import show
 from stiction.studies.fit.answer import Fitted, diagnostics, fitted
 from stiction.studies.fit.bands import Bands, check_predicted, predicted
 from stiction.studies.fit.model import check_models, forward_model

@@ -77,7 +77,7 @@ def panel_curves(panel: Panel, theta: float, lam: float, variant: str) -> PanelC
     variant: "corrected", "published", or "layered" for a solved film. Raises InputError.
     """
     from stiction.contact.contact import Indices
-    from stiction.quantities.units import axis
+    from stiction.quantities.dimensions import axis
     from stiction.solving.solve import solve
     from stiction.studies.paper.layered import LAYERED, choice, film_groups
 

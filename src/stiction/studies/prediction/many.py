@@ -12,7 +12,7 @@ from stiction.case.uncertain import SAMPLE, Uncertain
 from stiction.contact.contact import Contact
 from stiction.quantities.dimensions import arranged, coordinates, dimensions
 from stiction.quantities.errors import InputError, InWords
-from stiction.quantities.units import show
+from stiction.quantities.shown import show
 from stiction.solving.choice import RECOMMENDED
 from stiction.solving.pointwise import REFUSED, BatchResult, Region, bisected, pieces
 from stiction.studies.evaluate_many import part_of

@@ -12,8 +12,8 @@ from stiction.case.read import Case, as_case, case_in
 from stiction.case.uncertain import Uncertain, named, with_ranges
 from stiction.contact.contact import Contact
 from stiction.quantities.errors import InputError, InWords
+from stiction.quantities.shown import show
 from stiction.quantities.table import QUANTITIES
-from stiction.quantities.units import show
 from stiction.solving.choice import RECOMMENDED
 from stiction.studies.prediction.beside import bare_metal, checked_against, in_handbooks
 from stiction.studies.prediction.finish import with_finish

@@ -9,7 +9,7 @@ import numpy as np
 from stiction.contact.contact import Contact
 from stiction.contact.materials import class_of
 from stiction.quantities.errors import InputError
-from stiction.quantities.units import show
+from stiction.quantities.shown import show
 from stiction.solvers.boundary_elements.limits import LEAST_WAVES
 from stiction.solving.choice import Choice
 from stiction.solving.state import of_the_map

@@ -22,7 +22,7 @@ from functools import cache
 import numpy as np
 
 from stiction.engine.compiled import formula, kernel
-from stiction.quantities.units import show
+from stiction.quantities.shown import show
 from stiction.records.registry import AsperityMethod, Limit, Parameter
 from stiction.records.sources import Source
 from stiction.surfaces.asperity_method.shared.summits import FITS, areal, fitted
