@@ -7,7 +7,7 @@ import pytest
 import xarray
 
 import stiction as st
-from stiction.engine.summation import _shares
+from stiction.engine.summation import _slices
 
 CONTACT = st.Indices(theta=40.0, lam=10.0)
 PLAIN = {"model": "greenwood_williamson_1966"}
@@ -95,8 +95,8 @@ def test_threads(threads, points, model):
 
 
 @pytest.mark.parametrize(("size", "threads"), ((5, 10**9), (7, 3), (0, 4), (1, 1)))
-def test_no_more_shares_than_places(size, threads):
-    shares = _shares(size, threads)
+def test_no_more_slices_than_places(size, threads):
+    shares = _slices(size, threads)
     assert len(shares) <= max(size, 1) and len(shares) <= threads
     assert [at for share in shares for at in range(size)[share]] == list(range(size))
 

@@ -135,7 +135,7 @@ def test_the_attributes_of_an_array_of_contacts_are_those_that_predict_lists():
     listed = st.predict.__doc__.split("With array parameters")[1].split("Raises")[0]
     assert set(st.predict(swept).attrs) == set(re.findall(r"`(\w+)`", listed))
     page = (Path(__file__).parents[2] / "docs" / "start.md").read_text(encoding="utf-8")
-    assert "but no `regime`, `next_step` and" in page
+    assert "but no `regime`, `next_step`\nand `shares`" in page
 
 
 def test_separations_are_refused_with_what_to_do():

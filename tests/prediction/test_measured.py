@@ -98,7 +98,7 @@ def test_the_command_gives_the_strength_and_what_keeps_the_measurement(case, tmp
     result = CliRunner().invoke(app, ["fit", str(case), "--data", str(data)], env={"COLUMNS": "120"})
     assert result.exit_code == 0 and len(result.stdout.splitlines()) <= 15
     said = " ".join(result.stdout.split())
-    assert "3 values: interface strength" in said and "for other loads add --load LOAD" in said
+    assert "3 values: interface strength" in said and "for other loads repeat this command with --load LOAD" in said
 
 
 FREE = CASE.replace("[contact.interface]", "").replace("range = ", "# ") + "[fit.free]\n"

@@ -90,7 +90,7 @@ def test_a_warning_has_twelve_words_at_most(warning):
 
 
 def test_the_load_of_several_has_their_range(predicted):
-    assert card_of(predicted).load == working_load_in_words(predicted) == "1 N (working load of 100 mN to 10 N)"
+    assert card_of(predicted).load == working_load_in_words(predicted) == "1 N (middle of 100 mN to 10 N)"
     assert working_load_in_words(predicted.isel(load=0)) == "100 mN"
 
 
@@ -127,7 +127,10 @@ def test_a_reader_without_a_terminal_gets_no_command(step, words):
 
 def test_the_card_says_how_many_handbook_contacts_agree(predicted):
     rows = dict(card_of(predicted.assign_attrs(in_handbooks=(5, 6))).lines)
-    assert rows["Confidence"] == "low; 5 of 6 handbook contacts agree"
+    assert rows["Confidence"] == "low (wide interval); 5 of 6 handbook contacts agree"
+    names = [f"friction_coefficient{end}" for end in ("_low", "_high")]
+    narrow = predicted.assign({name: predicted["friction_coefficient"] for name in names}).assign_attrs(in_handbooks=(1, 2))
+    assert dict(card_of(narrow).lines)["Confidence"] == "low; only 1 of 2 handbook contacts agree"
     fitted = {"measured": 3, "strength": (2e7, 1e7, 3e7), "grows_with_pressure": True}
     for none in ({"in_handbooks": (0, 0)}, {"in_handbooks": (5, 6)} | fitted):
         assert "handbook" not in dict(card_of(predicted.assign_attrs(**none)).lines)["Confidence"]

@@ -36,6 +36,7 @@ FLAGS = [
     "--disable-component-update", "--disable-sync", "--host-resolver-rules=MAP * ~NOTFOUND , EXCLUDE 127.0.0.1",
 ]  # fmt: skip
 SECOND = 1000.0  # ms
+CARD_TEXT = "document.querySelector('[role=status]').innerText.replaceAll('\\u00a0', ' ')"
 SILVER = example_cases()["Silver film, 200 nm, on hardened steel, with adhesion"]
 TABS = ("Contact", "Compare", "Regime", "One asperity", "Surface", "Studies", "Share")
 
@@ -141,12 +142,12 @@ def _until(page, condition, arg=None):
 
 def _card(page):
     """The first line of the answer card."""
-    return page.get_by_role("status").first.inner_text().splitlines()[0]
+    return page.get_by_role("status").first.inner_text().replace("\N{NO-BREAK SPACE}", " ").splitlines()[0]
 
 
 def _until_changed(page, before):
     """Wait until the first line of the answer card is another one than before."""
-    _until(page, "before => !document.querySelector('[role=status]').innerText.startsWith(before)", arg=before)
+    _until(page, f"before => !{CARD_TEXT}.startsWith(before)", arg=before)
 
 
 def _number(page):
@@ -219,13 +220,13 @@ def test_a_film_is_switched_off_and_on_and_the_last_change_is_undone(fresh):
     page.get_by_text("Hardened steel 52100 on hardened steel 52100", exact=True).wait_for()
     page.wait_for_timeout(1.5 * SECOND)
     film.click()
-    _until(page, "before => document.querySelector('[role=status]').innerText.startsWith(before)", arg=before)
+    _until(page, f"before => {CARD_TEXT}.startsWith(before)", arg=before)
     assert page.get_by_label(thickness, exact=True).input_value() == "200 nm"
     page.get_by_role("combobox", name="examples").click()
     page.get_by_role("option", name="PTFE on steel").click()
     page.locator("header").get_by_text("PTFE on steel", exact=True).wait_for()
     page.get_by_role("button", name="undo").click()
-    _until(page, "before => document.querySelector('[role=status]').innerText.startsWith(before)", arg=before)
+    _until(page, f"before => {CARD_TEXT}.startsWith(before)", arg=before)
     page.get_by_label(thickness, exact=True).wait_for()
 
 

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from stiction.quantities import html
 from stiction.report.answer import (
     answer_lines,
+    confidence,
     confidence_in,
     ends_of_mu,
     next_in_words,
@@ -28,10 +29,10 @@ class Card(NamedTuple):
     """Store the content of the answer card of a prediction, at its working load.
 
     mu: predicted friction coefficient. low, high: ends of its prediction interval. level: coverage probability of the interval.
-    load: working load as text. confidence: "high", "fair" or "low". decides: main sources of uncertainty, as text. warning: one
-    short warning, or "". next_step: recommended next step. rows: the full answer as pairs (heading, text). named: result of the
-    model that the user named, as text; "" if none was named. worn_through: mu after film or oxide has worn through, as text.
-    lowered_by: what would lower mu. handbooks: how many handbook contacts agree, as text.
+    load: working load as text. confidence: "high", "fair" or "low", with reasons. decides: main sources of uncertainty.
+    warning: one short warning, or "". next_step: recommended next step. rows: the full answer as pairs (heading, text). named:
+    result of the model that the user named, as text; "" if none was named. worn_through: mu after film or oxide has worn
+    through, as text. lowered_by: what would lower mu.
     """
 
     mu: float
@@ -47,7 +48,6 @@ class Card(NamedTuple):
     named: str = ""
     worn_through: str = ""
     lowered_by: str = ""
-    handbooks: str = ""
 
     @property
     def interval(self) -> str:
@@ -57,9 +57,10 @@ class Card(NamedTuple):
     @property
     def lines(self) -> list[tuple[str, str]]:
         """Return the rows that the card shows below mu, as pairs (heading, text); rows without text are left out."""
-        rows = [("Confidence", "; ".join(filter(None, [self.confidence, self.handbooks]))), ("Uncertainty from", self.decides)]
-        rows += [
+        rows = [
+            ("Confidence", self.confidence),
             ("Lower mu by", self.lowered_by),
+            ("Uncertainty from", self.decides),
             ("Worn to clean metal", self.worn_through),
             ("Warning", self.warning),
             ("Next", self.next_step),
@@ -117,15 +118,21 @@ def card_of(data: "xarray.Dataset", named: str = "") -> Card:
     warning = shortened(next(iter(attrs["warnings"]), ""))
     rows = answer_lines(data)
     return Card(
-        mu, low, high, attrs["level"], working_load_in_words(data), confidence_in(data), decides, warning, next_in_words(data),
-        rows, named, worn_through(attrs["bare_metal"]), attrs["lowered_by"], _agreement(data),
+        mu, low, high, attrs["level"], working_load_in_words(data), _confidence(data), decides, warning, next_in_words(data),
+        rows, named, worn_through(attrs["bare_metal"]), attrs["lowered_by"],
     )  # fmt: skip
 
 
-def _agreement(data: "xarray.Dataset") -> str:
-    """Return a text such as "5 of 6 handbook contacts agree"; "" without such contacts, or if the user measured friction."""
-    held, contacts = data.attrs["in_handbooks"]
-    return f"{held} of {contacts} handbook contacts agree" if contacts and "measured" not in data.attrs else ""
+def _confidence(data: "xarray.Dataset") -> str:
+    """Return the confidence and its reasons, such as "low (wide interval); 5 of 6 handbook contacts agree".
+
+    Handbook contacts are left out if there are none, or if the user measured friction.
+    """
+    word, (held, contacts) = confidence_in(data), data.attrs["in_handbooks"]
+    wide = " (wide interval)" if word == "low" and confidence(*ends_of_mu(data)) == "low" else ""
+    if not contacts or "measured" in data.attrs:
+        return word + wide
+    return f"{word}{wide}; {'' if wide or word != 'low' else 'only '}{held} of {contacts} handbook contacts agree"
 
 
 def shortened(warning: str) -> str:

@@ -132,7 +132,9 @@ def _band(axes: Axes, data: "xarray.Dataset", prediction: "xarray.Dataset", meas
     finish(axes, legend=False)
     if legend := axes.get_legend():
         legend.remove()
-    axes.figure.legend(*axes.get_legend_handles_labels(), loc="outside lower center", ncols=4, frameon=False, fontsize=9)
+    handles, names = axes.get_legend_handles_labels()
+    columns = 3 if len(names) <= 3 else 2
+    axes.figure.legend(handles, names, loc="outside lower center", ncols=columns, frameon=False, fontsize=9)
 
 
 def _histogram(axes: Axes, data: "xarray.Dataset") -> None:

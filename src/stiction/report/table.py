@@ -191,7 +191,7 @@ def unit_for(quantity: str, largest: float) -> tuple[float, str]:
     return prefix(quantity, largest) if QUANTITIES[quantity].unit == "m" else (1.0, "")
 
 
-_LOOKS = {"mu": "bold green", "warning": "yellow", "outside": "yellow"}  # style of a row by the first word of its name
+_LOOKS = {"mu": "bold", "warning": "yellow", "outside": "yellow"}  # style of a row by the first word of its name
 
 
 def facts(pairs: Iterable[tuple[str, Any]]) -> Table:

@@ -98,7 +98,7 @@ def card_on_page(prediction: xarray.Dataset, named: str = "") -> Card:
     """
     card = card_of(at_working_load(prediction), named)  # without the range of loads: the form shows the load
     if named:
-        return card._replace(decides="", handbooks="", next_step="")
+        return card._replace(decides="", next_step="", confidence=card.confidence.partition("; ")[0])
     # the interval after a measurement stands below "Why"
     action = without_commands(str(prediction.attrs["next_step"]), " (tab Studies)", " (tab Surface)")
     repeated = action.startswith("state") and card.warning.removesuffix(" is not stated").lower() in action

@@ -46,7 +46,7 @@ def regime_of(mixture: Mixture, samples: Samples, index: int) -> tuple[str, str]
     times = _times(mixture, samples, index)
     stated = mixture.sampled.contact.interface
     is_dry = stated is not None and stated.name in _DRY
-    weaker = "a weaker interface (e.g. lubricated)" if is_dry else "a weaker interface"
+    weaker = "a weaker interface (e.g. lubricated)" if is_dry else "a lower interface strength"
     by_area = _by_strength(samples, index) > _BY_STRENGTH  # otherwise friction is nearly alpha W, for any area
     if area > _FLAT * float(np.median(mixture.sampled.drawn.nominal_area)):
         lever = f"more load, a smaller nominal area or {weaker}" if by_area else weaker
