@@ -53,11 +53,11 @@ class Case:
 
     title: text, "" if not specified. subject: a Contact, or dimensionless Indices. Its swept numbers are arrays with named
     dimensions, its uncertain numbers have their nominal values. separation, load: the points to solve, one of them an array
-    (n,) and the other None. They are in m and N for a Contact. For Indices they are h = d/sigma and the load per asperity
-    divided by K R^(1/2) sigma^(3/2). If sigma is swept, separations specified as multiples of sigma are an array with named
-    dimensions. choice: the model with its laws and options. uncertain: uncertain numbers with their distributions. uncertainty:
-    how they are sampled. swept: arrays of the swept numbers by address (tuple of keys). points: separations as written in the
-    file; None without separations.
+    (n,) and the other None. For a Contact the units are m and N. For Indices, separations are h = d/sigma and loads are per
+    asperity, divided by K R^(1/2) sigma^(3/2). If sigma is swept, separations specified as multiples of sigma are an array with
+    named dimensions. choice: the model with its laws and options. uncertain: uncertain numbers with their distributions.
+    uncertainty: how they are sampled. swept: arrays of the swept numbers by address (tuple of keys). points: separations as
+    written in the file; None without separations.
     """
 
     title: str

@@ -233,8 +233,8 @@ def _numbers(entries: list[Any], path: Address, ends: tuple[str, ...]) -> np.nda
     """Convert entries of a case file to numbers (n,) in SI units, after checking each.
 
     entries: as written in the file. path: address of the swept number, whose last key is the name of the quantity. ends:
-    suffixes that name the entries in errors, e.g. (".start", ".stop"); the last one also names all further entries. Raises
-    InputError for an invalid entry.
+    suffixes that errors add to the address, one for each entry, e.g. (".start", ".stop"); for further entries the last suffix
+    is used again. Raises InputError for an invalid entry.
     """
     where = [".".join(path) + ends[min(address, len(ends) - 1)] for address in range(len(entries))]
     return np.array([number_of(entry, path[-1], address) for entry, address in zip(entries, where, strict=True)])
@@ -275,7 +275,8 @@ def points_of(points: Any, name: str, subject: Subject, where: str) -> Any:
 
     points: a Range or a list. name: "load" or "mean_separation". subject: the contact. where: address for errors. Numbers are
     in SI units for a Contact and dimensionless for Indices. Separations without unit are multiples of sigma. If sigma is swept,
-    they are lengths [m] in an array along `separation` and the dimension of sigma. Raises InputError for an invalid entry.
+    they are lengths [m] in an array with the dimension `separation` and the sweep dimension of sigma. Raises InputError for an
+    invalid entry.
     """
     if points is None:
         return None

@@ -238,8 +238,8 @@ class Indices(Subject):
     def film_modulus(self) -> "NumberOrArray":
         """Return E_f/(1 - nu_f^2) of the film divided by the contact modulus E* of the bodies without a film.
 
-        It follows from n_E, the contact modulus of the film and the surface opposite divided by E*, by subtracting the
-        compliance of that surface.
+        It is computed from n_E by subtracting the compliance of the opposite surface. n_E is the contact modulus of the film
+        paired with this surface, divided by E*.
         """
         whole: Any = self.resolved()
         rest = np.where(np.asarray(whole.films) == 2.0, 0.5, (1.0 - whole.coated_share) * whole.n_E)

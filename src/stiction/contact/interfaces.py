@@ -194,7 +194,7 @@ def check_interface(contact: Input, state: Interface, first: Material, second: M
     """
     stated = ("interfacial_shear_strength", "pressure_coefficient")
     for name in (name for name in stated if getattr(contact, name) is not None):
-        allowed = f"either interface or {name}; leave out one of them"
+        allowed = f"interface or {name}, not both"
         raise InputError("interface", state.name, allowed)
     coated = contact.part("coating") is not None
     if not state.allows(first, second, coated=coated):

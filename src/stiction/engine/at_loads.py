@@ -333,9 +333,10 @@ class Approach:
         return self._lowest
 
     def starts(self, targets: np.ndarray) -> Starts:
-        """Return the largest tension of n laws, and the separations at which each law carries its loads targets[i] (m,).
+        """Return starting values for the separations at which each of n laws carries its loads targets[i] (m,).
 
-        Separations are in units of sigma and accurate to about 1e-9. A separation is NaN if none was found.
+        `Starts` also holds the largest tension, and slope and size of the load. Separations are in units of sigma and accurate
+        to about 1e-9. A separation is NaN if none was found.
         """
         targets = np.ascontiguousarray(targets)
         tension, where = np.empty((2, self._laws))

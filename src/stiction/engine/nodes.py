@@ -272,7 +272,7 @@ def evaluate_parts(regime: Regime, laws: Laws, parts: Parts, used: int, rules: R
 
 
 def _settle(regime: Regime, laws: Laws, parts: Parts) -> None:
-    """Compute those interval ends that are given as displacements, and store their coordinates u in `parts.ends`."""
+    """Convert interval ends given as displacements to coordinates u, and store the coordinates in `parts.ends`."""
     w, coordinates = np.empty((2, parts.end_w.size))
     law, place = np.empty((2, parts.end_w.size), dtype=np.int64)
     count = list_end_displacements(tuple(parts), w, law, place)
@@ -318,7 +318,7 @@ def adding(density: Callable) -> Any:
 
     @engine_kernel
     def add(h, shape, evaluated, out):
-        """Store m sums in `out` (m, 5): number touching, load, area, slip-limited and yield-limited resistance.
+        """Store m sums in `out` (m, 5): fraction touching, load, area, slip-limited and yield-limited resistance.
 
         h (m,): mean separation of each sum in units of sigma. shape: parameters of the density. evaluated: fields of
         `Evaluated`, the values of the laws at nodes; each row of nodes is added to the sum that is its owner. Sums are averages

@@ -20,7 +20,7 @@ _BLOCK = 128  # number of laws in a block; their nodes fit into the processor's 
 def _sum_each(h, nodes, out):
     """Store in out[i, k] five sums over asperity heights, for law i (parameter set) at its separation h[i, k].
 
-    The sums are number touching, load, area, slip-limited and yield-limited resistance. h: in units of sigma. nodes:
+    The sums are fraction touching, load, area, slip-limited and yield-limited resistance. h: in units of sigma. nodes:
     displacements (n, room), integration weights times each quantity (n, 5, room), and number of nodes of each law (n,).
     """
     places, values, used = nodes
@@ -44,10 +44,10 @@ def _sum_each(h, nodes, out):
 def sums_of_each(scattered: Scattered, h: np.ndarray, threads: int = 1) -> np.ndarray:
     """Return the sums (regimes, n, m, 5) of n laws (parameter sets), each at its own m separations h (n, m).
 
-    h: in units of sigma. The five values are averages over all asperities: number touching, load, area, slip-limited and
-    yield-limited resistance. scattered: holds the regimes and the heights. It computes the sums pair by pair, with new nodes
-    for each, where nodes cannot be shared: for a single law, for one separation per law, for heights that are not Gaussian, and
-    for laws with a separation outside -8 to 10 sigma.
+    h: in units of sigma. The five values are averages over all asperities: fraction touching, load, area, slip-limited and
+    yield-limited resistance. scattered: the regimes and the heights. All separations of a law share its nodes. Each pair of law
+    and separation has its own nodes instead for a single law, for one separation per law, for heights that are not Gaussian,
+    and for laws with a separation outside -8 to 10 sigma.
     """
     laws, each = h.shape
     sums = np.empty((len(scattered.regimes), laws, each, len(QUANTITIES)))

@@ -83,7 +83,7 @@ def append_nodes(evaluated, nodes):
 
     evaluated: fields of `nodes.Evaluated`. nodes: displacements (n, room) of the nodes of n laws, with space for `room` nodes
     per law; products of weight, quantity and dw/du (n, rows, room), ready to be summed; and the number (n,) of nodes in use,
-    which is increased. rows: one for the load alone; three for load, area and total resistance; or five for number touching,
+    which is increased. rows: one for the load alone; three for load, area and total resistance; or five for fraction touching,
     load, area, slip-limited and yield-limited resistance.
     """
     (owner, counts, weights, states), (places, values, used) = evaluated, nodes
@@ -114,7 +114,7 @@ class Placing:
     window: formula that limits an interval to heights that are not negligible, as in `Heights`. parts: largest number of
     integration intervals of one law (parameter set). displaced (n, m + 1): displacements at the edges in units of sigma, None
     if a loop compiled for the regime is used. rows: number of summed values: 1 (load), 3 (load, area, total resistance) or 5
-    (number touching, load, area, slip-limited and yield-limited resistance).
+    (fraction touching, load, area, slip-limited and yield-limited resistance).
     """
 
     regime: Regime

@@ -79,7 +79,7 @@ def _adding(along: Callable, density: Callable) -> Any:
     def add(sums, h, shape, row, mapped, rule, count):
         """Add one integration interval to five sums and return them.
 
-        sums: number touching, load, area, slip-limited and yield-limited resistance. h: mean separation in units of sigma.
+        sums: fraction touching, load, area, slip-limited and yield-limited resistance. h: mean separation in units of sigma.
         shape: parameters of the height density. row: parameters of the law. mapped: (low, linear, square) of the change of
         variable u = low + linear t + square t^2. rule (2, count): nodes t and weights on [0, 1].
         """
@@ -113,9 +113,9 @@ def scattering(along: Callable, coordinate: Callable, density: Callable, window:
     def scatter(h, law, heights, laws, rules, out):
         """Store in out[i] five sums over asperity heights, for parameter set law[i] at the mean separation h[i].
 
-        The sums are averages over all asperities: number touching, load, area, slip-limited and yield-limited resistance. h: in
-        units of sigma. heights: parameters and knots of the density. laws: fields of `nodes.Laws`. rules: nodes and weights on
-        [0, 1], and their numbers.
+        The sums are averages over all asperities: fraction touching, load, area, slip-limited and yield-limited resistance. h:
+        in units of sigma. heights: parameters and knots of the density. laws: fields of `nodes.Laws`. rules: nodes and weights
+        on [0, 1], and their numbers.
         """
         (shape, knots), (table, edges, branch, two_sided), (rule_table, counts) = heights, laws, rules
         for i in range(h.size):
@@ -246,7 +246,7 @@ def placing(along: Callable, coordinate: Callable, window: Callable, parameters:
     """Return a compiled loop that places the integration nodes of one regime and stores the values to be summed there.
 
     along, coordinate, window: formulas as in `Regime` and `Heights`. parameters: number of parameters of a law. rows = 1: the
-    load. rows = 3: load, area and total resistance. rows = 5: number touching, load, area, slip-limited and yield-limited
+    load. rows = 3: load, area and total resistance. rows = 5: fraction touching, load, area, slip-limited and yield-limited
     resistance.
     """
     put, parts_of = _putting(along, rows), reaching(window)

@@ -97,7 +97,7 @@ def scattered(
 
     regimes: smooth parts of an asperity's behaviour, each for n laws (parameter sets). h: array (m,) in units of sigma.
     heights: distribution of the heights. law: array (m,) of indices of laws; by default h[i] belongs to law i, and m = n.
-    Returns an array (regimes, m, 5) of averages over all asperities: number touching, load, area, slip-limited and
+    Returns an array (regimes, m, 5) of averages over all asperities: fraction touching, load, area, slip-limited and
     yield-limited resistance.
     """
     return Scattered(regimes, heights)(h, np.arange(np.size(h)) if law is None else law, threads)
@@ -116,7 +116,7 @@ class Scattered:
     def __call__(self, h: np.ndarray, law: np.ndarray, threads: int = 1) -> np.ndarray:
         """Return m sums over asperity heights, (regimes, m, 5), each for parameter set law[i] at the separation h[i].
 
-        h: in units of sigma. The five values are averages over all asperities: number touching, load, area, slip-limited and
+        h: in units of sigma. The five values are averages over all asperities: fraction touching, load, area, slip-limited and
         yield-limited resistance.
         """
         h, law = np.ascontiguousarray(h, dtype=float), np.ascontiguousarray(law)
@@ -221,7 +221,8 @@ def on_grid(regimes: Sequence[Regime], h: np.ndarray, heights: Heights, threads:
     """Return the sums of every regime for n laws (parameter sets) at H mean separations that all laws share.
 
     regimes: smooth parts of an asperity's behaviour, each for n laws. h: array (H,) in units of sigma. Returns an array
-    (regimes, n, 5, H) of averages over all asperities: number touching, load, area, slip-limited and yield-limited resistance.
+    (regimes, n, 5, H) of averages over all asperities: fraction touching, load, area, slip-limited and yield-limited
+    resistance.
     """
     sums = np.empty((len(regimes), len(regimes[0].edges), len(QUANTITIES), np.size(h)))
     for regime, out in zip(regimes, sums, strict=True):
@@ -245,8 +246,8 @@ def totals_on_grid(
 def _on_grid(regimes, h, heights, sums, threads) -> None:
     """Fill `sums` (n, 5 or 3, H) with sums over asperity heights, of n laws (parameter sets) at H separations that they share.
 
-    The sums of all regimes are added. With 5 rows: number touching, load, area, slip-limited and yield-limited resistance. With
-    3 rows: load, area, resistance.
+    The sums of all regimes are added. With 5 rows: fraction touching, load, area, slip-limited and yield-limited resistance.
+    With 3 rows: load, area, resistance.
     """
     h = np.ascontiguousarray(h, dtype=float)
     laws = len(sums)

@@ -1,4 +1,4 @@
-"""Warn about inputs that are implausible for a rough surface, whichever laws are used."""
+"""Warn about ratios of inputs that are implausible for a rough surface, whichever laws are used."""
 
 from math import inf
 
@@ -15,5 +15,8 @@ OUT_OF_PROPORTION = (
 
 
 def input_warnings(subject: Subject) -> list[str]:
-    """Return one sentence for each input of a contact that is implausible for a rough surface, without running a model."""
+    """Return a sentence for each ratio of inputs, such as sqrt(sigma/R), that is implausible for a rough surface.
+
+    No model is run.
+    """
     return [str(warning) for warning in warnings_about(subject, OUT_OF_PROPORTION, {})]

@@ -255,6 +255,6 @@ def _own_coordinates(dim: str, several: list[tuple[str, Any]], named: bool) -> d
 def _disagreement(name: str, dim: str, size: int, other: str) -> InputError:
     return InputError(
         name,
-        InWords(f"dimension {dim!r} of length {size}"),
-        f"the same length and coordinate as in {other}; to combine all values instead, rename the dimension in {name}",
+        InWords(f"length {size} along dimension {dim!r}"),
+        f"the length and coordinate that {other} has along it; to combine all values instead, rename the dimension in {name}",
     )

@@ -80,7 +80,7 @@ def explained(text: Callable[[str], str]) -> Iterator[None]:
 
 @contextmanager
 def field_as(name: Callable[[str], str]) -> Iterator[None]:
-    """Within the context, replace the field name of every InputError that is raised.
+    """Return a context manager that replaces the field name of every InputError raised within it.
 
     name: function that maps the old field name to the new one.
     """

@@ -33,8 +33,8 @@ class Plotting:
     def plot(self) -> "Figure":
         """Draw this result as a matplotlib Figure.
 
-        The dataset must be a result of solve, predict, compare, slide, unload, design, fit, sensitivity, film_stresses or
-        validate. Any other dataset raises InputError.
+        The dataset must be a result of solve, predict, compare, slide, unload, design, fit, sensitivity, film_stresses,
+        validate or resolution_study. Any other dataset raises InputError.
         """
         require("plot", "matplotlib")
         data = self._data

@@ -199,7 +199,10 @@ def pictures_of_comparison(findings: ReportData) -> Iterator[Picture]:
 
 
 def pictures_of_uncertainty(findings: ReportData) -> Iterator[Picture]:
-    """Yield pictures of friction by the model of the case: with its band over uncertain inputs, and by each asperity method."""
+    """Yield a picture of friction with its interval from uncertain inputs, and one of friction by each asperity method.
+
+    A picture is left out if the result does not have its data.
+    """
     data = findings.data
     if "friction_coefficient_quantile" in data and not findings.case.is_swept:
         caption = "The friction coefficient with its band over the uncertain inputs."

@@ -112,9 +112,10 @@ def _range(material: Material | None, name: str, counted: bool) -> str:
 
 
 def _source_of_material(material: Material, name: str, path: tuple[str, ...], places: dict) -> str:
-    """Return the source of a material property: its preset, or the case if the case states the property.
+    """Return the text of the source of a material property, or "the case" if there is none.
 
-    path: path of the property in the case file. places: values in the case file by path.
+    A source is marked "(stated in the case)" if the case states the property and its source. path: path of the property in the
+    case file. places: values in the case file by path.
     """
     tables = (path[:-1], ("materials", material.name))
     in_case = any((*table, name) in places for table in tables)

@@ -68,9 +68,10 @@ def map_figure(surface: HeightMap, title: str = "", asperities: Asperities | Non
 
 
 def _draw_places(axes: Axes, surface: HeightMap, asperities: Asperities, factor: float) -> str:
-    """Mark every asperity in a picture of heights, and return a text on the marks.
+    """Mark every asperity in a picture of heights, and return a caption with their number.
 
-    factor: from metres to the unit of the height axis. Marks are smaller if there are many.
+    If the method gives only averages, nothing is marked and the caption states this. factor: from metres to the unit of the
+    height axis. Marks are smaller if there are many.
     """
     if not len(asperities.places):
         return f"{plain(asperities.method)}: averages only, no positions"

@@ -89,10 +89,11 @@ def pull_off(problem: Problem) -> tuple[np.ndarray, np.ndarray]:
 def separations_at(problem: Problem, targets: np.ndarray, refuse: bool = True) -> Inversion:
     """Find the separations at which n contacts carry the normalised loads `targets` (n, m).
 
-    A load may be carried at several separations. The function returns the separation that is stable under a given load: the
-    first that approaching surfaces reach after the largest tension. For smooth laws and Gaussian heights a fast method finds
-    starting values, which are refined with the sums over asperities. Otherwise the root is bracketed on a grid and found by
-    Chandrupatla's method. Raises Unreachable for a load that cannot be carried; with refuse=False its separation is NaN.
+    A load may be carried at several separations. On approach, the first separation after the largest tension is stable under a
+    given load and is returned. For sums over Gaussian heights, estimates are refined with the sums over asperities. Theories in
+    closed form that provide an estimate use the secant method. In other cases, and if these methods fail, the root is bracketed
+    on a grid and found by Chandrupatla's method. Raises Unreachable for a load that cannot be carried; with refuse=False its
+    separation is NaN.
     """
     return _whole([inversion for inversion, _, _ in _by_blocks(problem, targets, refuse)])
 
@@ -162,7 +163,7 @@ def _quickly(problem: AsperitySum, targets: np.ndarray) -> tuple[Inversion, np.n
 
     Returns three values: the separations with their residuals, as an `Inversion`; a mask (n,) of the contacts for which the
     method succeeded; and the sums over asperities (regimes, n, m, 5) at these separations, NaN where they were not computed.
-    The five sums are number touching, load, area, slip-limited and yield-limited resistance.
+    The five sums are fraction touching, load, area, slip-limited and yield-limited resistance.
     """
     start, (tension, where, holds) = problem.approach.starts(targets), problem.largest_tension
     carried = np.where((tension > 0.0)[:, None], targets >= -tension[:, None], targets > 0.0)

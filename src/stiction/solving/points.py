@@ -95,8 +95,8 @@ def normalised(value: Any, unit: Any, dims: Mapping[str, int]) -> np.ndarray:
 def requested_points(subject: Subject, name: str, value: Any) -> Any:
     """Validate the requested separations or loads; return a number, or an array with named dimensions.
 
-    subject: the contact. name: quantity of the value. A plain sequence gets a dimension with the name of its quantity, and
-    becomes a Variable, whose values are also the coordinate of that dimension.
+    subject: the contact. name: quantity of the value. A plain sequence becomes a Variable with one dimension, named
+    after the quantity; its values are also the coordinate.
     """
     if isinstance(subject, Contact):
         if is_series(value):

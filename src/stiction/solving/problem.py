@@ -133,7 +133,7 @@ class AsperitySum(Problem):
     def sums_at(self, h: np.ndarray) -> np.ndarray:
         """Return the sums over asperities (regimes, n, m, 5) of n contacts at the separations h (n, m) in units of sigma.
 
-        The five values, per asperity: number touching, load, area, slip-limited and yield-limited tangential force.
+        The five values, per asperity: fraction touching, load, area, slip-limited and yield-limited tangential force.
         """
         sums = sums_of_each(self._scattered, np.ascontiguousarray(h, dtype=float), self.threads)
         return sums if self.most_pull is None else bounded(sums, self.regimes, self.most_pull[..., None])
@@ -184,7 +184,7 @@ class AsperitySum(Problem):
     def sums(self, h: np.ndarray, law: np.ndarray) -> np.ndarray:
         """Return the sums over asperities (regimes, k, 5) for k pairs of a separation h, in units of sigma, and a contact.
 
-        law (k,): indices of the contacts. The five values, per asperity: number touching, load, area, slip-limited and
+        law (k,): indices of the contacts. The five values, per asperity: fraction touching, load, area, slip-limited and
         yield-limited tangential force. The pull of menisci is limited to its upper bound.
         """
         sums = self._scattered(h, law, self.threads)

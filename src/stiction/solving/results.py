@@ -32,8 +32,8 @@ def labelled(
 ) -> "xarray.Dataset":
     """Convert normalised arrays to a dataset in the units of the contact.
 
-    tables: arrays by name, in the shape of dims or broadcasting to it. factors: by unit ("N", "m^2", "count"), the number
-    by which arrays in this unit are multiplied. dims, coords: dimensions with their sizes, and coordinates.
+    tables: arrays by name, of the shape `dims` or broadcastable to it. factors: numbers by which arrays are multiplied, by unit
+    ("N", "m^2", "count"). dims, coords: dimensions with their sizes, and coordinates.
     """
     return as_dataset(as_variables(subject, tables, factors, dims), coords)
 

@@ -139,7 +139,7 @@ def slide(
         if value is not None:
             raise InputError(name, value, "no value; only model = boundary_elements uses it")
     if subject.has_film:
-        raise InputError("contact", InWords("with a film"), "a bare contact, or model = boundary_elements with a height map")
+        raise InputError("contact", InWords("has a film"), "no film, or model = boundary_elements with a height map")
     words: dict[str, Any] = {**laws, "presliding": _PRESLIDING}
     if model is None and words.get("asperity") is None and not np.any(getattr(subject, subject.given_as("theta"), None)):
         model, words["asperity"] = YIELDING_SPOTS["model"], YIELDING_SPOTS["asperity"]

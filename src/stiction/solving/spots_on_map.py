@@ -1,6 +1,6 @@
-"""Compute by how much shear displaces the contact spots of a solved map.
+"""Compute the scatter of the shear displacement over the contact spots of a solved map.
 
-`sliding_efficiency` uses the result.
+It is the standard deviation over all points in contact under a uniform shear stress. `sliding_efficiency` uses it.
 """
 
 import math

@@ -111,9 +111,10 @@ def of_the_map(subject: Subject) -> dict[str, float]:
 
 
 def _of_attraction(groups: Groups, surface: "HeightMap | None") -> dict[str, np.ndarray]:
-    """Return numbers (n,) that describe the adhesion of n surfaces in theories of the whole surface, by name.
+    """Return adhesion quantities (n,) of n rough surfaces, by name.
 
-    surface: the height map that the theory uses, or None.
+    Theories without asperities use them. Without a Tabor parameter, only elastic_over_adhesion is returned. surface: the height
+    map that the theory uses, or None.
     """
     from stiction.laws.criterion.pastewka_robbins_2014 import range_over_gap, stickiness
     from stiction.laws.criterion.persson_tosatti_2001 import elastic_over_adhesion

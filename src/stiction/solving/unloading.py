@@ -247,9 +247,9 @@ def _make_unloading(contact: Subject, choice: Choice, heights) -> _Unloading:
         reason = f"{tangential} is valid only for loading"
         raise InputError("tangential", tangential, f"none, or a law of interface strength: {reason}")
     if as_subject(contact).indices().meniscus_index is not None:
-        raise InputError("contact", InWords("with a liquid"), "a dry contact: unload() does not support menisci")
+        raise InputError("contact", InWords("has a liquid"), "no liquid, because unload() does not support menisci")
     if as_subject(contact).has_film:
-        raise InputError("contact", InWords("with a film"), "a bare contact: unload() does not support films")
+        raise InputError("contact", InWords("has a film"), "no film, because unload() does not support films")
     model = find(choice.model_key, RoughSurface)
     if not model.asperity:
         raise InputError("model", choice.model_key, "a sum over asperities, because unload() follows each asperity")

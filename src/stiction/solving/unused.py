@@ -100,7 +100,7 @@ def refuse_ignored_strength(problem: Problem, choice: Choice) -> None:
 
 
 def _laws_that_use(group: str, problem: Problem) -> dict[str, list[str]]:
-    """Return the keys of laws that would use a dimensionless group and suit the other laws in use, by keyword of `solve`."""
+    """Return, for each keyword of `solve`, the keys of laws that would use a dimensionless group and suit the laws in use."""
     chosen = problem.chosen
     asperity = chosen.asperity  # None for a theory in closed form
     known = problem.groups

@@ -85,7 +85,7 @@ def surface_kind_of(word: Any) -> str:
     if isinstance(word, str) and word in _finishes():
         return _finishes()[word].surface_kind
     known = [*SURFACE_KINDS, *(name for name in finish_names() if name not in SURFACE_KINDS)]
-    raise InputError("kind", word, "a kind of surface or a finish: " + nearest(word, known))
+    raise InputError("kind", word, "a kind of surface or a finish, e.g. " + nearest(word, known))
 
 
 def mixture_of_kinds(shares: Mapping[str, float]) -> str:

@@ -232,7 +232,8 @@ def _range(name: str, given, count: int, pitch: float) -> tuple[int, int]:
     name: "y" or "x", for the error. given: (start, stop), in metres or text with a unit. count: number of points. pitch: their
     distance [m]. Raises InputError if a position is outside the map or no point is left.
     """
-    allowed = f"(start, stop) with 0 m <= start < stop <= {show(count * pitch, 'scan_size')}, with a point of the map between"
+    largest = show(count * pitch, "scan_size")
+    allowed = f"(start, stop) with 0 m <= start < stop <= {largest}, and at least one map point between them"
     if not isinstance(given, tuple | list) or len(given) != 2:
         raise InputError(f"crop {name}", given, allowed)
     start, stop = (0.0 if isinstance(place, int | float) and place == 0 else metres(place, f"crop {name}") for place in given)

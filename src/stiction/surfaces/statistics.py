@@ -281,7 +281,7 @@ def _mean(x: Moments, y: Moments) -> Moments:
 
 
 def _equivalent(x: Moments, y: Moments, correlation: float) -> Moments | None:
-    """Return the moments by equation (1) in the module docstring: those of the isotropic surface that was stretched.
+    """Return the moments of the isotropic surface that, when stretched, gives this surface: equation (1) of the module.
 
     x, y: moments of profiles along x and along y. correlation: correlation coefficient of the slopes along x and y. The result
     is None if all slopes lie along one line, because the surface then has no summits.

@@ -13,7 +13,10 @@ _RENAMED = {"tfrac": r"\frac", "le": r"\leq", "ge": r"\geq", "bigl": "", "bigr":
 
 
 def typeset(text: str) -> str:
-    """Return Markdown in which the LaTeX formulas of a Markdown text are images; displayed formulas are set line by line."""
+    """Return Markdown in which the LaTeX formulas of a Markdown text are images.
+
+    A displayed formula becomes one image per line. A formula that matplotlib cannot draw remains text.
+    """
     drawn: list[str] = []
 
     def display(found: re.Match[str]) -> str:

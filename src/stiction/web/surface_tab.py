@@ -133,7 +133,7 @@ class SurfaceTab:
         await self._released()
 
     def _band(self) -> Band:
-        """Return the band of wavelengths between the sliders, and show it in their labels.
+        """Return the chosen order of the form and the chosen wavelengths; show the wavelengths in the labels.
 
         A slider at its end sets no cutoff.
         """

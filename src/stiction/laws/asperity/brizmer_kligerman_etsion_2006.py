@@ -154,7 +154,8 @@ RECORD = AsperityLaw(
             "nu",
             LEAST_NU,
             0.5,
-            f"the fit starts at {LEAST_NU}; below it, the stick-to-slip ratios of load and displacement are kept constant",
+            f"the fit starts at {LEAST_NU}; below it, load and displacement at first yield in stick, over those in slip, "
+            "stay constant",
         ),
     ),
     limits=(

@@ -1,1 +1,1 @@
-"""scatter of the strength of junctions ("none" leaves it out)"""
+"""scatter of the junction strength ("none" leaves it out)"""

@@ -85,8 +85,9 @@ def regimes(groups: Groups, law, bound: str) -> list[Regime]:
     """Return the regimes of a surface with a thin elastic layer on a rigid substrate.
 
     A regime is a segment of an asperity law together with the tangential force on it. groups: dimensionless groups of n coated
-    contacts. law: only its tangential law is used, which must describe the interface. bound: key of BOUNDS. There are two
-    regimes, one for contact radii below the film thickness and one for larger radii (in_half_space=False).
+    contacts. law: only its tangential law is used, which must be one with interfacial=True. bound: key of BOUNDS. The first
+    regime holds for contact radii below the film thickness (in_half_space=True), the second for larger radii
+    (in_half_space=False).
     """
     laws = len(groups)
     _, power, widening = BOUNDS[bound]

@@ -94,7 +94,7 @@ PULL_ON_MAPS = Validity(
     "meniscus_share",
     0.0,
     0.005,
-    "solved height maps give 0.9 to 4 times this meniscus force: mu may be too low",
+    "solved height maps give 0.9 to 4 times this meniscus force, so mu may be too low",
     "assumption",
 )
 

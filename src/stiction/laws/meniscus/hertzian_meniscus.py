@@ -123,10 +123,12 @@ RECORD = Meniscus(
         *equilibrium_meniscus.VALIDITY,
         replace(
             equilibrium_meniscus.PULL_ON_MAPS,
-            why="solved height maps give up to 3.8 times this meniscus force: mu may be too low",
+            why="solved height maps give up to 3.8 times this meniscus force, so mu may be too low",
         ),
         ELASTIC,
-        Validity("penetration_over_meniscus", 0.0, 0.1, "contact area and friction are larger than computed"),
+        Validity(
+            "penetration_over_meniscus", 0.0, 0.1, "menisci widen the contact, which the law neglects; area and mu are too low"
+        ),
     ),
     limits=(Limit("equilibrium_meniscus", {"meniscus_index": 1.0, "meniscus_height": 1e8}, ("load",), 0.002),),
 )

@@ -30,7 +30,7 @@ RECORD = RoughSurface(
     tangential="chang_etsion_bogy_1988",
     verified="sums over heights, computed independently at 30 digits; friction of single asperities tabulated independently",
     validity=(
-        Validity("plasticity_index", 0.0, 0.6, "plastic asperities have no friction in this law: mu is too low", "effect"),
+        Validity("plasticity_index", 0.0, 0.6, "plastic asperities have no friction in this law, so mu is too low", "effect"),
     ),
     limits=(elastic_limit("greenwood_williamson_1966"),),
     notes="The adhesion of the 1988 papers is not included.",

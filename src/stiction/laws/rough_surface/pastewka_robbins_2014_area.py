@@ -72,7 +72,7 @@ RECORD = RoughSurface(
             "stickiness_ratio",
             1.0,
             math.inf,
-            "attraction exceeds repulsion: the surface sticks without a load",
+            "attraction exceeds repulsion, so the surface sticks without a load",
             "impossible",
         ),
         Validity("range_over_gap", 0.0, 0.1, "the attraction reaches beyond the rims of the contact spots"),

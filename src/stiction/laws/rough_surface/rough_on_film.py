@@ -183,8 +183,8 @@ def area_of_waves(
 def _interpolated(function: Callable[[np.ndarray], np.ndarray], low: np.ndarray, high: np.ndarray) -> Callable:
     """Return a function that approximates the positive function `function` between the limits low and high (n, 1).
 
-    It interpolates the logarithm of `function` by Chebyshev polynomials, one for each row, and clips its argument (n, H) to the
-    limits. Returns `function` itself if the polynomials are not accurate to round-off.
+    It interpolates ln(function) by Chebyshev polynomials, one for each row, and clips its argument (n, H) to the limits; limits
+    less than 2 apart are first widened to 2 about their middle. `function` itself is returned if round-off is not reached.
     """
     middle, half = 0.5 * (high + low), np.maximum(0.5 * (high - low), 1.0)
     angles = (np.arange(_POINTS) + 0.5) * math.pi / _POINTS

@@ -99,7 +99,7 @@ RECORD = TangentialLaw(
     needs=("hardness_group", "shear_strength", "hardness_to_yield"),
     validity=(
         Validity(
-            "grown_area_ratio", 1.0, 3.0, "hardening would limit this growth but is not modelled: mu is too high", "effect"
+            "grown_area_ratio", 1.0, 3.0, "hardening would limit this growth but is not modelled, so mu is too high", "effect"
         ),
     ),
     limits=(Limit("bowden_tabor_1943", {"shear_strength": 1e-7}, ("friction_force",), 1e-11),),

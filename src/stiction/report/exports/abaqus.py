@@ -1,9 +1,9 @@
 """Write Abaqus input: a *SURFACE INTERACTION with *FRICTION against pressure and, without a film, *SURFACE BEHAVIOR.
 
 Document: Abaqus Keywords Reference Guide, "*FRICTION" (ELASTIC SLIP; data lines: friction coefficient, slip rate, contact
-pressure), "*SURFACE BEHAVIOR" (PRESSURE-OVERCLOSURE=TABULAR; data lines: pressure, overclosure) and "*SURFACE INTERACTION".
-The slip rate is empty, because mu does not depend on it. ELASTIC SLIP is one number, taken at the stated load; only
-Abaqus/Standard reads it. Overclosure is zero at the separation where the linearly extrapolated pressure is zero.
+pressure), "*SURFACE BEHAVIOR" (PRESSURE-OVERCLOSURE=TABULAR; data lines: pressure, overclosure) and "*SURFACE INTERACTION". The
+slip rate is empty, because mu does not depend on it. ELASTIC SLIP is one number, taken at the stated load; only Abaqus/Standard
+reads it. Overclosure is zero at the separation at which the pressure, extrapolated linearly from the first two rows, is zero.
 """
 
 from typing import TYPE_CHECKING

@@ -32,7 +32,7 @@ _ONE_MODEL = "This is mu of one model. `stiction run` predicts mu of the contact
 def sliding_table(data: "xarray.Dataset") -> Table:
     """Return a table of a result of `slide`, one row for each load.
 
-    Columns: mu, largest tangential force over load, the displacement of that force, and the tangential stiffness at rest.
+    Columns: separation, load, mu, largest tangential force over load, displacement of this force, tangential stiffness at rest.
     """
     return curve_table(data.drop_dims("displacement"), True, _HEADS)
 

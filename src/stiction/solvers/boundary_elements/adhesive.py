@@ -52,8 +52,8 @@ from stiction.surfaces.memory import require_memory
 _ARRAYS = 20  # number of arrays of the size of the map that the minimisation needs
 _BETWEEN = 2.5  # largest refinement of the grid relative to the map, along each side
 _AT_EDGE = 0.085  # in equation (2)
-# Largest pressure error where faces do not touch: divided by the largest attraction, and divided by the tension. With a larger
-# error, faces could still touch beyond the largest pull.
+# Largest unbalanced pressure where faces do not touch: divided by the largest attraction, and divided by the tension. With a
+# larger pressure, faces could still touch beyond the largest pull.
 _LEFT, _OF_TENSION = 0.1 * MOST_ATTRACTION_LEFT, 3e-3
 
 
@@ -64,7 +64,7 @@ class AdhesiveContact:
     load [N], > 0 if pressed together. area: contact area, corrected for pixel size [m2]. area_pixels: contact area without this
     correction [m2]. points: number of points in contact. perimeter: length of the contact edge [m]. mean_gap: mean distance of
     the faces [m], infinite if they have separated. attraction: sum of the attractive forces at all points, also at those in
-    contact [N]. detached: whether there is no contact at this load; the area is then 0. residual: largest pressure error,
+    contact [N]. detached: whether there is no contact at this load; the area is then 0. residual: largest unbalanced pressure,
     divided by the largest attraction, at points that are out of contact or should be. points_at_edge: number of points across
     the zone at the contact edge where attraction acts on open faces (cohesive zone). validity_warnings: limits of the solver
     that this solution exceeds. pressure: contact pressure minus attraction [Pa], (rows, columns) of the solved grid, which is
@@ -290,7 +290,8 @@ def _contact(faces: Faces, descent: DescentSearch, load: float, grid: _Grid) -> 
     validity_warnings = grid.validity_warnings
     if descent.residual > MOST_ATTRACTION_LEFT and not apart:
         why = (
-            f"not converged: pressure error {descent.residual:.2g} of the largest attraction where faces are or should be open"
+            f"not converged: unbalanced pressure {descent.residual:.2g} of the largest attraction where faces are or should "
+            "be open"
         )
         validity_warnings = (
             *validity_warnings,

@@ -84,8 +84,8 @@ class Film:
     def over_half_space(self, k: np.ndarray) -> np.ndarray:
         """Return the compliance of the film on its substrate, divided by the compliance of a half-space of film material.
 
-        k: wavenumbers > 0 [1/m], any shape. The result has the same shape. It is equation (2) of this module divided by 2/(E1*
-        k), with the plane-strain modulus E1* of the film.
+        k: wavenumbers > 0 [1/m], any shape. The result, of the same shape, is equation (2) of this module divided by
+        2/(E1* k), with the plane-strain modulus E1* of the film.
         """
         parts = self._parts()
         y = 2.0 * self.thickness * np.asarray(k, dtype=float)

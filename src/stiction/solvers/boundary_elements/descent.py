@@ -34,11 +34,11 @@ _LARGEST = 700.0  # largest exponent whose exponential is a finite number
 
 @dataclass(frozen=True)
 class Faces:
-    """Store the heights and the stiffness of two faces that attract each other.
+    """Store the combined heights and the combined stiffness of two faces that attract each other.
 
     heights (rows, columns): heights divided by the range of attraction. stiffness: dimensionless stiffness (elastic pressure
     per displacement) of each wave, in the order of `rfft2`; 0 for the mean. share (rows, columns): fraction of the work of
-    adhesion that remains; None if it is 1 everywhere.
+    adhesion that acts at each point, for example after shear has lowered it; None if it is 1 everywhere.
     """
 
     heights: np.ndarray

@@ -9,6 +9,6 @@ LEAST_CONTACT = 100  # points in contact
 MOST_AT_ENDS = 0.01  # fraction of the load on the outermost points of a map with free edges
 LEAST_LOAD_ERROR = 1e-9
 LEAST_POINTS = 2.0  # points across the zone at the contact edge where attraction acts on open faces (cohesive zone)
-MOST_ATTRACTION_LEFT = 1e-3  # pressure error where attracting faces do not touch, divided by the largest attraction
+MOST_ATTRACTION_LEFT = 1e-3  # unbalanced pressure where attracting faces do not touch, divided by the largest attraction
 LEAST_TABOR = 5.0  # smallest Tabor parameter at which a range of attraction counts as short
 LEAST_WEAKENING = 3.0  # points along the length over which strength is lost, for the largest tangential force

@@ -170,7 +170,10 @@ def _thick(t: float) -> np.ndarray:
 
 @lru_cache(maxsize=64)
 def _alone(nu: float) -> Radial:
-    """Return the stresses in a homogeneous half-space with Poisson's ratio nu under a sphere, on the search grid."""
+    """Return the stresses on the search grid in a body without a film, under a pressed and sheared sphere.
+
+    nu: Poisson's ratio of the body.
+    """
     whole = Stresses((Layer.of(1.0, 1.0, nu, nu),), CoatedBody(1.0, nu, nu), 0.5)
     return whole.in_film(_RADII, _IN_BODY)
 

@@ -69,10 +69,12 @@ def respond(pair: Pair, radius: float) -> Response:
 def response_of(
     g_0: np.ndarray, g_2: np.ndarray, wider: np.ndarray, to_edge: np.ndarray, to_edge_slope: np.ndarray, edge: float
 ) -> Response:
-    """Return the response from the coefficients (n,) of the three solutions, and from sums over the excess compliance.
+    """Return the `Response` of coated bodies to a sphere at one contact radius, from solutions of the contact equation.
 
-    g_0, g_2, wider, to_edge: from `_solve`. to_edge_slope: derivative of `to_edge` with respect to the coordinate s, at the
-    edge. edge: sum of the excess compliance times squared edge values.
+    g_0, g_2, wider (n,): coefficients of the solution for the flat punch, of the solution for the displacement s^2, and of the
+    change of g_0 with the contact radius. to_edge (n,): factors that give the value at the contact edge. All four are from
+    `_solve`. to_edge_slope (n,): derivative of `to_edge` with respect to the coordinate s, at the edge. edge: sum over waves of
+    the excess compliance times the squared value of the wave at the edge.
     """
     edge_0, edge_2 = 1.0 - to_edge @ g_0, 1.0 - to_edge @ g_2
     slope_0, slope_2 = -to_edge_slope @ g_0, 2.0 - to_edge_slope @ g_2

@@ -147,10 +147,10 @@ def on_other_kinds(problem: Problem, features: ContactFeatures, found: ErrorsNea
     """Return the errors of the area law for films on a surface that may be non-Gaussian, for a contact without a map.
 
     features: features of the contact at k points. found: errors of the law on Gaussian surfaces. area: normalised contact area.
-    Two further errors widen the result. The first is the error of the law for bare surfaces on all kinds of surface. It is
-    taken at the pressure at which a bare surface has the same elastic area (Persson 2001), and at the hardness at which the
-    same fraction of this area flows. The second is the additional error due to a film, from the benchmark surfaces with films;
-    it is omitted for the kind "gaussian". If the kind is known, both also shift the mean.
+    Two further errors widen the distribution of `found`. The first is the error of the law for bare surfaces of all kinds. It
+    is taken for a bare surface that has the same elastic area (Persson 2001) and the same yielded fraction of it as the
+    contact; its pressure and hardness follow from these. The second is the additional error due to a film, from the benchmark
+    surfaces with films; it is omitted for the kind "gaussian". If the kind is known, both also shift the mean.
     """
     from stiction.surfaces.theory.widened_area import MEETING
 

@@ -274,11 +274,11 @@ def _near(problem: Problem, column: str, features: ContactFeatures, points: int,
 
 
 def _on_other_maps(problem: Problem, features: ContactFeatures, points: int, area: np.ndarray) -> ErrorsNear | None:
-    """Return the errors of an area law for films, measured on rough surfaces with films; None if it was not measured.
+    """Return the errors of an area law for films, measured on rough surfaces with films (truth/films.csv); None without data.
 
-    Source: truth/films.csv. If the law solves the contact's own map, the errors are 0, because the discretisation error is
-    added later. Without a map the intervals are wider, as the surface may be non-Gaussian; a specified kind shifts them.
-    points: loads per contact.
+    If the law solves the contact's own map, the errors are 0; the discretisation error is added later. Without a map the
+    intervals are wider, because the surface may be non-Gaussian; a stated kind or statistic of the surface also shifts them.
+    features: features of the contact at k points. points: loads per contact. area: normalised contact area.
     """
     found = on_solved_maps(problem, points)
     surface = problem.map if isinstance(problem, ClosedFormProblem) else None

@@ -102,8 +102,9 @@ class ContactFeatures:
 def _of_map(surface: "HeightMap", problem: Problem, load: np.ndarray):
     """Return pressure/(E* h'), hardness/(E* h'), Nayak's alpha and the shape of a contact with a known map.
 
-    E* is the contact modulus and h' the rms gradient. load: normalised loads. The shape has three numbers: the skewness of
-    the heights, the lay (ratio of largest to smallest rms slope), and the rms gradient of the highest 5 %, divided by h'.
+    E* is the contact modulus and h' the rms gradient. load: normalised loads. The shape has three numbers: the skewness of the
+    heights, the lay (ratio of largest to smallest rms slope), and the rms gradient of the highest 5 % of all points, divided by
+    h'.
     """
     from stiction.solvers.boundary_elements.map_area import map_area  # only contacts with a map need this
     from stiction.surfaces.asperity_set import skewness

@@ -261,7 +261,7 @@ def _cost(search: DesignSearch, number: int, ceiling: float | None, shares: np.n
 
 
 def _beyond(objectives: np.ndarray, worst: np.ndarray, number: int, ceiling: float | None) -> np.ndarray:
-    """Return the relative constraint violation (n,) of n designs; up to half the tolerance it counts as 0.
+    """Return the largest relative constraint violation (n,) of n designs; values up to half of TOLERANCE are set to 0.
 
     objectives (n, 1 or 2): costs of the designs. worst (n,): violation of the constraints of the plan. number: index of the
     objective that is searched. ceiling: upper bound of the other objective, which is then a constraint too; None without a

@@ -48,7 +48,7 @@ class Evaluated:
 
     @property
     def worst(self) -> np.ndarray:
-        """Return the largest constraint violation of each design (n,); 0 if it meets all constraints."""
+        """Return the largest of the constraint violations and the number of violated validity ranges, for each design (n,)."""
         return np.maximum(self.excess, 0.0).max(axis=1, initial=0.0)
 
     def followed_by(self, more: "Evaluated") -> "Evaluated":
@@ -268,10 +268,10 @@ class DesignSpace:
         return named | numbers, {"load": DataArray(self.case.load, dims=("load",)) if load is None else load}
 
     def _sampled(self, named: Mapping[Address, Any], chosen: list[Address]) -> dict[Address, np.ndarray]:
-        """Return samples (samples,) of each uncertain number that the design does not choose; {} for a prediction.
+        """Return samples (samples,) of each uncertain number that is not chosen, by address; {} for predictions.
 
-        The keys of all dicts are addresses (tuples of keys of the case). named: choices that are not numbers. chosen: addresses
-        of chosen numbers.
+        A prediction draws its own samples. An address is a tuple of keys of the case. named: chosen entries that are not
+        numbers, such as materials, by address. chosen: addresses of chosen numbers.
         """
         if self.is_predicted:
             return {}

@@ -6,7 +6,7 @@ sticks until the edge of its contact peels. The peeling energy is computed for a
 left out in both cases, because it is not known for an adhesive asperity on a film.
 
 The ratio t/sqrt(R sigma) decides how thick a film is relative to its contacts. The paper does not print it; with its
-tau = t/sigma it is tau sqrt(sigma/R). SHARPNESS is sqrt(sigma/R) for the asperities of the project's first example, with
+tau = t/sigma it is tau sqrt(sigma/R). SHARPNESS is sqrt(sigma/R) for the asperities of examples/silver_on_steel.toml, with
 sigma = 48 nm and R = 50 um.
 """
 
@@ -38,8 +38,8 @@ def film_groups(tau: Any) -> dict[str, Any]:
 def totals(theta: float, lam: np.ndarray, h: np.ndarray, film: tuple[np.ndarray, ...] | None = None) -> tuple[np.ndarray, ...]:
     """Return dimensionless load, contact area and friction force of n contacts at H separations, (n, H) each.
 
-    theta, lam (n,): adhesion indices. h (H,): separations over sigma. film: the film groups n_E, n_H and tau, each (n,); None
-    without a film.
+    theta: adhesion index, the same for all contacts. lam (n,): plastic adhesion index. h (H,): separations over sigma. film:
+    the film groups n_E, n_H and tau, each (n,); None without a film.
     """
     n = len(lam)
     ones, K_beta = np.ones(n), stiffness_group(_NU)

@@ -170,7 +170,7 @@ def area_laws(sampled: SampledCase) -> list[AreaLaw]:
 
 
 def _in_turn(sampled: SampledCase) -> tuple[tuple[tuple[Choice, float], ...], ...]:
-    """Return sets of area models with weights, as (model, weight), in the order in which `area_laws` tries them."""
+    """Return the sets of area models in the order in which `area_laws` tries them; a set is a tuple of (model, weight)."""
     contact = sampled.contact
     if contact.has_film:
         return _ON_FILM, _OTHER_FILMS

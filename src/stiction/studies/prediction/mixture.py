@@ -232,7 +232,7 @@ def _most_load(sampled: SampledCase) -> np.ndarray:
 def _refuse_flattened(sampled: SampledCase) -> None:
     """Raise InputError if a load exceeds hardness times nominal area.
 
-    For many contacts, the error is raised only if every load exceeds this limit.
+    For several contacts, the error is raised only if every load exceeds the limit of its contact.
     """
     most = np.broadcast_to(_most_load(sampled), sampled.loads.shape)
     flattened = sampled.loads > most

@@ -94,8 +94,9 @@ class Strength:
     def hardens(self, strength: np.ndarray, shear_strength: np.ndarray) -> np.ndarray | float:
         """Return the degree, 0 to 1, to which the interface hardens together with a metal body, (n, m or 1).
 
-        strength: tau_0 [Pa]. shear_strength: shear strength of the body [Pa]. The degree is 1 if a state of the interface
-        determines tau_0. For a stated tau_0, it increases from 0 at half the shear strength of the body to 1 at this strength.
+        strength: tau_0 [Pa]. shear_strength: shear strength of the body [Pa]. The degree is 1 if tau_0 follows from a named
+        interface, such as "clean metal". For a stated tau_0, it increases from 0 at half the shear strength of the body to 1 at
+        this strength.
         """
         return 1.0 if self.stated is None else np.clip((strength / shear_strength - _NEAR_BODY) / (1.0 - _NEAR_BODY), 0.0, 1.0)
 

@@ -112,7 +112,7 @@ def analyse(surface: HeightMap, progress: Steps = iter, tip_radius: "QuantityLik
 
 
 def summary(analysis: Analysis) -> dict[str, Any]:
-    """Return the analysis of a scan as a dict of plain numbers in SI units, for JSON."""
+    """Return the analysis of a scan as a dict for JSON, with numbers in SI units."""
     surface = analysis.surface
     rows, columns = surface.heights.shape
     return {

@@ -1,7 +1,8 @@
-"""Compute logarithmic sensitivities d ln y/d ln x of results y to every number x of a contact.
+"""Compute logarithmic sensitivities d ln y/d ln x of results y to each number x > 0 of a contact.
 
-They are central differences in ln x with two widths, extrapolated to width 0 (Richardson 1911). The error is of fourth order in
-the width. Its bound is the change of the derivative by the extrapolation. All points are solved together.
+Sensitivities of a model are central differences in ln x with two widths, extrapolated to width 0 (Richardson 1911). The error
+is of fourth order in the width; its bound is the change of the derivative by the extrapolation. Sensitivities of a prediction
+are a single difference, from ln x - 0.05 to ln x + 0.05, without error bound.
 """
 
 import math
@@ -125,9 +126,10 @@ def log_sensitivities_of_prediction(case: Case, load: float) -> dict[str, float]
 
 
 def _of_interface(case: Case, load: float) -> dict[str, float]:
-    """Return d ln mu/d ln x for the numbers of the interface that a contact names: its strength, and its pressure coefficient.
+    """Return d ln mu/d ln x for the strength and the pressure coefficient of the interface of a contact.
 
-    load: in N. Each number is moved together with its 5 and 95 % quantiles. The bodies still limit the strength.
+    load: in N. A number and its 5 and 95 % quantiles are changed by the same factor. Numbers that are uncertain in the case are
+    left out. The bodies still limit the shear strength.
     """
     contact = case.subject
     if not isinstance(contact, Contact) or contact.interface is None:

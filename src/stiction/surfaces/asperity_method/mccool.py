@@ -61,7 +61,7 @@ RECORD = AsperityMethod(
             "roughness_parameter",
             LEAST_DENSITY,
             inf,
-            "isotropic Gaussian surfaces are in this range, as their bandwidth parameter alpha is 1.5 or more",
+            "no isotropic Gaussian surface has so low a value (bandwidth parameter alpha >= 1.5)",
         ),
     ),
     of_summits=True,

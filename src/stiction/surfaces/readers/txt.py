@@ -39,7 +39,8 @@ _REMARK = re.compile(r"#\s*(Channel|Lateral units|Value units):\s*(.*?)\s*")
 def _units(path: Path) -> tuple[str, ...] | None:
     """Return (lateral unit, height unit) from the lines at the start of a file that begin with #; () if they specify none.
 
-    Returns None if another of these lines contains a colon, if only one unit is specified, or if a unit is unknown.
+    Returns None if one of these lines has a colon but is not "Channel", "Lateral units" or "Value units", if only one unit is
+    specified, or if a unit is unknown.
     """
     said: dict[str, str] = {}
     with path.open(encoding="utf-8-sig", errors="replace") as file:

@@ -1,6 +1,6 @@
 r"""Load of a yielded asperity without adhesion during unloading.
 
-`st.unload` separates a surface after loading. JKR asperities follow their unloading branch. Asperities by [Thornton and
+`st.unload` computes contact during unloading. JKR asperities follow their unloading branch. Asperities by [Thornton and
 Ning](#thornton_ning_1998) follow the equations of these authors. For yielded asperities without adhesion this project uses its
 own law. Unloading starts at the turning point, with displacement $w_m$, load $P_m$ and contact area $A_m$. From there the
 asperity unloads elastically, as a sphere that plastic flow has flattened: it follows Hertz with the larger radius $\bar R$ and

@@ -32,7 +32,7 @@ from stiction.laws.film.shared.graded_signals import (
 
 PARAMETERS = WHOLE  # number of parameters of the law before the plateaus
 PLATEAUS = 3
-BRANCHES = 4  # coordinates at which the yield resistance ends like a square root
+BRANCHES = 4  # largest number of coordinates at which the yield resistance begins or ceases to be real
 CAPACITY = 40  # largest number of edges
 FAR = 79  # number of cells of the scan that are equal in ln u
 SPARE = 8  # number of samples that can be inserted at kinks
@@ -347,7 +347,7 @@ def _name_parts(law, through, edges, count, part):
 
     The codes are 0 elastic film, 1 plastic film, 2 elastic substrate, 3 plastic substrate, -1 no segment. The unbounded
     segment after the last edge is included. through: coordinate at which the film is pressed through. edges: the first
-    `count` are used, the others are overwritten. law: parameters of an asperity on a graded film.
+    `count` are used, the others are set to _END. law: parameters of an asperity on a graded film.
     """
     edges[count:] = _END
     part[:] = -1
@@ -366,7 +366,7 @@ def find_kinks(parameters: np.ndarray, tau: np.ndarray) -> tuple[np.ndarray, ...
     The edges (n, CAPACITY) are coordinates u. The part codes (n, CAPACITY - 1) give body and state of each segment between
     them: 0 elastic film, 1 plastic film, 2 elastic substrate, 3 plastic substrate, -1 no segment. The plateaus (n, 6) are
     three pairs (start, level): for u >= `start` the load is at least `level`. The branch points (n, 4) are coordinates at
-    which the yield resistance ends like a square root.
+    which the yield resistance begins or ceases to be real; its slope is infinite there.
     """
     laws = len(parameters)
     edges, part = np.empty((laws, CAPACITY)), np.empty((laws, CAPACITY - 1), dtype=np.int8)

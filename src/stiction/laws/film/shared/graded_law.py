@@ -73,13 +73,19 @@ def fading(w, linear, square):
 
 @formula
 def along(u, *row):
-    """Return displacement w, dw/du, load, contact area, slip-limited and yield-limited force of an asperity on a graded film.
+    """Return the state of an asperity on a graded film at the coordinate u.
 
-    u: coordinate, with the contact radius sqrt(R sigma) u^2 of the elastic contact. row: pull, half of DMT's adhesive force;
-    hardness group eta of the substrate; hardness of the film divided by the substrate's; `linear` and `square` of `fading`;
-    nu_s, nu_c, K_beta_s, K_beta_c, Poisson's ratio and K beta of substrate and film; yield_s, yield_c, the yield stresses of
-    substrate and film divided by pi H_s; parameters of `stiffness`; three plateaus (start, level): for u >= `start` the load is
-    at least `level`. Units: as in this module.
+    It consists of displacement w, dw/du, load, contact area, slip-limited and yield-limited tangential force, in the units of
+    this module. u: coordinate, with the contact radius sqrt(R sigma) u^2 of the elastic contact. row, in this order:
+
+    - pull: half of DMT's adhesive force
+    - eta, n_H: hardness group of the substrate; hardness of the film divided by the hardness of the substrate
+    - linear, square: as in `fading`
+    - nu_s, nu_c: Poisson's ratios of substrate (s) and film (c)
+    - K_beta_s, K_beta_c: K beta of substrate and film
+    - yield_s, yield_c: yield stresses of substrate and film, divided by pi times the hardness of the substrate
+    - parameters of `stiffness`
+    - start and level of three plateaus: for u >= start the load is at least level
     """
     pull, eta, n_H, linear, square, nu_s, nu_c, K_beta_s, K_beta_c, yield_s, yield_c = row[:ALONE]
     (

@@ -6,5 +6,5 @@ from stiction.records.claims import Validity
 from stiction.solvers.boundary_elements.limits import LEAST_IN_WAVE
 
 RESOLVED = Validity(
-    "points_in_shortest_wave", LEAST_IN_WAVE, math.inf, "the map has too few points: its contact area is inaccurate", "fit"
+    "points_in_shortest_wave", LEAST_IN_WAVE, math.inf, "the map has too few points, so its contact area is inaccurate", "fit"
 )

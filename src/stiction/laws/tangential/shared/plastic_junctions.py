@@ -48,8 +48,9 @@ def beyond(
 ) -> TangentialResistance:
     """Return a resistance that equals `published` up to the displacement `start`, and follows another law beyond it.
 
-    start (n,): displacement in units of sigma; it must be one of the kinks of the published resistance. plastic_junctions: key
-    of the other tangential law, or "none", which returns `published` unchanged. groups: dimensionless groups of n contacts.
+    start (n,): displacement in units of sigma, which must be a kink of `published`, because none is added here.
+    plastic_junctions: key of the other tangential law, or "none", which returns `published` unchanged. groups: dimensionless
+    groups of n contacts.
     """
     other = of_whole_segment(plastic_junctions, segment, groups)
     if other is None:
