@@ -21,7 +21,7 @@ _listeners: list[_Listener] = []
 
 @contextmanager
 def telling(tell: Tell) -> Iterator[None]:
-    """Within the context, call tell(count, name) whenever a kernel (a compiled loop) starts or finishes compiling.
+    """Return a context manager that calls tell(count, name) when a kernel (a compiled loop) starts or finishes compiling.
 
     count: number of kernels compiled since the context was entered. name: key of the law whose formulas are in the kernel, or
     the name of a kernel that all laws share. `tell` is not called for kernels that are loaded from the disk cache.

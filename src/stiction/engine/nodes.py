@@ -28,9 +28,9 @@ Rules = tuple[np.ndarray, np.ndarray]
 class Laws(NamedTuple):
     """Store the arrays of a regime for n parameter sets, as compiled loops take them.
 
-    table (n, p): parameters. edges (n, m + 1): coordinates of the ends of the segments. branch (n, b): coordinates at which the
-    resistance behaves like a square root. two_sided: True if a segment may end at a branch point, False if it may only begin
-    there.
+    table (n, p): parameters. edges (n, m + 1): coordinates of the ends of the segments. branch (n, b): coordinates near which
+    the resistance varies as the square root of the distance. two_sided: True if a segment may end at a branch point, False if
+    it may only begin there.
     """
 
     table: np.ndarray
@@ -209,8 +209,8 @@ def place_nodes(parts, branch, two_sided, rules, nodes):
     """Fill `nodes` with the coordinates and weights of all integration intervals, and return the number of filled rows.
 
     parts: fields of `Parts`, the intervals. branch (n, b): coordinates of each parameter set near which the nodes are denser,
-    because the resistance behaves like a square root there. two_sided: whether an interval may also end at such a coordinate.
-    rules: nodes and weights on [0, 1], and their numbers. nodes: fields of `Rows`.
+    because the resistance varies as the square root of the distance there. two_sided: whether an interval may also end at such
+    a coordinate. rules: nodes and weights on [0, 1], and their numbers. nodes: fields of `Rows`.
     """
     (law, owner, ends, _, rule, at_knot), (rule_table, counts) = parts, rules
     u, weights, row_law, row_owner, row_count, _ = nodes

@@ -23,9 +23,8 @@ class Regime:
     edges: array (n, m + 1) of coordinates. The regime reaches from the first to the last edge; the edges in between are kinks,
         at which the integration is split. A pair of edges that does not increase is an empty segment; with it one regime can
         describe segments that are not adjacent.
-    branch: coordinates at which the resistance behaves like a square root, or None. An array (n,) applies above the
-        coordinate, an array (n, b) on both sides. Near a branch point the integration variable is the square root of the
-        distance to it.
+    branch: coordinates near which the resistance varies as the square root of the distance, or None. An array (n,) applies
+        above the coordinate, an array (n, b) on both sides. Near a branch point the integration variable is this square root.
     lowest: lower bound of the displacement.
     state: state of the asperity, such as "elastic" or "plastic". body: "bare", "film" or "substrate", the body that deforms.
         Results are reported by state and body.

@@ -13,7 +13,7 @@ _check: ContextVar[Callable[[], None] | None] = ContextVar("check", default=None
 
 @contextmanager
 def stopped_by(check: Callable[[], None]) -> Iterator[None]:
-    """Within the context, call `check` before each kernel and before each step of a map solver.
+    """Return a context manager that calls `check` before each kernel and before each step of a map solver.
 
     check: raises KeyboardInterrupt if the computation must stop.
     """

@@ -47,7 +47,7 @@ _compiled = ContextVar("compiled", default=False)
 
 @contextmanager
 def all_compiled() -> Iterator[None]:
-    """Within the context, always run loops as compiled code, even at their first call.
+    """Return a context manager within which loops always run as compiled code, even at their first call.
 
     Results are then bit-identical in every process. STICTION_LOOPS = interpreted overrides this.
     """

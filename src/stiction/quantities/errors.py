@@ -68,7 +68,7 @@ class InputError(ValueError):
 
 @contextmanager
 def explained(text: Callable[[str], str]) -> Iterator[None]:
-    """Within the context, add a hint to every InputError that is raised.
+    """Return a context manager that adds a hint to every InputError raised within it.
 
     text: function that maps the field name to the hint.
     """

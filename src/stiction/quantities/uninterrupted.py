@@ -9,7 +9,7 @@ from typing import Any
 
 @contextmanager
 def uninterrupted() -> Iterator[None]:
-    """Within the context, delay Ctrl-C until the context ends.
+    """Return a context manager that delays Ctrl-C until it ends.
 
     Files are then written completely, and the zarr library leaves no unfinished coroutines.
     """

@@ -14,7 +14,7 @@ from stiction.web.explorer import Explorer
 
 
 class AsperityTab:
-    """Draw the stresses under one asperity after every answer and after every move of the two sliders.
+    """Draw the stresses under one asperity after each computed result and each move of the two sliders.
 
     The sliders set the contact radius and the ratio of tangential to normal force.
     """

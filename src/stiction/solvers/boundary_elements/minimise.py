@@ -189,7 +189,7 @@ def _free(problem: Problem, pressure: np.ndarray, gap: np.ndarray) -> np.ndarray
 
 
 def missed_gap(problem: Problem, pressure: np.ndarray, gap: np.ndarray) -> np.ndarray:
-    """Return by how much the gap violates the contact conditions at every point: (rows, columns) [m].
+    """Return the violation of the contact conditions by the gap at every point, (rows, columns) [m].
 
     The gap must be 0 in elastic contact, >= 0 at points without pressure, and <= 0 at points whose pressure is the hardness.
     """

@@ -54,7 +54,7 @@ class PeriodicShear:
     def inverse(self, displacement: np.ndarray) -> np.ndarray:
         """Return the traction [Pa] that causes a displacement [m] on a map that sticks everywhere.
 
-        Both are (components, rows, columns). The result serves as preconditioner.
+        Both are (components, rows, columns). The mean is treated as the longest wave. The result serves as preconditioner.
         """
         alone = len(displacement) == 1
         return _through(displacement, self.shape, (self._inverse_along, None, None) if alone else self._inverse)
@@ -87,7 +87,7 @@ class MirroredShear:
     def inverse(self, displacement: np.ndarray) -> np.ndarray:
         """Return the traction [Pa] that causes a displacement [m] on a map that sticks everywhere.
 
-        Both are (components, rows, columns). The result serves as preconditioner.
+        Both are (components, rows, columns). The mean is treated as the longest wave. The result serves as preconditioner.
         """
         if len(displacement) == 1:
             return _even(displacement, self._inverse)

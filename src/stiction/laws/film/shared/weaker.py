@@ -116,8 +116,9 @@ def _in_series(
 def _branches(below: Regime, above: Regime, segment: NormalSegment, tau: np.ndarray) -> np.ndarray | None:
     """Return substrate coordinates (n, b) of the branch points of film and substrate; None if neither has any.
 
-    Near a branch point a resistance varies like a square root. A coordinate is -inf where a contact has no such point. below,
-    above: regimes of substrate and film. segment: segment of the substrate. tau (n,): film thickness in units of sigma.
+    Near a branch point a resistance varies as the square root of the distance. A coordinate is -inf where a contact has no such
+    point. below, above: regimes of substrate and film. segment: segment of the substrate. tau (n,): film thickness in units of
+    sigma.
     """
     branches = [] if below.branch is None else [np.reshape(below.branch, (len(tau), -1))]
     for point in () if above.branch is None else np.reshape(above.branch, (len(tau), -1)).T:
