@@ -182,7 +182,7 @@ class Visitor:
 
 def expected(place: float) -> str:
     """What the page has to say, without the page."""
-    from stiction.quantities.units import show
+    from stiction.quantities.shown import show
     from stiction.web.answer_card import card_on_page
     from stiction.web.fields import example_cases, with_value_at
     from stiction.web.query import Query, solved

@@ -20,8 +20,8 @@ from solve import WORK
 from stiction.contact.coating import Coating
 from stiction.contact.contact import Contact
 from stiction.contact.materials import Material
+from stiction.quantities.dimensions import axis
 from stiction.quantities.errors import InputError
-from stiction.quantities.units import axis
 from stiction.records.registry import RoughSurface, find
 from stiction.solvers.boundary_elements.map_area import MapArea
 from stiction.solving.candidates import Candidate, candidates

@@ -5,7 +5,7 @@ import tomllib
 
 import numpy as np
 import pytest
-from scipy.stats import norm
+from scipy.stats import norm, t
 from typer.testing import CliRunner
 
 import stiction as st
@@ -213,3 +213,32 @@ def test_a_fit_predicts_another_load_as_precisely_as_the_fitted_one(tmp_path):
     pasted = contact | {"interfacial_shear_strength": {**ends, "spacing": "log"}}
     alone = st.predict({"contact": pasted, "solve": {"load": "1 mN"}})
     assert width["1 mN"] < 1.3 * width["100 uN"] < (alone.friction_coefficient_high / alone.friction_coefficient_low).item()
+
+
+def with_strength(low, high):
+    """The case with a range of strengths, evenly over its logarithm, in place of its interface."""
+    stated = '[contact.interface]\ninterfacial_shear_strength = "5 MPa"\n'
+    table = f'[contact.interfacial_shear_strength]\nlow = "{low}"\nhigh = "{high}"\nspacing = "log"\n'
+    return CASE.replace(stated, table).replace("range = ", "# ")
+
+
+@pytest.mark.parametrize(("errors", "quantile"), [("", t(2).ppf(0.95)), (",0.0032", norm.ppf(0.95))])
+def test_an_error_from_few_values_is_that_of_student(errors, quantile, case, tmp_path):
+    """The strength is nearly free, so that mu is the mean of the values, give or take its own error."""
+    head = "load [N],friction_coefficient" + (",friction_coefficient_error" if errors else "")
+    mu = np.array([0.0468, 0.05, 0.0532])
+    data = series(tmp_path, "\n".join([head, *(f"1,{value}{errors}" for value in mu)]))
+    case.write_text(with_strength("1 MPa", "20 MPa"), encoding="utf-8")
+    found = st.fit(case, data)
+    error = 0.0032 / 0.05 if errors else np.std(np.log(mu), ddof=1)
+    point = found.isel(load=0)
+    half = 0.5 * math.log(point.friction_coefficient_high.item() / point.friction_coefficient_low.item())
+    assert half == pytest.approx(quantile * error / math.sqrt(3.0), rel=0.06)
+
+
+def test_a_strength_beyond_that_of_the_body_is_bound_from_below_only(case, tmp_path):
+    """The body shears at H/(2.8 sqrt(3)): what is stated beyond it changes nothing, and is not printed as if measured."""
+    case.write_text(with_strength("1 MPa", "20 GPa"), encoding="utf-8")
+    found = st.fit(case, series(tmp_path, "load [N],friction_coefficient\n1,0.2\n1,0.21\n1,0.19\n"))
+    assert "bounds interfacial_shear_strength only from below" in found.attrs["verdict"]
+    assert found["high"].item() < 1.1 * 1e8 / (2.8 * math.sqrt(3.0))

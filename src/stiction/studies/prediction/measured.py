@@ -25,13 +25,14 @@ class Measured:
     """Store k measured friction coefficients as natural logarithms, with loads [N] and standard errors of the logarithms.
 
     Each array has the shape (k,). assumed: text that explains how missing errors were estimated; "" if the file states all
-    errors.
+    errors. freedom: degrees of freedom of the errors: k - 1 if the scatter of the values gives them, infinite if the file does.
     """
 
     load: np.ndarray
     log_mu: np.ndarray
     error: np.ndarray
     assumed: str = ""
+    freedom: float = np.inf
 
 
 def read_measured(path: str | PathLike, case: Case) -> Measured:
@@ -67,7 +68,8 @@ def read_measured(path: str | PathLike, case: Case) -> Measured:
     if not np.isfinite(relative).all():
         why = f"from the scatter of {len(mu)} values" if enough else "assumed: the file states none"
         assumed = f"{spread:.0%} of each value, {why}; the interval is of the mean mu"
-    return Measured(series.load, np.log(mu), np.where(np.isfinite(relative), relative, spread), assumed)
+    freedom = len(mu) - 1.0 if enough and np.isnan(relative).all() else np.inf
+    return Measured(series.load, np.log(mu), np.where(np.isfinite(relative), relative, spread), assumed, freedom)
 
 
 def interval_after_measuring(mu: np.ndarray, level: float) -> list[float]:
@@ -98,7 +100,9 @@ def chosen_draws(measured: Measured, mu: np.ndarray, count: int) -> tuple[np.nda
 
     Notes
     -----
-    The likelihood of a sample is exp(-chi^2/2), for measured values with independent log-normal errors. If the effective
+    The likelihood of a sample is exp(-chi^2/2), for measured values with independent log-normal errors. If the errors are
+    estimated from the scatter of k values, it is Student's with k - 1 degrees of freedom, (1 + chi^2/(k - 1))^(-k/2), with
+    chi^2 above that of the best sample (Gelman et al. 2013, Bayesian Data Analysis, section 3.2). If the effective
     number of samples is below 50, all errors are enlarged until it is reached, because a few samples give no reliable
     interval. Systematic resampling in the order of mu minimises the scatter of its quantiles (Kitagawa 1996).
     """
@@ -106,9 +110,12 @@ def chosen_draws(measured: Measured, mu: np.ndarray, count: int) -> tuple[np.nda
         squares = ((np.log(mu) - measured.log_mu) / measured.error) ** 2
     chi = np.where(np.isfinite(squares).all(axis=1), squares.sum(axis=1), np.inf)
     larger = 1.0
-    while _counting(_weights(chi, larger)) < min(_FEW, np.isfinite(chi).sum()):
+    deviance = chi - chi.min()
+    if np.isfinite(measured.freedom):
+        deviance = (measured.freedom + 1.0) * np.log1p(deviance / measured.freedom)
+    while _counting(_weights(deviance, larger)) < min(_FEW, np.isfinite(chi).sum()):
         larger *= 1.1
-    weights = _weights(chi, larger)
+    weights = _weights(deviance, larger)
     order = np.argsort(mu[:, 0], kind="stable")  # even steps along a Sobol sequence would favour some of its regions
     rows = order[np.minimum(np.searchsorted(np.cumsum(weights[order]), (np.arange(count) + 0.5) / count), len(order) - 1)]
     below = np.mean(np.log(mu[np.isfinite(squares).all(axis=1)]) < measured.log_mu, axis=0)
@@ -121,8 +128,8 @@ def chosen_draws(measured: Measured, mu: np.ndarray, count: int) -> tuple[np.nda
     return rows, [text] if larger > 1.0 else []
 
 
-def _weights(chi: np.ndarray, larger: float) -> np.ndarray:
-    weights = np.exp(-0.5 * (chi - chi.min()) / larger**2)
+def _weights(deviance: np.ndarray, larger: float) -> np.ndarray:
+    weights = np.exp(-0.5 * deviance / larger**2)
     return weights / weights.sum()
 
 

@@ -37,6 +37,8 @@ if TYPE_CHECKING:
 COUNT, _MANY = 512, 16384  # number of samples by default, and with measured values
 _FAR_LOAD = 3.0  # factor beyond the range of measured loads above which the prediction has a warning
 _UNTOLD = 0.8  # ratio of interval widths, after over before measuring, above which a number counts as not determined
+_NEAR_END = 0.1  # quantile level beyond which an updated interval ends where the stated distribution does
+_STRENGTH = "interfacial_shear_strength"
 
 
 def predict(
@@ -278,11 +280,26 @@ def _given(
     ends = [0.5, 0.5 - 0.5 * level, 0.5 + 0.5 * level]
     values = np.array([np.quantile(drawn[number.path], ends) for number in stated])
     names = [".".join(number.path[1:]) for number in stated]
-    before = [_width(*number.at(np.array(ends[1:]))) for number in stated]
-    untold = [name for name, row, wide in zip(names, values, before, strict=True) if _width(*row[1:]) > _UNTOLD * wide]
-    attributes["verdict"] = f"the measured friction does not determine {', '.join(untold)}" if untold else ""
+    attributes["verdict"] = "; ".join(filter(None, map(_verdict, names, stated, values)))
+    if _STRENGTH in names:  # the strength that the weaker body lets act
+        values[names.index(_STRENGTH)] = np.quantile(chosen.strength[:, min(working_index, chosen.strength.shape[1] - 1)], ends)
     table = {name: ("parameter", column) for name, column in zip(("value", "low", "high"), values.T, strict=True)}
     return chosen, attributes, {"parameter": names} | table
+
+
+def _verdict(name: str, number: Uncertain, updated: np.ndarray) -> str:
+    """Return in words what measured friction leaves open of an uncertain number, or "".
+
+    updated: median, low and high end of the number after the measurement.
+    """
+    stated_low, low, high, stated_high = number.at(np.array([0.05, _NEAR_END, 1.0 - _NEAR_END, 0.95]))
+    if _width(*updated[1:]) > _UNTOLD * _width(stated_low, stated_high):
+        return f"the measured friction does not determine {name}"
+    if updated[2] >= high:
+        return f"the measured friction bounds {name} only from below: the upper end is that of the case"
+    if updated[1] <= low:
+        return f"the measured friction bounds {name} only from above: the lower end is that of the case"
+    return ""
 
 
 def _extrapolates(known: Measured, case: Case, load: float) -> list[str]:
