@@ -240,5 +240,5 @@ def test_a_strength_beyond_that_of_the_body_is_bound_from_below_only(case, tmp_p
     """The body shears at H/(2.8 sqrt(3)): what is stated beyond it changes nothing, and is not printed as if measured."""
     case.write_text(with_strength("1 MPa", "20 GPa"), encoding="utf-8")
     found = st.fit(case, series(tmp_path, "load [N],friction_coefficient\n1,0.2\n1,0.21\n1,0.19\n"))
-    assert "bounds interfacial_shear_strength only from below" in found.attrs["verdict"]
+    assert "bound interfacial_shear_strength only from below" in found.attrs["verdict"]
     assert found["high"].item() < 1.1 * 1e8 / (2.8 * math.sqrt(3.0))

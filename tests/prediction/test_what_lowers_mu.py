@@ -46,7 +46,7 @@ def test_each_change_lowers_mu(given, load, said, changes):
     ("first", "interface", "said"),
     [
         (STEEL | {"hardness": 2e8}, "clean metal", "a weaker interface (e.g. lubricated)"),
-        (ELASTIC, {"strength_over_shear_modulus": 0.01}, "a lower interface strength or rougher surfaces"),
+        (ELASTIC, {"strength_over_shear_modulus": 0.01}, "lower interface strength or rougher surfaces"),
     ],
 )
 def test_a_strength_that_is_relative_to_the_body_grows_with_it(first, interface, said):

@@ -90,11 +90,24 @@ def _left_out() -> dict[str, dict]:
     return tomllib.loads((contacts.HERE / "left_out.toml").read_text(encoding="utf-8"))
 
 
-def _by_state(found: list[Score]) -> dict[str, dict[str, int]]:
-    """Return how many contacts each state of the interface has, and of how many the 90 % interval holds the printed value."""
-    states = sorted({one.row["interface"] for one in found})
-    of = {name: [one.holds(0.9) for one in found if one.row["interface"] == name] for name in states}
-    return {name: {"contacts": len(held), "held": sum(held)} for name, held in of.items()}
+def _by_state(found: list[Score]) -> dict[str, dict[str, float]]:
+    """Return counts and the printed friction of the contacts of each interface state.
+
+    "contacts" counts them, "held" counts those whose 90 % interval contains the printed mean. "lowest" and "highest" are the
+    ends of all printed ranges.
+    """
+    states: dict[str, list[Score]] = {name: [] for name in sorted({one.row["interface"] for one in found})}
+    for one in found:
+        states[one.row["interface"]].append(one)
+    return {
+        name: {
+            "contacts": len(some),
+            "held": sum(one.holds(0.9) for one in some),
+            "lowest": min(one.low for one in some),
+            "highest": round(max(one.high for one in some), 3),
+        }
+        for name, some in states.items()
+    }
 
 
 def main() -> None:

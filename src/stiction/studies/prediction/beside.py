@@ -21,6 +21,7 @@ _BARE, _METALS = "clean metal", ("metal", "soft metal")
 _UNPARTED = (_BARE, "oxidised metal")  # an oxide that is rubbed off forms again in air
 _DRAWS = 256
 _WIDE = 1.5  # error factor of the area from which it is shown as a factor instead of a percentage
+_ENOUGH, _UNLIKE = 3, 1.5  # least number of handbook contacts, and factor beyond their mu, for a warning (judgements)
 _LEAST = 0.01  # smallest error of the area that is shown, because the solved surfaces are not more accurate
 
 
@@ -71,11 +72,25 @@ def in_handbooks(mixture: Mixture) -> tuple[int, int]:
     """Return how many handbook contacts with this interface are predicted correctly, and how many there are.
 
     Only contacts with the interface state of the contact of `mixture` count; the result is (0, 0) if it states none. A contact
-    is predicted correctly if its predicted 90 % interval overlaps the published range of mu.
+    is predicted correctly if its predicted 90 % interval contains the geometric mean of the published range of mu.
     """
     stated = mixture.sampled.contact.interface
     printed = {} if stated is None else printed_contacts().get(stated.name, {})
-    return printed.get("held", 0), printed.get("contacts", 0)
+    return int(printed.get("held", 0)), int(printed.get("contacts", 0))
+
+
+def unlike_handbooks(mixture: Mixture, mu: float) -> list[str]:
+    """Return a list with a warning if mu is far outside all friction that handbooks print for this interface; else [].
+
+    mu: median of the prediction. Fewer than three contacts are not enough for the warning.
+    """
+    stated = mixture.sampled.contact.interface
+    printed = {} if stated is None else printed_contacts().get(stated.name, {})
+    if printed.get("contacts", 0) < _ENOUGH or printed["lowest"] / _UNLIKE <= mu <= printed["highest"] * _UNLIKE:
+        return []
+    side, advice = ("below", "check the interface") if mu < printed["lowest"] else ("above", "give a scan of the surface")
+    ends = f"{printed['lowest']:.2g} to {printed['highest']:.2g}"
+    return [f"mu is far {side} all {printed['contacts']} handbook contacts with this interface, {ends}: {advice}."]
 
 
 def _half_width(mixture: Mixture, law: AreaLaw, index: int) -> float:
@@ -91,10 +106,10 @@ def _half_width(mixture: Mixture, law: AreaLaw, index: int) -> float:
 
 
 @cache
-def printed_contacts() -> dict[str, dict[str, int]]:
-    """Return, for each interface state, two counts of contacts whose friction is published in handbooks.
+def printed_contacts() -> dict[str, dict[str, float]]:
+    """Return, for each interface state, counts and mu of the contacts whose friction is published in handbooks.
 
     The keys are names of interface states. "contacts" counts all contacts with this state, "held" those whose predicted 90 %
-    interval overlaps the published range.
+    interval contains the geometric mean of the published range. "lowest" and "highest" are the ends of all published ranges.
     """
     return json.loads(FILE.read_text(encoding="utf-8"))

@@ -296,9 +296,9 @@ def _verdict(name: str, number: Uncertain, updated: np.ndarray) -> str:
     if _width(*updated[1:]) > _UNTOLD * _width(stated_low, stated_high):
         return f"the measured friction does not determine {name}"
     if updated[2] >= high:
-        return f"the measured friction bounds {name} only from below: the upper end is that of the case"
+        return f"the data bound {name} only from below"
     if updated[1] <= low:
-        return f"the measured friction bounds {name} only from above: the lower end is that of the case"
+        return f"the data bound {name} only from above"
     return ""
 
 

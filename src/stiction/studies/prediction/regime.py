@@ -13,6 +13,7 @@ from stiction.quantities.shown import show
 from stiction.solvers.boundary_elements.limits import LEAST_WAVES
 from stiction.solving.choice import Choice
 from stiction.solving.state import of_the_map
+from stiction.studies.prediction.beside import unlike_handbooks
 from stiction.studies.prediction.levels import Levels
 from stiction.studies.prediction.mixture import Mixture, Samples
 from stiction.studies.prediction.sampled_case import SampledCase
@@ -46,7 +47,7 @@ def regime_of(mixture: Mixture, samples: Samples, index: int) -> tuple[str, str]
     times = _times(mixture, samples, index)
     stated = mixture.sampled.contact.interface
     is_dry = stated is not None and stated.name in _DRY
-    weaker = "a weaker interface (e.g. lubricated)" if is_dry else "a lower interface strength"
+    weaker = "a weaker interface (e.g. lubricated)" if is_dry else "lower interface strength"
     by_area = _by_strength(samples, index) > _BY_STRENGTH  # otherwise friction is nearly alpha W, for any area
     if area > _FLAT * float(np.median(mixture.sampled.drawn.nominal_area)):
         lever = f"more load, a smaller nominal area or {weaker}" if by_area else weaker
@@ -204,6 +205,8 @@ def warnings_of(
         warnings.insert(0 if first else len(warnings), text)
     if decides and is_open and max(float(law.far[index] * law.weight[index]) * law.far_error for law in mixture.laws) > 0.2:
         warnings.append("No benchmark surface is similar to this contact: its real area is uncertain by a factor of 2.")
+    if not is_flat and _median(samples.pull, samples, index) < _STICKS:
+        warnings[:0] = unlike_handbooks(mixture, _median(samples.force, samples, index) / float(mixture.loads[index]))
     if area < _ATOM:
         warnings.insert(0, "The contact area is smaller than an atom: models of solids do not hold at this load.")
     return warnings
