@@ -128,3 +128,23 @@ def test_an_interface_a_little_stronger_than_the_body_is_not_called_once_as_stro
     contact = STOP | {"interfacial_shear_strength": "320 MPa"}
     warnings = st.predict({"contact": contact, "solve": {"load": "100 uN"}}).warnings
     assert any(re.search(r"is 1\.0\d times as strong as the weaker body, which limits mu", text) for text in warnings), warnings
+
+
+def test_a_height_that_the_finish_does_not_make_is_the_first_warning():
+    """A wrong unit, 200 um in place of 0.2 um, beside ground surfaces with the range of finishes.toml."""
+    copper = {"first": "copper", "second": "copper", "interface": "oxidised metal", "nominal_area": "1 cm^2"}
+    first = {}
+    for height in ("0.2 um", "200 um"):
+        warnings = st.predict(st.Contact(**copper, roughness={"rms_height": height, "finish": "ground"}), load="10 N").warnings
+        first[height] = next(iter(warnings), "")
+    assert first == {"0.2 um": "", "200 um": first["200 um"]} and "check unit and finish" in first["200 um"]
+
+
+def test_a_friction_far_above_all_handbooks_is_said():
+    """Worn steel at 0.13 MPa: benchmark plateaus are smooth, and mu is several times that of any oxidised metal."""
+    steel = {"first": "hardened_steel_52100", "second": "hardened_steel_52100", "interface": "oxidised metal"}
+    for finish, far in (("worn", True), ("ground", False)):
+        contact = st.Contact(**steel, nominal_area="3 cm^2", roughness={"rms_height": "0.1 um", "finish": finish})
+        found = st.predict(contact, load="40 N")
+        assert any("far above all 21 handbook contacts" in warning for warning in found.warnings) == far
+        assert (found.friction_coefficient.item() > 1.5 * 1.9) == far  # the largest printed mu of these contacts is 1.9

@@ -28,6 +28,7 @@ SQ_OVER_RA = 1.25  # sqrt(pi/2) of Gaussian heights, rounded as is usual
 _ASPERITIES = ("asperity_height_deviation", "asperity_radius", "asperity_density")
 _HEIGHTS = ("rms_height", "mean_height")
 _SYMBOLS = ("Sq", "Rq", "Ra", "Sa")  # not valid keys, but the error of Finished then names the valid key
+_UNUSUAL = 1.5  # factor outside the 90 % range of a finish from which a height gives a warning (judgement)
 _RULES = 0.8  # least fraction of the mean square slope with which one of two bodies alone decides the kind of surface
 
 
@@ -105,6 +106,14 @@ class Finished(Input):
         words = "; ".join(_median(made, name) for name in self.unknowns)
         of_ra = [] if self.mean_height is None else [f"Sq = {SQ_OVER_RA} Ra, as of Gaussian heights"]
         return [f"as of a {self.finish} surface: {words}", *of_ra]
+
+    def unusual_height(self) -> str:
+        """Return a warning if a specified height is far outside the range of the finish, else "". Arrays are not checked."""
+        low, high = finish(self.finish).range["rms_height"]
+        if self.height is None or np.ndim(self.height) or low / _UNUSUAL <= self.height <= high * _UNUSUAL:
+            return ""
+        usual = f"{self.finish} surfaces have {range_in_words(low, high, 'rms_height')}"
+        return f"Sq = {show(self.height, 'rms_height', 2)} is unusual, {usual}: check unit and finish."
 
 
 def _median(made: Finish, name: str) -> str:
@@ -194,6 +203,11 @@ class FinishedBodies(Input):
         return [
             f"{name} body {line}" for name, body in self.bodies.items() if isinstance(body, Finished) for line in body.notes()
         ]
+
+    def unusual_heights(self) -> list[str]:
+        """Return a warning for each body with a height far outside the range of its finish."""
+        texts = [body.unusual_height() for body in self.bodies.values() if isinstance(body, Finished)]
+        return [text for text in dict.fromkeys(texts) if text]
 
     def _kind(self) -> str | None:
         """Return the kind of surface of the contact, such as "worn", or a mixture of two kinds; None if it is unknown.

@@ -192,6 +192,10 @@ class Roughness(Input):
             setattr(found, f"_{name}", value)
         return found
 
+    def unusual_heights(self) -> list[str]:
+        """Return a warning for each body whose Sq or Ra is far outside the range of its finish."""
+        return [] if self._finished is None else self._finished.unusual_heights()
+
     def notes(self) -> list[str]:
         return [*([] if self._finished is None else self._finished.notes()), *self._scaled_heights()]
 

@@ -174,7 +174,8 @@ def warnings_of(
     unknown. by_state: texts of `mu_by_state`.
     """
     impossible = float(np.mean(~np.isfinite(samples.force[:, index])))
-    warnings = []
+    contact = mixture.sampled.contact
+    warnings = contact.roughness.unusual_heights()
     if impossible > _MANY:
         warnings.append(f"{impossible:.0%} of the samples are physically impossible and are excluded.")
     if len(mixture.strength.states) > 1:
@@ -188,7 +189,6 @@ def warnings_of(
             f"The stated interface is {_as_strong(times)} the weaker body, and junctions grow: if its "
             "strength changes by 2 %, mu changes by 15 % or more."
         )
-    contact = mixture.sampled.contact
     area, pressure = (_median(table, samples, index) for table in (samples.area, samples.pressure))
     warnings += _beyond_limit(contact, pressure * float(np.median(mixture.sampled.bodies.hardness)))
     is_flat = area >= _FLAT * float(np.median(mixture.sampled.drawn.nominal_area))
