@@ -71,7 +71,8 @@ def address_of(name: str, content: Mapping, where: str, of_finish: bool = False)
 
     name: "coating.thickness", or "thickness" if only one number has this short name; both give ("contact", "coating",
     "thickness"). content: tables of the case. where: name of the field in the InputError that an unknown or ambiguous name
-    raises. of_finish: whether the height of a surface with a finish, Sq or Ra, is accepted too.
+    raises. of_finish: whether `name` may also be Sq or Ra of a surface with a finish (roughness.rms_height,
+    roughness.mean_height).
     """
     heights = _heights(content)
     known = [*_known(content), *heights]

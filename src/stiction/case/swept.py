@@ -244,7 +244,7 @@ def number_of(entry: Any, name: str, where: str, given: Any = None) -> float:
     """Return an entry of a case file, such as "50 nm", as a number in SI units.
 
     name: name of the quantity; a quantity with a unit needs text. where: address for errors. given: text or table that contains
-    the entry, which errors show instead of the entry. Raises InputError for a missing unit or a value that is not allowed.
+    the entry; errors show it instead of the entry. Raises InputError for a missing unit or a value that is not allowed.
     """
     quantity = QUANTITIES[name]
     if quantity.unit and not isinstance(entry, str):

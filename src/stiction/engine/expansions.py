@@ -73,7 +73,7 @@ def expand(h, shape, evaluated, out):
 
 @engine_kernel
 def read_series(d, number, coefficients, out):
-    """Evaluate Taylor series for m sums, and store the values in `out` (m, 5).
+    """Store m sums, each exp(-d^2/2) times a power series in d, in `out` (m, 5).
 
     d (m,): separation of each sum minus separation of its series, in units of sigma. number (m,): index of the series.
     coefficients (s, TERMS, 5): coefficients that `expand` computed. The five values are number of touching asperities, load,

@@ -29,8 +29,8 @@ class Regime:
     state: state of the asperity, such as "elastic" or "plastic". body: "bare", "film" or "substrate", the body that deforms.
         Results are reported by state and body.
     touching: whether asperities here count as touching (False avoids counting an asperity on film and substrate twice).
-    in_half_space: False if the coating law treats the film as infinitely thick, and the asperity is pressed in too deep
-        for that.
+    in_half_space: False if the coating law treats the film as infinitely thick, but the asperity is pressed in too deep
+        for this.
     yields_by_degrees: True if a growing part of the contact flows plastically; this part has no tangential resistance.
     """
 

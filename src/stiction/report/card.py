@@ -1,4 +1,4 @@
-"""Build the answer card: mu with its interval as a bar, confidence, sources of uncertainty, a warning and the next step."""
+"""Build the summary card: mu with its interval as a bar, confidence, sources of uncertainty, a warning and the next step."""
 
 import math
 from html import escape
@@ -26,7 +26,7 @@ _WIDTH, _DECADES, _BLUE = 320, (-2, 1), "var(--mark, #0072B2)"  # the bar covers
 
 
 class Card(NamedTuple):
-    """Store the content of the answer card of a prediction, at its working load.
+    """Store the content of the summary card of a prediction, at its working load.
 
     mu: predicted friction coefficient. low, high: ends of its prediction interval. level: coverage probability of the interval.
     load: working load as text. confidence: "high", "fair" or "low", with reasons. decides: main sources of uncertainty.
@@ -108,7 +108,7 @@ class Card(NamedTuple):
 
 
 def card_of(data: "xarray.Dataset", named: str = "") -> Card:
-    """Return the answer card of a prediction at its working load.
+    """Return the summary card of a prediction at its working load.
 
     data: result of `predict`. named: result of the model that the user named, as text; "" if none was named.
     """

@@ -131,7 +131,7 @@ def _how_to_state(name: str) -> Text:
 
 
 def interface_in_full(name: str) -> Group:
-    """Describe one interface state: strength, sources, pairs of materials that it is allowed between, and uses to avoid."""
+    """Describe one interface state: strength, sources, allowed pairs of materials, and uses to avoid."""
     (row,) = interfaces([name])
     lines: list[RenderableType] = [Text(name, style="bold")]
     for number in filter(None, (row["strength"], row["pressure_coefficient"])):

@@ -21,7 +21,7 @@ _SHOWN = ("mean_separation", "load", "contact_area", "friction_force", "friction
 
 
 class Summary:
-    """Store a summary of a result: a title, pairs (heading, text), a list of notes, and the answer card of a prediction.
+    """Store a summary of a result: a title, pairs (heading, text), a list of notes, and the summary card of a prediction.
 
     A notebook shows the summary as HTML, and `print` shows it as text.
     """

@@ -155,7 +155,7 @@ def answer_table(findings: ReportData) -> Table:
 
 
 def card(findings: ReportData) -> Markup:
-    """Return the answer card as HTML; empty if there is no prediction.
+    """Return the summary card as HTML; empty if there is no prediction.
 
     The result of a model that the user named stands above the prediction.
     """

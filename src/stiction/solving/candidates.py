@@ -75,7 +75,7 @@ def candidates(subject: Subject) -> list[Candidate]:
 
 
 def _of_map(model: RoughSurface, subject: Subject) -> Candidate:
-    """Return the candidate that solves the height map; of a large map it uses only every k-th point (points="sampled")."""
+    """Return the candidate that solves the height map, or only every k-th point of a large map (points="sampled")."""
     points = 0 if subject.measured is None else subject.measured.solvable.points
     if points <= _POINTS:
         return Candidate(model.key, Choice(model.key))

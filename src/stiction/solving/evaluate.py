@@ -162,10 +162,10 @@ def _separations(h) -> np.ndarray:
 
 
 def _regimes(laws: dict[str, np.ndarray], choice: Choice) -> list[Regime]:
-    """Return the regimes (smooth parts) of the 2015 asperity law for many sets of dimensionless groups.
+    """Return the regimes (smooth parts) of the model of the 2015 paper for many sets of dimensionless groups.
 
-    laws: flat arrays of the groups, by name. A film has the Poisson ratio and the work of adhesion of the substrate, and is
-    treated as a half-space.
+    laws: flat arrays of the groups, by name. A film is assumed to have the Poisson's ratio and the work of adhesion of the
+    substrate, and to act as a half-space.
     """
     ones = np.ones_like(laws["nu"])
     film = {"n_g": ones, "film_aspect": np.inf * ones} if "tau" in laws else {}

@@ -244,8 +244,8 @@ def _softest(groups: Groups) -> np.ndarray | float:
 def _bearing(problem: Problem, load: np.ndarray, results: Mapping[str, np.ndarray]) -> np.ndarray:
     """Return the hardness (n, m) of the material that bears the load, divided by the hardness of the bodies.
 
-    If a film law separates film and substrate, the hardness is averaged over both, weighted by their loads. Otherwise, or where
-    the substrate confines the film, it is the larger of both, an upper bound of the mean pressure.
+    If a film law separates film and substrate, the hardness is averaged over the two, weighted by their loads. Otherwise, or
+    where the substrate confines the film, it is the larger of the two, an upper bound of the mean pressure.
     """
     groups, film = problem.groups, problem.chosen.film
     if groups.n_H is None:

@@ -141,7 +141,7 @@ class Measured:
     solvable: SolvableMaps = field(default_factory=SolvableMaps, repr=False, compare=False)
 
     def roughness(self) -> Roughness:
-        """Return the roughness that the chosen method found; the result keeps this object as its origin."""
+        """Return the roughness by the chosen method; its attribute `measured` is this object."""
         found, reduced = self.by_method[self.method], self.with_surface_moments()
         if reduced is not self:
             found = found.replace(surface=self.by_method[self.of_moments].attached(measured=reduced))

@@ -1,4 +1,4 @@
-"""Build the answer card above the tabs: mu, its interval, confidence and sources of uncertainty; "Why" shows details."""
+"""Build the summary card above the tabs: mu, its interval, confidence and sources of uncertainty; "Why" shows details."""
 
 from html import escape
 
@@ -91,7 +91,7 @@ class AnswerCard:
 
 
 def card_on_page(prediction: xarray.Dataset, named: str = "") -> Card:
-    """Return the short answer card of a prediction for the page, which names tabs in place of commands.
+    """Return the short summary card of a prediction for the page, which names tabs in place of commands.
 
     A warning is left out if the next step states the same. named: result of the model that the case names, as text, or "". With
     such a result, the card shows no sources of uncertainty, no handbook contacts and no next step.

@@ -1,4 +1,4 @@
-"""Fit the margins, ticks and legends of charts to a wide page or a telephone."""
+"""Fit the margins, ticks and legends of charts to a wide page or a phone."""
 
 import math
 from collections.abc import Mapping
@@ -12,7 +12,7 @@ _SCALE = 52  # pixels for the colour scale below a narrow chart
 
 
 def fitted(options: Mapping[str, Any], room: int = NARROW) -> dict[str, Any]:
-    """Return chart options that fit wide pages and telephones.
+    """Return chart options that fit wide pages and phones.
 
     options: as returned by `charts.chart`; options without plane axes are returned unchanged. room: pixels for a legend line of
     a wide chart.

@@ -36,7 +36,7 @@ def numbers(values: Any) -> list[float | None]:
 
 
 def axis_name(variable: xarray.DataArray) -> str:
-    """Return the axis name of a result: meaning, symbol and unit, short enough for a telephone."""
+    """Return the axis name of a result: meaning, symbol and unit, short enough for a phone."""
     row, unit = QUANTITIES[str(variable.name)], with_signs(unit_of(variable))
     return f"{(row.short or row.meaning).partition(',')[0]} {letters(row.symbol)}".strip() + (f" [{unit}]" if unit else "")
 

@@ -1,4 +1,4 @@
-"""Hold the state of one visitor: a case, its answer, and how the answer is shown; visitors share nothing."""
+"""Hold the state of one visitor: the case, its answer, and the display settings; visitors share no state."""
 
 import tempfile
 import time
@@ -21,7 +21,7 @@ class View:
     """Hold how the answer is shown.
 
     against: variable on the horizontal axis, "load" or "mean_separation". point: index on the curve, None for the middle point.
-    tab: the open tab. dark: whether the page is dark. narrow: whether the page is as narrow as on a telephone.
+    tab: the open tab. dark: whether the page is dark. narrow: whether the page is as narrow as on a phone.
     """
 
     against: str = "load"

@@ -208,7 +208,7 @@ def _is_record(annotation: Any) -> bool:
     return isinstance(annotation, type) and issubclass(annotation, BaseModel)
 
 
-_ON_KEYBOARD = str.maketrans({"µ": "u", "μ": "u", "²": "^2", "³": "^3"})  # sign of a unit -> its text in a case file
+_ON_KEYBOARD = str.maketrans({"µ": "u", "μ": "u", "²": "^2", "³": "^3"})  # symbol in a unit -> its text in a case file
 # Text of an uncertain number on the page -> its keys in a case file.
 _UNCERTAIN = {re.compile("(.+) within a factor (\\S+)"): ("median", "factor"), re.compile("(.+) to (.+)"): ("low", "high")}
 
@@ -216,7 +216,7 @@ _UNCERTAIN = {re.compile("(.+) within a factor (\\S+)"): ("median", "factor"), r
 def as_written(given: Any) -> str:
     """Return an entry of the case tables as one line of text; "" for None.
 
-    Units are written with their signs, "µm" for "um"; only lists and tables are written as in a case file.
+    Units are written with their symbols, "µm" for "um"; only lists and tables are written as in a case file.
     """
     if isinstance(given, Mapping) and given.keys() == {"median", "factor"}:
         given = f"{given['median']} within a factor {given['factor']}"

@@ -12,7 +12,7 @@ from stiction.report.report_pictures import inline
 from stiction.report.table import Table
 from stiction.report.view import View
 
-_NARROW = 5.6  # inches; letters of eight points can then be read on a telephone
+_NARROW = 5.6  # inches; letters of eight points can then be read on a phone
 _LETTERS = 72  # largest number of characters of a title line on a narrow page
 _PANEL = 3.9  # inches, the height of a panel on a narrow page
 _FEW = 3  # steps of an axis on a narrow page

@@ -211,7 +211,11 @@ def headline(answer: Answer, point: int) -> tuple[str, str]:
 
 
 def remarks(answer: Answer) -> list[str]:
-    """Return sentences on an answer: its model and grade, warnings, improbable inputs, and inputs without effect."""
+    """Return sentences on an answer: model and grade, warnings and remarks.
+
+    A prediction has no sentence on model and grade. The first validity warning is left out. The other sentences list input
+    warnings, inputs that were not used, remarks, and arrays of which the curves show only the first value.
+    """
     attrs, (*arrays, _) = answer.data.attrs, answer.data["load"].dims or ("",)
     lines = [] if answer.is_prediction else [f"Model {model_line(attrs)}; grade {grade_line(attrs)}."]
     lines += [f"Warning: {one}" for one in attrs.get("warnings", [])[1:]]

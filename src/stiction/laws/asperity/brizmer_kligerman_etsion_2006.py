@@ -154,8 +154,8 @@ RECORD = AsperityLaw(
             "nu",
             LEAST_NU,
             0.5,
-            f"the fit starts at {LEAST_NU}; below it, load and displacement at first yield in stick, over those in slip, "
-            "stay constant",
+            f"the fit starts at {LEAST_NU}; below it, the ratios of stick to slip, for load and displacement at first yield, "
+            f"keep their values at {LEAST_NU}",
         ),
     ),
     limits=(

@@ -114,7 +114,7 @@ FLOWING = (
         "tau",
         0.1,
         math.inf,
-        "the law overestimates the load on the film around substrate contacts; this load does not vanish at zero thickness",
+        "in this law the film around substrate contacts bears too much load, even at zero thickness",
     ),
     Validity("film_plasticity_index", 8.0, math.inf, "the film is modelled as plastic from first touch"),
     Validity(

@@ -15,7 +15,7 @@ strength of the interface:
 | `incompressible_frictionless`, $q=3$ | the same | the same | the same | the same |
 
 The layer is bonded to the substrate. With $q=12$ it does not slip on the ball either; with $q=3$ it slips there without
-friction. If both bodies are coated, $t$ is the sum of both layers: the same pressure squeezes both, and by symmetry no shear
+friction. If both bodies are coated, $t$ is the sum of the two layers: the same pressure squeezes both, and by symmetry no shear
 stress acts between them. Then $q=12$, whether they slip on each other or not.
 
 The incompressible bounds follow from the volume balance of the squeezed layer, as in lubrication. Under the pressure $p$ the
@@ -26,7 +26,7 @@ $$
 $$
 
 and it is zero at the edge. Only tangential laws of the interface can be combined with this film law. The substrate is rigid, so
-the law is valid for $n_E$ below about 0.1. Results state the load fraction on asperities whose contact radius is smaller than
+the law is valid for $n_E$ below about 0.1. Results include the load fraction on asperities whose contact radius is smaller than
 the film thickness; the law is not valid for them.
 
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ in units of $KR^{1/2}\sigma^{3/2}$ and contact area $A$ in units of

@@ -169,8 +169,8 @@ def _sticking(
 def attraction_of(surface: "HeightMap", contact: Contact, bodies: Bodies, adhesion: str) -> tuple[float, float]:
     """Return work of adhesion [J/m2] and range of the attraction [m] of a contact with a map.
 
-    adhesion: "atomic_range" takes the equilibrium distance, "shortest_range" the shortest range that the map resolves, at
-    least the equilibrium distance. Raises InputError for a contact without adhesion.
+    adhesion: "atomic_range" takes the equilibrium distance. "shortest_range" takes the shortest range that the map resolves, or
+    the equilibrium distance if that is longer. Raises InputError for a contact without adhesion.
     """
     from stiction.solvers.boundary_elements.adhesive_curve import shortest_range
 

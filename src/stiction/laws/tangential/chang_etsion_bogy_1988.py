@@ -28,8 +28,8 @@ $k$ of the contact. *Check*, at $\nu=0.3$: $K_H=0.577$, $c_1=-0.284869$, $c_3=10
 | $T/P_c$ | .00385 | .01853 | .03596 | .06873 | .09934 | .12815 | .15537 | .18115 | .20558 | .22874 | .25071 | .26126 | .12317 |
 
 $P_c=w_c^{3/2}$ is the load at $\omega_c$. The axis yields first above $r=0.9512$. The adhesion of the 1988 papers is not
-included. With the option `plastic_junctions`, asperities beyond $\omega_c$ resist according to another law, and results state
-by how much $\mu$ then differs from the paper's value; the default `none` is the paper's assumption.
+included. With the option `plastic_junctions`, asperities beyond $\omega_c$ resist according to another law, and results show by
+how much $\mu$ then differs from the paper's value; the default `none` is the paper's assumption.
 
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ and tangential force $T$ in units of $KR^{1/2}\sigma^{3/2}$ and contact
 area $A$ in units of $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and

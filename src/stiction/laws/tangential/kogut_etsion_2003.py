@@ -13,7 +13,7 @@ $P_c=w_c^{3/2}$ at first yield, equals $\mu=0.516\,(P/P_c)^{-0.345}$ within 1.2 
 decimals, is the version printed in 2004. *Trap*: that version is negative above $r=4.3$; three decimals are needed. *Jumps*:
 $\mu$ falls from 0.520 to 0.511 at $r=1$ (with the authors' load, $T$ rises by 1.2 %) and from 0.036 to 0 at $r=6$. With another
 asperity law, $\mu(r)$ is unchanged and $T$ is $\mu$ times the load of that law. With the option `plastic_junctions`, asperities
-at and beyond $6\,\omega_c$ resist according to another law, and results state by how much $\mu$ then differs from the paper's
+at and beyond $6\,\omega_c$ resist according to another law, and results show by how much $\mu$ then differs from the paper's
 value; the default `none` is the paper's assumption.
 
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ and tangential force $T$ in units of $KR^{1/2}\sigma^{3/2}$ and contact

@@ -25,9 +25,9 @@ $B$ and $D$ are functions of $a/t$ ($t$ film thickness) and the elastic constant
 interface is not checked; [`layered_first_yield`](#layered_first_yield) does this, without adhesion. *Limit*: the law without a
 film, if film and body have the same moduli, and with the film's groups for $t\to\infty$.
 
-With the option `plastic_junctions`, yielded asperities resist according to another law, and results state by how much $\mu$
-then differs from the paper's value; the default `none` is the paper's assumption. *Reconstructed*: the seven coefficients of
-the paper's yield condition, eq. (11), which it does not print (departure D12).
+With the option `plastic_junctions`, yielded asperities resist according to another law, and results show by how much $\mu$ then
+differs from the paper's value; the default `none` is the paper's assumption. *Reconstructed*: the seven coefficients of the
+paper's yield condition, eq. (11), which it does not print (departure D12).
 
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ and tangential force $T$ in units of $KR^{1/2}\sigma^{3/2}$ and contact
 area $A$ in units of $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and

@@ -78,7 +78,10 @@ def parameter_rows(data: "xarray.Dataset") -> tuple[list[str], list[list[Any]]]:
 
 
 def row_rows(data: "xarray.Dataset") -> tuple[list[str], list[list[Any]]]:
-    """Return measured and fitted values with their residuals as (column heads, rows) for a CSV file, in SI units."""
+    """Return (column heads, rows) of a CSV file: measured and fitted values in SI units, and standardised residuals.
+
+    A standardised residual is (measured - fitted)/standard error.
+    """
     keys = ["sample", "quantity", "measured_load", "measured", "error", "fitted", "residual"]
     return keys, rows_of(data, keys)
 

@@ -67,10 +67,10 @@ class Faces:
         return whole if self.share is None else self.share * whole
 
     def smoothed(self, force: np.ndarray) -> np.ndarray:
-        """Return a pressure map (rows, columns) divided, wave by wave, by the stiffness, in single precision.
+        """Return the displacement (rows, columns): each wave of a pressure map divided by its stiffness.
 
-        The mean, whose stiffness is 0, is divided by half of the smallest stiffness. Search directions need no higher
-        precision.
+        force: pressure map (rows, columns). The mean, whose stiffness is 0, is divided by half of the smallest stiffness. The
+        transforms have single precision, which is enough for search directions; the result is float64.
         """
         return self._through(force.astype(np.float32), self._smooth).astype(float)
 

@@ -29,11 +29,11 @@ _AT_ONCE = 32  # number of pairs solved at a time, to bound the memory
 
 
 class _Sums(NamedTuple):
-    """Store sums over all waves from which `_respond` builds the equations of a sphere, one set for each of k nodes.
+    """Store sums over all waves, in one set for each of k nodes; `_respond` builds the equations of a sphere from them.
 
-    The excess compliance is the compliance divided by the compliance of half-spaces of the surface materials, minus 1. In each
-    set it is 1 at one node and 0 at all others; the equations are linear in it. matrix (k, n, n): part of the matrix of the
-    equations. to_edge, to_edge_slope (k, n), edge (k,): the arguments of `sphere.response_of`.
+    The equations are linear in the excess compliance: the compliance divided by the compliance of half-spaces of the surface
+    materials, minus 1. Each set is computed for an excess compliance of 1 at its node and 0 at all other nodes. matrix (k, n,
+    n): part of the matrix of the equations. to_edge, to_edge_slope (k, n), edge (k,): the arguments of `sphere.response_of`.
     """
 
     matrix: np.ndarray

@@ -62,26 +62,26 @@ def respond(pair: Pair, radius: float) -> Response:
     up to 1000. The numbers are accurate to 1e-6.
     """
     _, _, even, at_edge, edge_slope = waves(float(radius))
-    softer, g_0, g_2, wider, to_edge = _solve(pair, float(radius))
-    return response_of(g_0, g_2, wider, to_edge, even @ (softer * edge_slope), softer @ (at_edge * at_edge))
+    softer, g_0, g_2, radius_slope, to_edge = _solve(pair, float(radius))
+    return response_of(g_0, g_2, radius_slope, to_edge, even @ (softer * edge_slope), softer @ (at_edge * at_edge))
 
 
 def response_of(
-    g_0: np.ndarray, g_2: np.ndarray, wider: np.ndarray, to_edge: np.ndarray, to_edge_slope: np.ndarray, edge: float
+    g_0: np.ndarray, g_2: np.ndarray, radius_slope: np.ndarray, to_edge: np.ndarray, to_edge_slope: np.ndarray, edge: float
 ) -> Response:
     """Return the `Response` of coated bodies to a sphere at one contact radius, from solutions of the contact equation.
 
-    g_0, g_2, wider (n,): coefficients of the solution for the flat punch, of the solution for the displacement s^2, and of the
-    change of g_0 with the contact radius. to_edge (n,): factors that give the value at the contact edge. All four are from
-    `_solve`. to_edge_slope (n,): derivative of `to_edge` with respect to the coordinate s, at the edge. edge: sum over waves of
-    the excess compliance times the squared value of the wave at the edge.
+    g_0, g_2, radius_slope (n,): coefficients of the solution for the flat punch, of the solution for the displacement s^2, and
+    of the derivative of g_0 with respect to the contact radius, divided by g_0(1). to_edge (n,): factors that give the value at
+    the contact edge. All four are from `_solve`. to_edge_slope (n,): derivative of `to_edge` with respect to the coordinate s,
+    at the edge. edge: (2/pi) K(1, 1), with the kernel K of the contact equation of this module.
     """
     edge_0, edge_2 = 1.0 - to_edge @ g_0, 1.0 - to_edge @ g_2
     slope_0, slope_2 = -to_edge_slope @ g_0, 2.0 - to_edge_slope @ g_2
     stiffness, approach = g_0[0], edge_2 / edge_0
     load = 1.5 * (approach * stiffness - g_2[0])
     rise = (slope_2 - approach * slope_0) / edge_0  # d delta/da, from dg/ds + dg/da = 0 at the edge
-    growth = slope_0 - edge_0 * (edge + to_edge @ wider)
+    growth = slope_0 - edge_0 * (edge + to_edge @ radius_slope)
     return Response(
         float(load),
         float(approach),
@@ -136,19 +136,20 @@ def transform(g: np.ndarray, k: np.ndarray) -> np.ndarray:
 
 
 def _solve(pair: Pair, radius: float) -> tuple[np.ndarray, ...]:
-    """Solve the contact equation for the flat punch, for the displacement s^2, and for the change with the contact radius.
+    """Solve the contact equation for the flat punch, for the displacement s^2, and for the derivative by radius.
 
     radius: contact radius divided by the thickness of one film. Returns the weights times the relative excess compliance of
-    each wave (m,); the coefficients (n,) of the flat punch's solution g_0, of the solution g_2 for s^2, and of the change of
-    g_0 with the contact radius; and the factors (n,) that give the edge value g(1) from coefficients.
+    each wave (m,); the coefficients (n,) of the flat punch's solution g_0, of the solution g_2 for s^2, and of the derivative
+    of g_0 with respect to the contact radius, divided by g_0(1); and the factors (n,) that give the edge value g(1) from
+    coefficients.
     """
     k, weights, even, at_edge, _ = waves(radius)
     softer = weights * (compliance(k / radius, pair) - 1.0)
     matrix = (even * softer) @ even.T
     matrix[np.diag_indices_from(matrix)] += 1.0
     to_edge = even @ (softer * at_edge)
-    g_0, g_2, wider = np.linalg.solve(matrix, np.column_stack([right_sides(len(matrix)), -to_edge])).T
-    return softer, g_0, g_2, wider, to_edge
+    g_0, g_2, radius_slope = np.linalg.solve(matrix, np.column_stack([right_sides(len(matrix)), -to_edge])).T
+    return softer, g_0, g_2, radius_slope, to_edge
 
 
 def right_sides(size: int) -> np.ndarray:

@@ -187,9 +187,9 @@ class _Strengths:
     def next(self, wanted: np.ndarray) -> np.ndarray:
         """Return the strengths to use in this turn [Pa] (rows, columns).
 
-        wanted: strengths that the pressure of this turn gives [Pa], (rows, columns). The result equals them, except at points
-        that have begun or ceased to touch after the third turn: there the strength changes by only 30 % of the difference, and
-        not at all once a point has done so twice.
+        wanted: strengths computed from the pressure of this turn [Pa] (rows, columns). The result equals `wanted`, except at
+        points that have begun or ceased to touch after the third turn. The strength of such a point changes by only 30 % of the
+        difference. It does not change once the point has begun or ceased to touch twice.
         """
         self._turn += 1
         touching = wanted > 0.0

@@ -87,7 +87,8 @@ class SlidingPath:
     """Store the states of a map at all rigid shifts, and the state with the largest force.
 
     peak: state with the largest force. strength: strength of each point before any slip (rows, columns) [Pa]. pixel: area of a
-    point [m2]. limit: force at very large shifts, summed over points [Pa]; None if strength falls with slip.
+    point [m2]. limit: sum of the tractions of all points at very large shifts [Pa]; times `pixel` it is a force. None if
+    strength falls with slip.
     """
 
     states: tuple[State, ...]

@@ -87,8 +87,8 @@ def compare(
     Notes
     -----
     A theory without a mean separation is evaluated at the loads of the Greenwood-Williamson model; its mean_separation is NaN.
-    If a model has no tangential law and the contact states an interfacial shear strength, a law of the interface computes
-    friction. `predict` combines the models into one answer.
+    If a model has no tangential law and an interfacial shear strength is specified, a law of the interface computes friction.
+    `predict` combines the models into one answer.
 
     Examples
     --------

@@ -3,10 +3,10 @@
 Models that agree share a row. "Area error" is the mean error of the model's area on benchmark surfaces near this contact. The
 last column states whether the contact is in the range that the authors claim, or which quantities are outside; The notes
 "without the interface" and "without alpha" mean that the model ignores this input. The note "load without friction" states the
-fraction of the load on asperities for which the model predicts no friction. If the contact states an
-interfacial_shear_strength, models of contact area give friction too. --out writes compare.csv (the curves),
-compare_at_load.csv, compare.nc (netCDF4) and compare.png. Models are compared at the middle load of the case, or at the nearest
-load above 0 N; without any such load only the curves are written.
+fraction of the load on asperities for which the model predicts no friction. If an interfacial_shear_strength is specified,
+models of contact area give friction too. --out writes compare.csv (the curves), compare_at_load.csv, compare.nc (netCDF4) and
+compare.png. Models are compared at the middle load of the case, or at the nearest load above 0 N; without any such load only
+the curves are written.
 """
 
 from pathlib import Path

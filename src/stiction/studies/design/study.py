@@ -1,8 +1,8 @@
-"""Find materials, film thickness, roughness or load that best meet an objective within limits.
+"""Find materials, film thickness, roughness or load that best meet an objective within constraints.
 
-The case states the objective in [design], the choices in [design.choose] and the limits in [design.limits]. With two
+The case states the objective in [design], the choices in [design.choose] and the constraints in [design.limits]. With two
 objectives, the output includes the Pareto front: designs that no other design improves in one objective without being worse in
-the other. --out writes designed.toml, a case file for `stiction run`, design.csv, pareto.csv, design.png and design.nc. If
+the other. --out writes designed.toml (a case file for `stiction run`), design.csv, pareto.csv, design.png and design.nc. If
 interrupted, the command keeps the best design so far.
 """
 

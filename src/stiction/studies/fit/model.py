@@ -177,8 +177,8 @@ def _parameters(plan: FitPlan) -> tuple[Free, ...]:
 def _groups(data: Measurements, parameters: Sequence[Free]) -> tuple[_Group, ...]:
     """Return groups of measured values that can be solved together.
 
-    The values of a group state the same numbers of the contact, depend on the same free parameters, and all have a load or all
-    have none.
+    In a group, the same numbers of the contact are known for every value. All values depend on the same free parameters, and
+    either all or none have a load.
     """
     found: dict[tuple, list[int]] = {}
     own = any(one.sample is not None for one in parameters)

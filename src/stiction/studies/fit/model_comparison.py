@@ -59,10 +59,10 @@ def aicc_of(fit: Fitted) -> float:
 
 
 def _cross_validation_error(plan: FitPlan, fit: Fitted) -> float:
-    """Return the cross-validation error of a fit: each part of the data is predicted from a fit to all other parts.
+    """Return the cross-validation error of a fit: each fold of the data is predicted from a fit to all other folds.
 
-    It is the root mean square of (prediction - measured value) over the standard errors, as in `ComparedModel`. It is NaN if
-    there are too few values for two parts, and infinite if a fit fails.
+    It is the root mean square of (prediction - measured value), divided by the standard errors, or by the largest measured
+    value if no errors are stated. It is NaN if there are fewer than two folds, and infinite if a fit fails.
     """
     data = plan.data
     folds = _folds(plan)

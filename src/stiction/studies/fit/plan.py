@@ -31,7 +31,7 @@ class FitPlan:
     """Hold the checked input of a fit.
 
     content: tables of the case without [fit], with scans and user-defined materials read. case: the case of these tables.
-    given: the tables as the user wrote them. folder: folder at which relative paths in the tables start. free: the free
+    given: the tables as the user wrote them. folder: folder to which paths in the tables are relative. free: the free
     parameters. models: names of alternative models. predict: table [fit.predict], numbers of the contact at which the fitted
     model makes predictions. resistance: specific contact resistance [ohm m^2], or None. data: the measured values. uncertain:
     dotted names of numbers that the case states as uncertain but that are not fitted.
@@ -53,7 +53,7 @@ class FitPlan:
 def make_fit_plan(content: Mapping[str, Any], data: Any, folder: Path = Path()) -> FitPlan:
     """Return the checked fit plan for the tables of a case and a file of measured values.
 
-    data: path of the CSV file. folder: folder at which relative paths in the tables start. Raises InputError.
+    data: path of the CSV file. folder: folder to which paths in the tables are relative. Raises InputError.
     """
     require_names(content)
     given = dict(content)

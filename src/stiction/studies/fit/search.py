@@ -146,9 +146,10 @@ def search(residuals: Residuals, start: np.ndarray, seed: int = 0) -> Best:
 def polished(residuals: Residuals, shares: np.ndarray, columns: Sequence[int]) -> tuple[np.ndarray, np.ndarray]:
     """Minimise the sum of squared residuals over some of the free parameters, for many starting points at once.
 
-    residuals: function from shares to residuals (sets, n). shares (sets, k): starting points, positions of the k numbers
-    between their ends, 0 to 1. columns: indices of the numbers that may change. Returns the improved shares (sets, k) and their
-    sums of squares (sets,). Method: Levenberg-Marquardt steps (Marquardt 1963), clipped between 0 and 1.
+    residuals: function that returns the residuals (sets, n) for shares (sets, k). shares: starting points; each share is the
+    position of a parameter between its lower end (0) and its upper end (1). columns: indices of the parameters that may change.
+    Returns the improved shares (sets, k) and their sums of squares (sets,). Method: Levenberg-Marquardt steps (Marquardt 1963),
+    clipped between 0 and 1.
     """
     shares, columns = shares.copy(), list(columns)
     sums = (finite(residuals(shares)) ** 2).sum(axis=1)

@@ -28,7 +28,7 @@ _LEAST = 0.01  # smallest error of the area that is shown, because the solved su
 def bare_metal(mixture: Mixture, level: float) -> list[float]:
     """Return the interval [low, high] of mu for two metals where the film or surface layer between them is worn away.
 
-    level: coverage probability of the interval. The list is empty if a body is not a metal, or if the contact states neither a
+    level: coverage probability of the interval. The list is empty if a body is not a metal, or if the contact has neither a
     film nor an interface other than clean and oxidised metal. The contact spots are plastic, have the shear strength tau_0 of
     clean metal, and grow under shear. As tau_0 is proportional to the hardness H, mu = tau_0/H times the junction growth does
     not depend on H.

@@ -82,8 +82,9 @@ def friction_table(contact: Any, *, load: Any = None, level: float = 0.5) -> "xa
 def _predicted(case: Case, stated: np.ndarray, level: float) -> tuple[np.ndarray, np.ndarray]:
     """Return loads [N] (n,) and the quantile `level` of mu (n,) at these loads.
 
-    stated: sorted loads [N] that the table must contain. The loads cover their range. Around a single load, they cover two
-    decades below and up to two above, as far as hardness times nominal area allows.
+    stated: sorted loads [N] that the table must contain. Several loads: the table covers their range. A single load: the table
+    covers two decades below it and up to two decades above it, as far as hardness times nominal area allows. Loads without a
+    finite mu are left out.
     """
     end = "" if level == 0.5 else "_low" if level < 0.5 else "_high"
     interval = abs(1.0 - 2.0 * level) or None

@@ -34,7 +34,7 @@ _AT_ONCE = 128  # points of a batch, which bounds the memory; errors on benchmar
 
 
 def count_of(points: int) -> int:
-    """Return the number of samples for each of `points` predictions: 512 up to 128 points, else 256."""
+    """Return the number of samples per prediction: 512 if points <= 128, else 256."""
     return COUNT if points <= _AT_ONCE else COUNT // 2
 
 

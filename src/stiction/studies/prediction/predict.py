@@ -251,11 +251,11 @@ def _dataset(samples: Samples, loads: np.ndarray, level: float) -> "xarray.Datas
 def _given(
     known: Measured, case: Case, loads: np.ndarray, working_index: int, level: float, stated: Sequence[Uncertain]
 ) -> tuple[Samples, dict[str, Any], dict[str, Any]]:
-    """Return samples chosen by measured friction, attributes of the prediction, and updated uncertain numbers.
+    """Return samples that agree with measured friction, attributes of the prediction, and updated uncertain numbers.
 
     known: the measured friction. loads: loads of the prediction [N]. working_index: index of the working load among them.
-    level: coverage probability. stated: uncertain numbers that the case itself states. The updated numbers are dataset
-    variables: median and interval ends over `parameter`.
+    level: coverage probability. stated: uncertain numbers in the case itself. Their updated medians and interval ends are
+    returned as dataset variables with the dimension `parameter`.
     """
     levels = draw_levels(len(case.unknowns), _MANY, case.uncertainty.seed)
     mixture = Mixture.of(SampledCase(case, np.concatenate([loads, known.load]), levels.inputs))

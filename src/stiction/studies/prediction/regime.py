@@ -130,11 +130,11 @@ def _by_strength(samples: Samples, index: int) -> float:
 
 
 def _of_pressure(mixture: Mixture, pressure: float, index: int, times: str, added: str) -> tuple[str, str]:
-    """Return a sentence on the pressure of contact spots that are not plastic, and a phrase on what would lower mu.
+    """Return a sentence on the pressure of contact spots that are not plastic, and what would lower mu, in words.
 
-    The phrase does not mention a weaker interface, which the caller adds. On a film, the sentence may state that the body below
-    yields. pressure: mean pressure over the hardness of the softer surface. index: position of the load among the loads of the
-    prediction. times, added: texts of the factors and of the added term in the formula of mu, or "".
+    The second text is e.g. "rougher surfaces"; the caller adds a weaker interface. On a film, the sentence may say that the
+    body below yields. pressure: mean pressure over the hardness of the softer surface. index: position of the load among the
+    loads of the prediction. times, added: factors and added term with which the formula "mu = tau_0/p" continues, or "".
     """
     contact, hardness = mixture.sampled.contact, float(np.median(mixture.sampled.bodies.hardness))
     carried = min(float(np.median(law.yields_at[:, index])) for law in mixture.laws)

@@ -13,7 +13,7 @@ def sources_of(mixture: Mixture) -> str:
     """Return the bibliography keys of a prediction as one text, separated by spaces.
 
     They are the sources of the area models with a weight, of the possible states of the interface, of junction growth, and of
-    the laws of adhesion, menisci, contamination and ageing whose inputs the contact states.
+    the laws of adhesion, menisci, contamination and ageing whose inputs are specified for the contact.
     """
     keys = [key for law in mixture.laws if law.weight.any() for key in law.sources]
     keys += [source.key for record in _more_laws(mixture.sampled.contact) for source in record.sources]
@@ -25,12 +25,12 @@ def sources_of(mixture: Mixture) -> str:
 
 
 def beside_area(contact: Contact) -> list[str]:
-    """Return the names of the meniscus and contamination laws that apply because the contact states their inputs."""
+    """Return the names of the meniscus and contamination laws whose inputs are specified for the contact."""
     return [f"{kind} law {key}" for kind, key in _added(contact) if kind != "ageing"]
 
 
 def _added(contact: Contact) -> list[tuple[str, str]]:
-    """Return kind and key of each law that predictions add because the contact states its input."""
+    """Return kind and key of each law that predictions add because its input is specified for the contact."""
     stated = {
         ("meniscus", "equilibrium_meniscus"): contact.liquid,
         ("contamination", "independent_junctions"): contact.strength_variation,

@@ -53,7 +53,7 @@ class Strength:
     def grows_with_pressure(self) -> bool:
         """Return whether the strength of any possible state of the interface increases with pressure.
 
-        It is False if the contact states a pressure coefficient.
+        It is False if a pressure coefficient is specified for the contact.
         """
         middle = np.array([0.5])
         return self.takes_states and any(np.any(state.pressure_coefficient_at(middle) > 0.0) for state, _ in self.states)

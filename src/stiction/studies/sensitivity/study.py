@@ -1,11 +1,11 @@
 """Rank the inputs by their effect on friction, to see which should be measured better.
 
-For a prediction, the output has the share of each source of uncertainty in the variance of ln mu. For a single model, it has
-Sobol indices with 95 % intervals and Morris effects of inputs, methods of finding asperities, and models, for friction, contact
-area, load and pull-off force. Both have logarithmic sensitivities, d ln mu/d ln x, for every number of the contact. --out
-writes sensitivity.csv, log_sensitivities.csv, sensitivity.nc (netCDF4) and sensitivity.png. A number of the case is uncertain
-if stated as "0.5 +/- 0.1 GPa", {low, high}, {median, factor} or {samples}; with --ranges, also within the range of its
-material.
+For a prediction, the output has the fraction of the variance of ln mu that each source of uncertainty causes. For a single
+model, it has Sobol indices with 95 % intervals, and Morris effects. These rank inputs, methods of finding asperities, and
+models by their effect on friction, contact area, load and pull-off force. Both outputs have logarithmic sensitivities, d ln
+mu/d ln x, for every number of the contact. --out writes sensitivity.csv, log_sensitivities.csv, sensitivity.nc (netCDF4) and
+sensitivity.png. A number of the case is uncertain if stated as "0.5 +/- 0.1 GPa", {low, high}, {median, factor} or {samples}.
+With --ranges, numbers of material presets also vary within their ranges.
 """
 
 from pathlib import Path

@@ -3,7 +3,7 @@
 The moments m0, m2, m4 are the mean squares of height, slope and second derivative along a line. The summits have a standard
 deviation sigma of their heights, a mean tip radius R and a number N per area. m0, m2 and m4 determine sigma, R and N, and vice
 versa. Nayak (1971) derived the statistics of the summits. McCool (1986) uses the summits as asperities. Papers on other
-asperity models state the same conversion with N R sigma:
+asperity models give the same conversion with N R sigma:
 
     sigma^2 = m0 - 3.717e-4 / (N R)^2,   mean height of the summits = 0.045944 / (N R).
 
