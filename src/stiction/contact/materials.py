@@ -81,7 +81,8 @@ class Material(Input):
     def replace(self, **changes: object) -> Self:
         """Return a copy of the material with the fields in `changes` replaced.
 
-        A replaced number loses its source and its range. Raises InputError for a bad field.
+        A replaced number loses its range, and also its source if sources are given by number. Raises InputError for a bad
+        field.
         """
         return super().replace(**changes | remaining_notes(self.source, self.range, changes))
 
@@ -239,7 +240,8 @@ def remaining_notes(source: Any, ranges: Mapping[str, Any], changes: Mapping[str
     - source: text, or texts by name of the number; ranges: by name of the number; both before the change
     - changes: new values by field; they may include `source` and `range`
 
-    Replaced numbers lose their source and range, unless the changes specify new ones.
+    Replaced numbers lose their range, and also their source if sources are given by number; a single text is kept. New sources
+    and ranges in `changes` are used.
     """
     if isinstance(source, Mapping):
         source = {field: text for field, text in source.items() if field not in changes}

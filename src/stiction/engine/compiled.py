@@ -52,7 +52,7 @@ def formula(function: Callable) -> Any:
 
 
 def loop(function: Callable) -> Any:
-    """Mark a function with a loop of its own, and return it; compiled loops that call the function inline it.
+    """Mark a function that contains a loop, so that compiled loops inline it, and return the function.
 
     The compiler may reorder its sums.
     """

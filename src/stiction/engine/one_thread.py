@@ -1,7 +1,7 @@
 """Run linear algebra on one thread, for computations with many small systems.
 
-Threads do not speed up systems of some dozens of unknowns, and several processes with many threads each slow each other down
-tenfold. On one thread, sums are also rounded identically each time, so that results are bit-identical in every process.
+Threads do not speed up systems of a few dozen unknowns, and several multithreaded processes slow each other down tenfold. On
+one thread, sums are also rounded identically each time, so that results are bit-identical in every process.
 """
 
 from collections.abc import Callable

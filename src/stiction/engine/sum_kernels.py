@@ -6,8 +6,8 @@ because compiled loops accept these directly:
 - heights: (shape, knots) of a `Heights`.
 - laws: the fields of `nodes.Laws`: parameters (n, p), edges (n, m), branch points (n, b), two_sided.
 - rules: nodes and weights (rules, 2, longest) on [0, 1], and number of nodes (rules,).
-- nodes: displacements (n, room), weights times summed values (n, rows, room), number of nodes used (n,). `placing.append_nodes`
-  and the loop of `placing` below fill them for one block of laws.
+- nodes: displacements (n, capacity), weights times summed values (n, rows, capacity), number of nodes used (n,). `append_nodes`
+  of the module `placing`, and the loop that the function `placing` of this module returns, fill them for one block of laws.
 """
 
 import math

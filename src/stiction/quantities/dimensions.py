@@ -256,5 +256,5 @@ def _disagreement(name: str, dim: str, size: int, other: str) -> InputError:
     return InputError(
         name,
         InWords(f"length {size} along dimension {dim!r}"),
-        f"the length and coordinate that {other} has along it; to combine all values instead, rename the dimension in {name}",
+        f"the same length and coordinate as {other}; for all combinations of the two, rename this dimension of {name}",
     )

@@ -261,7 +261,8 @@ class Addition(Record):
 class Criterion(Record):
     """Describe a ratio that distinguishes two kinds of behaviour of a rough contact: one for ratios below 1, one above 1.
 
-    - ratio(groups): the ratio (n,) for n contacts, whose dimensionless groups have the spectral moments of the surface
+    - ratio(groups): function that returns the ratio (n,) from the dimensionless groups of n contacts, computed from the
+      spectral moments of the surface
     - below, above: sentence on the contact if the ratio is below 1, or above 1, such as elastic or plastic
     - on_map: whether `ratio` also takes a HeightMap that represents the roughness of both faces
     """

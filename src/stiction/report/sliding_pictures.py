@@ -21,8 +21,8 @@ def sliding_figure(data: "xarray.Dataset", title: str = "") -> Figure:
     """Draw tangential force over load against displacement, one line for each load or separation.
 
     data: result of `slide` with at most one dimension of loads or separations. Dotted lines mark the static friction
-    coefficient. Dots mark the largest force; if sliding asperities keep their full strength, they mark 99 % of it, and a second
-    panel shows the energy lost in a cycle.
+    coefficient. Dots mark the largest force. If sliding asperities keep their full strength, the dots mark 99 % of the largest
+    force, and a second panel shows the energy lost in a cycle.
     """
     lost = "energy_loss" in data
     figure, panels = canvas(12.0 if lost else 7.0, 5.4, 1, 1 + lost)

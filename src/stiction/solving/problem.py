@@ -178,7 +178,10 @@ class AsperitySum(Problem):
 
     @cached_property
     def most_pull(self) -> np.ndarray | None:
-        """Return two factors (2, n) that determine the upper bound of the meniscus pull; None without menisci or if unknown."""
+        """Return the factors (2, n) of `laplace.most_pull`, which limits the pull of menisci; None without menisci.
+
+        The result is also None if the asperity density is unknown.
+        """
         return most_pull(self.groups) if "meniscus" in self.chosen.additions else None
 
     def sums(self, h: np.ndarray, law: np.ndarray) -> np.ndarray:
@@ -321,8 +324,9 @@ def make_problem(subject: Subject, choice: Choice, heights: Heights | str | None
     """Combine contacts, a model and a height distribution into a problem, and return it.
 
     subject: the contacts. choice: model, laws and options. threads: number of threads of the engine. heights: distribution or
-    its name; None for the distribution of the contact. The last problems of one or a few contacts are cached, because
-    preparing a problem takes longer than solving it. Raises InputError for values that the model does not support.
+    its name; None for the distribution of the contact. The last eight problems of a subject are cached if they are sums over
+    asperities of at most 16 contacts without scans, because preparing such a problem takes longer than solving it. Raises
+    InputError for values that the model does not support.
     """
     check_threads(threads)
     if not (heights is None or isinstance(heights, str | Heights)):

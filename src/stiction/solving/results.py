@@ -127,9 +127,9 @@ def with_shares(problem: Problem, tables: Mapping[str, np.ndarray]) -> dict[str,
 
 
 def _change_by_junctions(problem: Problem, tables: Mapping[str, np.ndarray]) -> dict[str, str]:
-    """Return an attribute that describes how mu differs from the value by the published law; {} if that law is in use.
+    """Return an attribute that compares mu with the mu of the published law; {} if the published law is in use.
 
-    They differ if an option gives yielded junctions the resistance of another law.
+    The two differ if an option gives yielded junctions the resistance of another law.
     """
     if "friction_coefficient_published" not in tables:
         return {}

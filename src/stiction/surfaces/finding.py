@@ -85,7 +85,7 @@ def asperities(surface: HeightMap, method: str = "mccool", **options: "QuantityL
     if not np.isfinite(surface.heights).any():
         raise InputError("heights", InWords("all points missing"), "a map with heights")
     if surface.is_profile and not record.of_profiles:
-        shape = f"shape {surface.heights.shape}"
+        shape = InWords(f"shape {surface.heights.shape}")
         raise InputError("heights", shape, "a map of 3 or more rows and columns: a profile has no summits")
     found = record.find(surface, **_settled(record, options))
     return replace(found, note="; ".join([found.note, *_outside(record, found)]))

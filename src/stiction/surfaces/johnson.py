@@ -8,8 +8,9 @@ mean and scale, is one of three functions:
                                     kurtosis = w^4 + 2 w^3 + 3 w^2 - 3
     1 / (1 + e^-u)    bounded       below the line, down to the limit skewness^2 + 1
 
-Every possible pair of skewness and kurtosis has exactly one such function. Kurtosis is the standardised fourth moment, 3 for
-a Gaussian distribution.
+Every possible pair of skewness >= 0 and kurtosis has exactly one such function, except the Gaussian pair 0 and 3, for which the
+height is z itself. For a negative skewness, the function f(z) for the opposite skewness is mirrored: -f(-z). Kurtosis is the
+standardised fourth moment, 3 for a Gaussian distribution.
 
 scipy.stats has these functions as johnsonsu, lognorm and johnsonsb, but fits them to data and not to given moments. It has no
 closed form for the moments of the bounded function. This module therefore computes the moments of all three by one quadrature

@@ -325,8 +325,8 @@ def _wavevectors(count: int, length: float, frequencies: Callable) -> np.ndarray
 def wave_power(heights: np.ndarray) -> np.ndarray:
     """Return |h|^2 of the Fourier waves of a map, of shape (rows, columns // 2 + 1), in the order of `rfft2`.
 
-    heights: (rows, columns) [m]. Each entry is the sum over the waves that it represents. All entries together give the mean
-    square height times the squared number of points.
+    heights: (rows, columns) [m]. A wave and its conjugate, of which `rfft2` stores one, are added (see `waves_of`). The sum of
+    all entries is the mean square height times the squared number of points.
     """
     return np.square(np.abs(scipy.fft.rfft2(heights, workers=_WORKERS))) * waves_of(heights.shape[1])
 

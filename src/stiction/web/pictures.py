@@ -86,7 +86,10 @@ def drawing_of(figure: Any, told: str, narrow: bool = False) -> str:
 
 
 def _make_narrow(figure: Any) -> None:
-    """Place the panels of a figure below one another, with fewer ticks and with titles broken into lines."""
+    """Make a figure narrow: fewer ticks, titles broken into lines, and panels below one another.
+
+    Panels stay in place if the figure has other axes, such as a colour bar, or no layout engine.
+    """
     from matplotlib.ticker import AutoLocator, MaxNLocator
 
     width, height = figure.get_size_inches()

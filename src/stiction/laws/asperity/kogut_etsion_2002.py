@@ -109,7 +109,7 @@ RECORD = AsperityLaw(
             "asperity_area_over_yield",
             0.0,
             205.0,
-            "the published fit ends at the upper limit, at 110 times the displacement at first yield",
+            "the published fit ends at 110 times the displacement at first yield, where this ratio is 205",
             "fit",
         ),
     ),

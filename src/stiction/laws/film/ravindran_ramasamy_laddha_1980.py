@@ -84,8 +84,8 @@ def regimes(groups: Groups, law: Law) -> list[Regime]:
     """Return the regimes of a surface with a soft metal film.
 
     A regime is a segment of an asperity law together with the tangential force on it. Forces are in units of K R^(1/2)
-    sigma^(3/2), with K = (4/3) E* of the substrate. groups: dimensionless groups of n coated contacts. law: only its
-    tangential law is used, which must describe the interface.
+    sigma^(3/2), with K = (4/3) E* of the substrate. groups: dimensionless groups of n coated contacts. law: only its tangential
+    law is used, which must be a law of interface strength (interfacial=True).
     """
     laws = len(groups)
     n_H, q = np.broadcast_to(np.minimum(groups.n_H, 1.0), laws), rise(groups)

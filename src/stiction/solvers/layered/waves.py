@@ -40,13 +40,13 @@ class CoatedBody:
 class Waves:
     """Store the amplitudes of stress and displacement in film and body, for wavenumbers x = k t (m,).
 
-    t: film thickness. z is the depth times k, y = x - z the distance from the interface upwards, s = z - x downwards. added (4,
-    2, m): factors of exp(-z), z exp(-z), exp(-y) and y exp(-y) in the stress function of the film minus the stress function of
-    a half-space. The second axis is (pressure, shear along the wave). below (2, 2, m): factors of exp(-s) and s exp(-s) in the
-    stress function of the body.
+    t: film thickness. Depths are multiplied by k: z is the depth below the surface, y = x - z the height above the interface, s
+    = z - x the depth below the interface. added (4, 2, m): factors of exp(-z), z exp(-z), exp(-y) and y exp(-y) in the stress
+    function of the film minus the stress function of a half-space. The second axis is (pressure, shear along the wave). below
+    (2, 2, m): factors of exp(-s) and s exp(-s) in the stress function of the body.
 
-    across, across_below (m,): displacements under shear across the wave, times the shear modulus of film or body. across is the
-    factor of exp(-y) + exp(-y - 2 z), added to the exp(-z) of a half-space. across_below is the factor of exp(-s) in the body.
+    across, across_below (m,): amplitudes under shear across the wave. In the film, displacement times shear modulus is exp(-z)
+    + across (exp(-y) + exp(-y - 2 z)). In the body, displacement times shear modulus is across_below exp(-s).
     """
 
     x: np.ndarray

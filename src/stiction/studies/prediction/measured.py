@@ -102,8 +102,8 @@ def chosen_draws(measured: Measured, mu: np.ndarray, count: int) -> tuple[np.nda
     -----
     The likelihood of a sample is exp(-chi^2/2), for measured values with independent log-normal errors. If the errors are
     estimated from the scatter of k values, it is Student's with k - 1 degrees of freedom, (1 + chi^2/(k - 1))^(-k/2), with
-    chi^2 above that of the best sample (Gelman et al. 2013, Bayesian Data Analysis, section 3.2). If the effective
-    number of samples is below 50, all errors are enlarged until it is reached, because a few samples give no reliable
+    chi^2 reduced by its smallest value over all samples (Gelman et al. 2013, Bayesian Data Analysis, section 3.2). If the
+    effective number of samples is below 50, all errors are enlarged until it is reached, because a few samples give no reliable
     interval. Systematic resampling in the order of mu minimises the scatter of its quantiles (Kitagawa 1996).
     """
     with np.errstate(divide="ignore", invalid="ignore"):

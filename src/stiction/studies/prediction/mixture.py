@@ -203,10 +203,11 @@ class Mixture:
         return area / times, borne / area * times
 
     def _chance(self, levels: Levels, pressure: np.ndarray) -> np.ndarray:
-        """Return the random deviation of ln(area) (n, m) that is due to a small number of contact spots.
+        """Return the random deviation of ln(area) of each sample, (n, m).
 
-        pressure: mean pressure over hardness (n, m). Plastic spots, and spots that a height map determines, add no scatter of
-        their own. Scatter of the junction strength and the sampling error of a scan are added.
+        pressure: mean pressure over hardness (n, m). The variance is the sum of three parts: the small number of contact spots,
+        the scatter of the junction strength (applied to the area), and the sampling error of a scan. The first part is 0 for
+        plastic spots and for a height map.
         """
         from scipy.special import ndtri
 

@@ -171,7 +171,7 @@ def warnings_of(
     """Return the warnings about a prediction as sentences, the most serious first.
 
     index: position of the load among the loads of the prediction. shares: fraction of the variance of ln mu by part, empty if
-    unknown. by_state: texts of `mu_by_state`.
+    unknown. by_state: texts on mu for each possible state of the interface, from `mu_by_state`.
     """
     impossible = float(np.mean(~np.isfinite(samples.force[:, index])))
     contact = mixture.sampled.contact
@@ -237,7 +237,7 @@ def mu_by_state(mixture: Mixture, levels: Levels, index: int, level: float) -> l
 
 
 def _kind_is_missing(mixture: Mixture) -> bool:
-    """Return whether the kind of surface is unknown: the contact states no scan, kind, shape or non-Gaussian heights."""
+    """Return whether the kind of surface is unknown: no height map, kind, shape or non-Gaussian heights are specified."""
     contact = mixture.sampled.contact
     stated = mixture.sampled.on_map or contact.surface_kind is not None or bool(contact.surface_shape)
     return not stated and contact.heights[0] == "gaussian"

@@ -147,11 +147,12 @@ def middle_point(data: "xarray.Dataset") -> "xarray.Dataset":
 
 
 def _of_one(groups: Groups, area: float, load: float, friction: float) -> tuple[float, float, float, float, str]:
-    """Return the stresses in a film under one asperity, from its dimensionless area, load and friction force.
+    """Return the largest stresses in film, interface and body under one asperity, and the part that yields first.
 
-    They are contact radius over film thickness, stress over yield stress, tension and shear at the interface over the yield
-    stress and shear yield stress of the weaker of film and body, and the part that yields first. Stresses are NaN if the
-    asperity is not pressed.
+    The five results are: contact radius over film thickness; largest von Mises stress over the local yield stress; tension and
+    shear at the interface, over the yield stress and shear yield stress of the weaker of film and body; and "film", "interface"
+    or "body". If both bodies are coated, each stress is the larger of two. Without area or compressive load the stresses are
+    NaN and the part is "". area, load, friction: dimensionless, of the asperity.
     """
     if not (area > 1e-100 and load > 0.0):
         return contact_over_thickness(groups, area), np.nan, np.nan, np.nan, ""

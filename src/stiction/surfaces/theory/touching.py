@@ -10,7 +10,7 @@ _SEPARATIONS = np.linspace(-8.0, 37.0, 2000)
 
 
 def expected_share(area: np.ndarray) -> np.ndarray:
-    """Estimate the fraction of asperities that touch, for theories that describe no single asperities.
+    """Estimate the fraction of asperities that touch, for theories that do not describe individual asperities.
 
     area: array of contact areas per asperity, divided by pi R sigma. The estimate holds for elastic spheres with Gaussian
     heights (Greenwood & Williamson 1966, eqs 5 and 6): F_0(h) at the separation h at which F_1(h) = area. F_n(h) is the

@@ -72,7 +72,7 @@ class TwoBodies:
         return self.first, self.second, self.share, self.films, self.nu, self.nu_first, self.nu_second
 
     def bounds(self) -> tuple[np.ndarray, np.ndarray]:
-        """Return the smallest and the largest possible ratio (n,) of the contact modulus with films to that of the bare bodies.
+        """Return the bounds (n,) of the ratio of the contact modulus with films to the contact modulus of the bare bodies.
 
         The modulus of each coated body is between its own and the film's.
         """

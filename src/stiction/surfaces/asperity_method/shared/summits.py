@@ -11,7 +11,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from stiction.quantities.errors import InputError
+from stiction.quantities.errors import InputError, InWords
 from stiction.surfaces.asperity_set import Asperities, of_samples, over_mean_plane
 from stiction.surfaces.heightmap import HeightMap
 
@@ -22,7 +22,7 @@ def areal(surface: HeightMap) -> np.ndarray:
     Raises InputError if the map has fewer than three rows or columns.
     """
     if min(surface.heights.shape) < 3:
-        shape = f"shape {surface.heights.shape}"
+        shape = InWords(f"shape {surface.heights.shape}")
         raise InputError("heights", shape, "a map of 3 or more rows and columns: a profile has no summits")
     return over_mean_plane(surface)
 
