@@ -333,10 +333,10 @@ class Approach:
         return self._lowest
 
     def starts(self, targets: np.ndarray) -> Starts:
-        """Return starting values for the separations at which each of n laws carries its loads targets[i] (m,).
+        """Return starting values for the separations at which n laws carry given loads.
 
-        `Starts` also holds the largest tension, and slope and size of the load. Separations are in units of sigma and accurate
-        to about 1e-9. A separation is NaN if none was found.
+        targets (n, m): m loads for each law. Separations are in units of sigma and accurate to about 1e-9. A separation is NaN
+        if none was found. The other results are described in `Starts`.
         """
         targets = np.ascontiguousarray(targets)
         tension, where = np.empty((2, self._laws))

@@ -47,7 +47,7 @@ class Laws(NamedTuple):
         return cls(columns(regime.parameters, len(edges)), edges, branch if two_sided else branch[:, None], two_sided)
 
     def some(self, rows: slice) -> "Laws":
-        """Return the arrays of the parameter sets in the slice `rows`."""
+        """Return the `Laws` of the parameter sets in the slice `rows`."""
         return Laws(self.table[rows], self.edges[rows], self.branch[rows], self.two_sided)
 
 

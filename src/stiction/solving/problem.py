@@ -386,7 +386,7 @@ def problem_of(groups: Groups, choice: Choice, heights: Heights | None = None, s
             if not groups.knows(name):
                 given = subject.given_as(name) if subject is not None else name
                 whose = "" if record is chosen.model else f", which {chosen.model.key} uses here,"
-                allowed = f"{_wanted(given)}: {record.key}{whose} needs it"
+                allowed = f"{_wanted(given)}, because {record.key}{whose} needs it"
                 raise InputError(given, getattr(subject, given, None), allowed, _others(choice.model_key))
     kind: type[Problem] = (
         AsperitySum if chosen.asperity is not None else MapProblem if chosen.model.of_map is not None else ClosedFormProblem

@@ -1,4 +1,4 @@
-r"""Persson's contact area, increased by a fit to solved maps; for scans, the contact itself is solved.
+r"""Persson's contact area with a correction fitted to solved maps; for scans, the contact is solved instead.
 
 *Assumes*: half-spaces without adhesion and friction, with one hardness at all scales. *Source*: this project's own, a fit to
 maps of rough surfaces whose contact was solved point by point ([the set](truth.md)); [persson_2001] for the form, [nayak_1971]
@@ -13,9 +13,11 @@ $$
 
 and with the hardness $H$ the area is $A=\left[A_\text{el}^{3.5}+(pA_n/H)^{3.5}\right]^{1/3.5}$ (here $p$ in Pa). This formula
 is used if the surface is given by $\sigma$, $R$ and $N$. Most of its error comes from properties that these numbers do not
-describe: skewness, wear, a lay, and the scatter of a small map. If the contact names scans, the contact of their map is solved
-at every pressure, elastic or up to the hardness. The solution uses the fewest points that are sufficient (four per shortest
-wavelength, eight across a lay, 3000 in contact). A map with too many points uses one of the formulas of
+describe: skewness, wear, a lay, and the scatter of a small map. If the contact names scans, the contact of their map is solved,
+elastic or with the hardness. More than twelve pressures are interpolated between solutions at four pressures per decade. At
+pressures at which fewer than about 120 points touch, and above $p=1.2\,E^*h'$ or 0.97 of the hardness, a formula is scaled to
+the nearest solution. Points are skipped if at least four per shortest wavelength (eight on a map with a lay, 2.5 on maps that
+are otherwise too large) and 3000 in contact remain. A map with too many points uses one of the formulas of
 `solvers/boundary_elements/area_estimates.py`. The result `area_by` names the method.
 
 *Check*: at light load $A/A_n=\kappa\,p/(E^*h')$ with $\kappa\to(1+c)\sqrt{8/\pi}$; $c=0$ gives
@@ -88,7 +90,7 @@ def way(surface: "HeightMap | None") -> str:
 
 RECORD = RoughSurface(
     key="persson_widened",
-    title="Persson's contact area, increased by a fit to solved maps; for a scan, the solution of its own contact",
+    title="Persson's contact area with a correction fitted to solved maps; for a scan, the solution of its contact",
     grade="B",
     sources=(
         Source("persson_2001", "", "the form of the area"),

@@ -1,8 +1,9 @@
 r"""Persson's diffusion for elastic contact with a corrected variance: Xu, Zhu, Xiao & Zhou 2024.
 
-*Assumes*: as [`yang_persson_2008`](#yang_persson_2008), but the factor applies to the variance $V$ of the pressure itself, not
-to its growth with finer roughness. *Source*: [xu_zhu_xiao_zhou_2024], the program published with it (only the abstract of the
-text was available). With the nominal pressure $p$, the contact modulus $E^*$ and the root mean square gradient $h'$:
+*Assumes*: as [`yang_persson_2008`](#yang_persson_2008), but the correction factor, here $\gamma+(1-\gamma)A/A_n$, multiplies
+the variance $V$ of the pressure itself instead of its growth with finer roughness. *Source*: [xu_zhu_xiao_zhou_2024], the
+program published with it (only the abstract of the text was available). With the nominal pressure $p$, the contact modulus
+$E^*$ and the root mean square gradient $h'$:
 
 $$
 \frac A{A_n}=\operatorname{erf}\frac p{\sqrt{2V}},\qquad

@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 def heads_and_rows(table: "xarray.Dataset") -> list[list]:
     """Return a friction table as a list of lists: the heads "name [unit]", then one list of numbers for each row.
 
-    table: dataset of `export`. Numbers have nine significant digits.
+    table: dataset of `export`. The head of a dimensionless column has no unit. Numbers have nine significant digits.
     """
     units = {name: variable.attrs["units"] for name, variable in table.items()}
     heads = [f"{name} [{unit}]" if unit != "1" else str(name) for name, unit in units.items()]

@@ -125,8 +125,8 @@ class DescentSearch:
     def _direction(self) -> np.ndarray:
         """Return the next search direction (rows, columns), preconditioned and conjugate to the last direction.
 
-        The last direction is weighted by the rule of Polak & Ribiere. After a failed step the direction is the preconditioned
-        negative gradient.
+        The last direction is weighted by the rule of Polak & Ribiere. At the first step, after a failed step, or if the weight
+        is not positive or the sum does not lower the energy, the direction is the preconditioned negative gradient.
         """
         force = np.where(self._free, -self._slope, 0.0)
         smooth = self._faces.smoothed(force)

@@ -73,8 +73,8 @@ def shear_curve(bodies: Bodies) -> np.ndarray:
 def _of_surfaces(bodies: Bodies, *of_films: np.ndarray) -> np.ndarray:
     """Return the tangential compliances C_L (along a wave) and C_T (across it) of both bodies together: (2, ...).
 
-    They are normalised by the contact modulus without films. of_films: C_L and C_T of each coated body, times the shear modulus
-    of its film.
+    The result is multiplied by the contact modulus of the bodies without films and so has no unit. of_films: C_L and C_T of
+    each coated body, multiplied by the shear modulus of its film.
     """
     per_film = 2.0 / bodies.film_modulus
     bare = 2.0 * bodies.bare_share * np.array([1.0, 1.0 / (1.0 - bodies.bare_nu)])

@@ -56,10 +56,11 @@ class Waves:
     across_below: np.ndarray
 
     def surface_compliances(self, nu: float) -> np.ndarray:
-        """Return the surface displacements (2, m) along and across m waves, each under unit shear in its own direction.
+        """Return two surface displacements of each of m waves under unit shear: (2, m).
 
-        They are multiplied by the wavenumber and the shear modulus of the film. On a half-space they are 1 - nu and 1. nu:
-        Poisson's ratio of the film.
+        The first is along the wave, under shear along it; the second is across it, under shear across it. They are multiplied
+        by the wavenumber and the shear modulus of the film. On a half-space they are 1 - nu and 1. nu: Poisson's ratio of the
+        film.
         """
         F, _, F2, _ = _film(0.0, self.x)
         along = ((1.0 - nu) * (2.0 + np.sum(F2 * self.added[:, 1], axis=0)) + nu * np.sum(F * self.added[:, 1], axis=0)) / 2.0
@@ -104,9 +105,10 @@ def waves(x: np.ndarray, body: CoatedBody) -> Waves:
 
 
 def film_function(waves: Waves, depth: float) -> np.ndarray:
-    """Return the stress function F that a film adds to a half-space's function, at one depth, with F' and F'': (3, 2, m).
+    """Return F, F' and F'' at one depth: (3, 2, m).
 
-    depth: divided by the film thickness, 0 to 1. The second axis is (pressure, shear), the third the m waves.
+    F is the stress function of the film minus the stress function of a half-space. depth: divided by the film thickness, 0 to
+    1. The second axis is (pressure, shear), the third the m waves.
     """
     return _sum(_film(depth * waves.x, waves.x), waves.added)
 

@@ -174,7 +174,7 @@ def stuck_stiffness(operator: ShearOperator, touching: np.ndarray) -> float:
 
 
 def weakening_length(operator: ShearOperator, strength: float, weakening: Weakening) -> float:
-    """Return the length [m] over which the strength falls behind the tip of a slipping zone.
+    """Return the length [m] of the zone behind the tip of slip in which the strength falls.
 
     It is D_c/(S (tau_p - tau_r)) with the characteristic slip D_c, the strength tau_p = `strength` [Pa], the residual strength
     tau_r, and S the sum of 1/G over the two surface materials (G: shear modulus).

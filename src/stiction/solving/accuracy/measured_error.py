@@ -153,11 +153,7 @@ def _plain(values: np.ndarray) -> list[float | None]:
 
 
 def column_of(problem: Problem) -> str:
-    """Return the name of a model's column in the benchmark set; "" if an option has another value than its default.
-
-    An example is "greenwood_williamson_1966|mccool". The part after the bar is the asperity method, or "map" or "moments" for a
-    theory of the surface as a whole.
-    """
+    """Return a model's column, e.g. "greenwood_williamson_1966|mccool" or "persson_2001|map"; "" with unusual options."""
     chosen, record = problem.chosen, problem.record
     if any(problem.options[name] != values[0] for one in problem.records() for name, values in one.options.items()):
         return ""

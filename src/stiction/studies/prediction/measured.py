@@ -76,7 +76,7 @@ def interval_after_measuring(mu: np.ndarray, level: float) -> list[float]:
     """Return the interval [low, high] of mu expected after one measurement that gives the present median.
 
     mu: samples (n,) of friction at one load, NaN where impossible. level: coverage probability. The measurement has a standard
-    error of 15 %. The list is empty without samples.
+    error of 15 %. The list is empty if no sample is finite and above 0.
     """
     known = mu[np.isfinite(mu) & (mu > 0.0)]
     if not known.size:

@@ -68,7 +68,7 @@ class Plan:
         return {dim: slice(start, min(start + self.tile[dim], self.dims[dim])) for dim, start in starts.items()}
 
     def pieces(self, block: int) -> Iterator[Region]:
-        """Yield the contacts of the block with the number `block` in smaller regions, each solved in one call."""
+        """Yield the regions into which block number `block` is cut, each solved in one call."""
         return pieces(self.region(block), AT_ONCE // self.points)
 
     def contacts(self, block: int) -> int:

@@ -1,10 +1,10 @@
 r"""Load of a yielded asperity without adhesion during unloading.
 
-`st.unload` computes contact during unloading. JKR asperities follow their unloading branch. Asperities by [Thornton and
-Ning](#thornton_ning_1998) follow the equations of these authors. For yielded asperities without adhesion this project uses its
-own law. Unloading starts at the turning point, with displacement $w_m$, load $P_m$ and contact area $A_m$. From there the
-asperity unloads elastically, as a sphere that plastic flow has flattened: it follows Hertz with the larger radius $\bar R$ and
-the residual displacement $w_\text{res}$,
+`st.unload` computes contact during unloading. JKR asperities follow their unloading branch. Asperities with the law
+[`thornton_ning_1998`](#thornton_ning_1998) unload by the equations of its paper. For yielded asperities without adhesion this
+project uses its own law. Unloading starts at the turning point, with displacement $w_m$, load $P_m$ and contact area $A_m$.
+From there the asperity unloads elastically, as a sphere that plastic flow has flattened: it follows Hertz with the larger
+radius $\bar R$ and the residual displacement $w_\text{res}$,
 
 $$
 \bar R/R=A_m^{3/2}/P_m,\qquad w_\text{res}=w_m-\frac{P_m}{\sqrt{A_m}}\ \text{(not below 0)},\qquad

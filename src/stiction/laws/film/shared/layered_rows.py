@@ -15,7 +15,7 @@ def rows(groups: Groups, pull: np.ndarray) -> tuple[np.ndarray, ...]:
     """Return the parameters of the formulas in `solvers.layered.asperity` for a sphere on a film, each an array (n,).
 
     groups: dimensionless groups of n coated contacts with all defaults filled in, from `Groups.resolved`. pull (n,): adhesion,
-    from `edge_pull` or `outer_pull`. Raises InputError if no bodies can have these groups.
+    the result of `edge_pull` (JKR) or `outer_pull` (DMT). Raises InputError if no bodies can have these groups.
     """
     laws = len(groups)
     n_E = np.where(groups.film_aspect > 0.0, groups.n_E, 1.0)

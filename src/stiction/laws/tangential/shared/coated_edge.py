@@ -61,8 +61,8 @@ def edge_columns(groups: Groups) -> tuple[np.ndarray, ...]:
 def _of_half_space(nu: np.ndarray) -> np.ndarray:
     """Return the curves of ln D, A and B (n, FORMS, 2 + EDGE_TERMS) for uniform half-spaces with Poisson's ratios nu (n,).
 
-    A, B, D: coefficients of the squared von Mises stress at the trailing edge, as in `edge_root`. These curves are
-    constant.
+    A, B, D: coefficients of the squared von Mises stress at the trailing edge, as in `edge_root`. These curves do not depend on
+    the contact radius.
     """
     n, p, q = coefficients(nu)
     d = p * p + q * q - p * q

@@ -16,10 +16,11 @@ _MOST = 5
 
 
 class Force(NamedTuple):
-    """Hold a formula of (u, load, area, row) and its parameters as columns, arrays (n,); row has one value of each column.
+    """Hold a formula with the arguments (u, load, area, row) and its parameters for n laws.
 
-    The formula of a peeling force returns the force. The formula of a yield force returns two numbers: one that is negative
-    where the force is not real, and the force itself. A force that is negative or not real is replaced by 0.
+    columns: one array (n,) for each parameter. row: the parameters of one law. The formula of a peeling force returns the
+    force. The formula of a yield force returns two numbers: one that is negative where the force is not real, and the force
+    itself. A yield force that is negative or not real is replaced by 0.
     """
 
     formula: Callable
