@@ -71,8 +71,8 @@ def checked_against(mixture: Mixture, index: int) -> str:
 def in_handbooks(mixture: Mixture) -> tuple[int, int]:
     """Return how many handbook contacts with this interface are predicted correctly, and how many there are.
 
-    Only contacts with the interface state of the contact of `mixture` count; the result is (0, 0) if it states none. A contact
-    is predicted correctly if its predicted 90 % interval contains the geometric mean of the published range of mu.
+    Only contacts with the interface state of the contact of `mixture` count; the result is (0, 0) if it has none. A contact is
+    predicted correctly if its predicted 90 % interval contains the geometric mean of the published range of mu.
     """
     stated = mixture.sampled.contact.interface
     printed = {} if stated is None else printed_contacts().get(stated.name, {})
