@@ -141,12 +141,12 @@ def _until(page, condition, arg=None):
 
 
 def _card(page):
-    """The first line of the answer card."""
+    """The first line of the summary card."""
     return page.get_by_role("status").first.inner_text().replace("\N{NO-BREAK SPACE}", " ").splitlines()[0]
 
 
 def _until_changed(page, before):
-    """Wait until the first line of the answer card is another one than before."""
+    """Wait until the first line of the summary card is another one than before."""
     _until(page, f"before => !{CARD_TEXT}.startsWith(before)", arg=before)
 
 
