@@ -73,8 +73,8 @@ class Kernel:
     last argument that returns the work of one call.
 
     If plain Python raises an arithmetic, type or value error, the compiled kernel repeats the whole call; compiled code does
-    not raise, for example, for a division by zero that the formula handles later. A kernel with an allowance must therefore
-    overwrite its output arrays, never add to them.
+    not raise, for example, for a division by zero whose result the formula handles later. A kernel with an allowance must
+    therefore overwrite its output arrays, never add to them.
     """
 
     def __init__(self, function: Callable, allowance: Allowance | None, size: Callable[[Any], int] = lambda last: 0):

@@ -104,7 +104,7 @@ def scattered(
 
 
 class Scattered:
-    """Sum regimes over asperity heights, at pairs of a law and a separation.
+    """Sum regimes over asperity heights, for given pairs (law, separation).
 
     regimes: smooth parts of an asperity's behaviour, each for n laws (parameter sets). heights: distribution of the heights.
     Calculations that do not depend on the separations are done once.

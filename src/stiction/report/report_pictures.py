@@ -156,7 +156,7 @@ def _the_one(data: "xarray.Dataset", parts: list[str]) -> str:
 
 
 def all_of_one(findings: ReportData) -> list[str]:
-    """Return sentences that explain which pictures of a report are omitted; [] for a prediction.
+    """Return sentences that explain which pictures of a report are omitted; [] for a prediction or a sweep.
 
     All curves are omitted if no load is compressive. A chart of stacked parts is omitted if one part exceeds 99.5 % everywhere.
     """

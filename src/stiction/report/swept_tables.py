@@ -63,7 +63,7 @@ def _head(name: str) -> str:
 
 
 def combinations_shown(data: "xarray.Dataset", option: str) -> str:
-    """State how many combinations `swept_table` shows, and at how many loads; "" if it shows all.
+    """State how many combinations `swept_table` shows, and at how many loads or separations; "" if it shows all.
 
     option: option of the command that shows all combinations.
     """

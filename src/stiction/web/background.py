@@ -41,7 +41,7 @@ class Latest(Generic[_T]):
         return self._waiting is not None
 
     async def ask(self, *arguments: Any) -> None:
-        """Run the function for this query; if a run is under way, the query waits, in place of any query that waited before."""
+        """Run the function for this query; during another run, the query waits and replaces a query that already waits."""
         self._waiting = arguments
         if self._running:
             return

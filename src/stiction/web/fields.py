@@ -172,7 +172,7 @@ def numbers_of(part: Part) -> Iterator[Number]:
 
 
 def parts_of(tables: Mapping[str, Any]) -> list[Part]:
-    """Return the parts of the form for a case with these tables."""
+    """Return the parts of the form for a case: those of a Contact or of Indices; `tables` are the tables of the case."""
     if "indices" in tables:
         return list(_parts(Indices, ("indices",)))
     found = list(_parts(Contact, ("contact",)))

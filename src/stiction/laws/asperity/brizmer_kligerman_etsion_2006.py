@@ -154,7 +154,7 @@ RECORD = AsperityLaw(
             "nu",
             LEAST_NU,
             0.5,
-            f"the fit starts at {LEAST_NU}; below it, the ratios of stick to slip, for load and displacement at first yield, "
+            f"the fit starts at {LEAST_NU}; below it, the stick-to-slip ratios of load and displacement at first yield "
             f"keep their values at {LEAST_NU}",
         ),
     ),

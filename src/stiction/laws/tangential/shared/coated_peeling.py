@@ -140,10 +140,9 @@ def _fill(rows, root, curves, first, out):
 def peeling_columns(segment: NormalSegment, groups: Groups) -> tuple[tuple[np.ndarray, ...], np.ndarray | None]:
     """Return the parameters of `peeling_force`, arrays (n,), and the coordinate (n, 1) at which the peeling force vanishes.
 
-    The second result is None for a loading segment. For an unloading segment it is the coordinate at which the force vanishes,
-    or the start of the segment if the force vanishes nowhere. segment: JKR asperity of a film law that solves film and body as
-    one solid. groups: dimensionless groups of n contacts with a film, with all defaults filled in. If `peeling` is 0, the force
-    is practically infinite.
+    The coordinate is None for a loading segment. For an unloading segment whose force vanishes nowhere, it is the start of the
+    segment. segment: JKR asperity of a film law that solves film and body as one solid. groups: dimensionless groups of n
+    contacts with a film, with all defaults filled in. If `peeling` is 0, the force is practically infinite.
     """
     share = np.maximum(1.0 if groups.peeling is None else groups.peeling, _LEAST_SHARE)
     scale = np.broadcast_to(np.sqrt(32.0 * math.pi * groups.n_g / (groups.theta * share)), len(groups))
