@@ -94,8 +94,8 @@ def sources_of_case(case: "CaseLike") -> list[str]:
 def film_of_case(case: Case, choice: Choice) -> "xarray.Dataset":
     """Compute the stresses in the film of a case at its points, with the models and laws of `choice`.
 
-    Returns the dataset of `film_stresses`, with the title of the case. Raises InputError, also if a number of the case is an
-    array.
+    Returns the dataset of `film_stresses`, with the title of the case. Raises InputError if the contact has no film or if a
+    number of the case is an array.
     """
     from stiction.studies.stresses.film_stress import film_stresses, require_film  # slow to import, and no other study needs it
 

@@ -22,12 +22,12 @@ if TYPE_CHECKING:
 def fit_prediction(
     given: Any, data: Any, folder: Path | None = None, load: str | None = None
 ) -> "tuple[Case, xarray.Dataset] | None":
-    """Return a case and its prediction updated by measured values; None if the case names a model.
+    """Return a case and its prediction updated by measured values; None if the case names a model and has a table [fit].
 
     Each free parameter of [fit.free] becomes uncertain, uniformly distributed between its ends. given: path of a case file, or
-    its tables. data: path of the CSV file of measured values. folder: folder at which relative paths in the tables start; None
-    for the folder of the case file. load: replaces the loads of the case. Raises InputError, also for a load if the case names
-    a model.
+    its tables. data: path of the CSV file of measured values. folder: folder to which paths in the tables are relative; None
+    for the folder of the case file. load: replaces the loads of the case. Raises InputError, also if a case that names a model
+    has no [fit] or is given a load.
     """
     content, own_folder = tables_of(given)
     folder = folder or own_folder

@@ -84,7 +84,7 @@ def numbers_of(case: Case) -> dict[str, list[Uncertain]]:
 
 
 def _numbers(record: Input, path: Address) -> Iterator[tuple[Address, float]]:
-    """Yield the address (tuple of keys) and the value of each number above 0 in a record and its nested records.
+    """Yield the address (tuple of keys) and the value of each quantity above 0 in a record and its nested records.
 
     Fields of a contact or of indices that the user did not state are left out, and so are the records `surface` and
     `interface`. path: address of the record, with which all addresses begin.
