@@ -53,7 +53,9 @@ def test_a_copy_reads_units_and_its_dimensions_must_agree():
     one = contact(nominal_area=st.axis("nominal_area", ["1 mm^2", "2 mm^2"], "batch"))
     assert one.model_copy() == one
     three = st.axis("work_of_adhesion", [0.1, 0.2, 0.3], "batch")
-    assert line(lambda: one.model_copy(update={"work_of_adhesion": three})).startswith("nominal_area: dimension 'batch'")
+    assert line(lambda: one.model_copy(update={"work_of_adhesion": three})).startswith(
+        "nominal_area: length 2 along dimension 'batch'"
+    )
 
 
 def test_a_field_that_is_none_is_not_assigned():
