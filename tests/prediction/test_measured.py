@@ -242,3 +242,11 @@ def test_a_strength_beyond_that_of_the_body_is_bound_from_below_only(case, tmp_p
     found = st.fit(case, series(tmp_path, "load [N],friction_coefficient\n1,0.2\n1,0.21\n1,0.19\n"))
     assert "bound interfacial_shear_strength only from below" in found.attrs["verdict"]
     assert found["high"].item() < 1.1 * 1e8 / (2.8 * math.sqrt(3.0))
+
+
+def test_a_measurement_updates_a_height_beside_a_finish(case, tmp_path):
+    """The height is sampled as a part of the surface, and is no parameter of its own."""
+    rough = 'asperity_height_deviation = "0.2 um"\nasperity_radius = "20 um"\nasperity_density = "1e10 1/m^2"\n'
+    case.write_text(CASE.replace(rough, 'finish = "ground"\nrms_height = "0.2 +/- 0.05 um"\n'), encoding="utf-8")
+    found = st.fit(case, series(tmp_path, DATA))
+    assert "parameter" not in found.dims and found.friction_coefficient.isel(load=0).item() == pytest.approx(0.05, rel=0.05)

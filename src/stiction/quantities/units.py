@@ -27,7 +27,6 @@ _NUMBER_AND_UNIT = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s
 _POWER = r"(?:1|%|[^\W\d]+(?:(?:\^|\*\*)[+-]?\d|⁻?[⁰¹²³⁴-⁹])?)"
 _UNIT = re.compile(rf"/?\s*{_POWER}(?:(?:\s*[/*·]\s*|\s+){_POWER})*")
 _LONGEST_TEXT = 100  # characters; no quantity needs more, and the patterns above are slow on megabytes of text
-_DECIMAL_COMMA = re.compile(r"\s*[+-]?\d*,\d")
 _COMMAS = re.compile(r"\s*[+-]?\d*,\d[\d,]*")
 _ERROR = re.compile(r"\d.*(\+/?-|±)\s*\d")
 _CELSIUS = ("degC", "°C", "celsius", "deg C")  # allowed for temperatures only, because no factor converts them to kelvins
@@ -79,7 +78,7 @@ def _from_text(text: str, quantity: Quantity) -> float:
         allowed = "one value without an error (+/-); a case file, or a dict like one, accepts errors of numbers of the contact"
         raise InputError(quantity.name, text, allowed)
     match = _NUMBER_AND_UNIT.fullmatch(text) if len(text) <= _LONGEST_TEXT else None
-    if match is None or _DECIMAL_COMMA.match(text[:_LONGEST_TEXT]):
+    if match is None or _COMMAS.match(text[:_LONGEST_TEXT]):
         raise InputError(quantity.name, text, quantity.wanted + _suggest_decimal_point(text))
     number, unit = match.groups()
     rounded = float(number)

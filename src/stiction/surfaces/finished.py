@@ -26,7 +26,7 @@ from stiction.surfaces.theory.moments import Moments, bandwidth, combine
 
 SQ_OVER_RA = 1.25  # sqrt(pi/2) of Gaussian heights, rounded as is usual
 _ASPERITIES = ("asperity_height_deviation", "asperity_radius", "asperity_density")
-_HEIGHTS = ("rms_height", "mean_height")
+HEIGHTS = ("rms_height", "mean_height")
 _SYMBOLS = ("Sq", "Rq", "Ra", "Sa")  # not valid keys, but the error of Finished then names the valid key
 _UNUSUAL = 1.5  # factor outside the 90 % range of a finish from which a height gives a warning (judgement)
 _RULES = 0.8  # least fraction of the mean square slope with which one of two bodies alone decides the kind of surface
@@ -235,7 +235,7 @@ def is_finished(table: Any) -> bool:
     """Return whether a roughness table specifies a finish or a roughness height (Sq, Ra), and names no scan file."""
     if not isinstance(table, Mapping):
         return False
-    if table.keys() & {"finish", *_HEIGHTS, *_SYMBOLS}:
+    if table.keys() & {"finish", *HEIGHTS, *_SYMBOLS}:
         return True
     bodies = [table[name] for name in ("first", "second") if table.get(name) is not None]
     numbers = [isinstance(body, Roughness | Finished) or (isinstance(body, Mapping) and "file" not in body) for body in bodies]

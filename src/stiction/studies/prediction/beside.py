@@ -74,8 +74,7 @@ def in_handbooks(mixture: Mixture) -> tuple[int, int]:
     Only contacts with the interface state of the contact of `mixture` count; the result is (0, 0) if it has none. A contact is
     predicted correctly if its predicted 90 % interval contains the geometric mean of the published range of mu.
     """
-    stated = mixture.sampled.contact.interface
-    printed = {} if stated is None else printed_contacts().get(stated.name, {})
+    printed = _printed(mixture)
     return int(printed.get("held", 0)), int(printed.get("contacts", 0))
 
 
@@ -84,13 +83,18 @@ def unlike_handbooks(mixture: Mixture, mu: float) -> list[str]:
 
     mu: median of the prediction. Fewer than three contacts are not enough for the warning.
     """
-    stated = mixture.sampled.contact.interface
-    printed = {} if stated is None else printed_contacts().get(stated.name, {})
+    printed = _printed(mixture)
     if printed.get("contacts", 0) < _ENOUGH or printed["lowest"] / _UNLIKE <= mu <= printed["highest"] * _UNLIKE:
         return []
     side, advice = ("below", "check the interface") if mu < printed["lowest"] else ("above", "give a scan of the surface")
     ends = f"{printed['lowest']:.2g} to {printed['highest']:.2g}"
     return [f"mu is far {side} all {printed['contacts']} handbook contacts with this interface, {ends}: {advice}."]
+
+
+def _printed(mixture: Mixture) -> dict[str, float]:
+    """Return the entry of `printed_contacts` for the interface state of the contact, empty if there is none."""
+    stated = mixture.sampled.contact.interface
+    return {} if stated is None else printed_contacts().get(stated.name, {})
 
 
 def _half_width(mixture: Mixture, law: AreaLaw, index: int) -> float:

@@ -10,8 +10,8 @@ from stiction.case.uncertain import SAMPLE, Uncertain
 from stiction.contact.contact import Contact
 from stiction.quantities.errors import InputError, InWords
 from stiction.quantities.sampling import sobol_points
+from stiction.surfaces.finished import HEIGHTS
 
-_HEIGHTS = ("rms_height", "mean_height")
 _NUMBERS = ("asperity_height_deviation", "asperity_radius", "asperity_density")
 _NAME = "finish of the surface"  # sample dimension of the three parameters, which are sampled together
 _ROWS, _SEED = 512, 1
@@ -31,10 +31,12 @@ def with_finish(case: Case) -> Case:
     if any(True for _ in contact.roughness.arrays()):
         allowed = "single numbers for a surface with a finish; a case file may state several"
         raise InputError("roughness", InWords("several heights"), allowed)
-    heights = [number for number in case.uncertain if number.path[-1] in _HEIGHTS]
+    heights = [number for number in case.uncertain if number.path[-1] in HEIGHTS]
     points = sobol_points(len(heights) + len(contact.roughness.unknowns), _ROWS, _SEED)
     levels = np.clip(points.T, 1e-6, 1.0 - 1e-6)
-    sampled = {number.path: number.array(number.at(row), SAMPLE) for number, row in zip(heights, levels, strict=False)}
+    sampled = {
+        number.path: number.array(number.at(row), SAMPLE) for number, row in zip(heights, levels[: len(heights)], strict=True)
+    }
     surfaces = case.at(sampled).subject.roughness  # type: ignore[attr-defined]
     drawn = np.array(surfaces.drawn(levels[len(heights) :]))
     possible = drawn[0] <= SHARPEST * drawn[1]

@@ -274,32 +274,34 @@ def _given(
         "bare_metal": [],
         "next_step": "",
     }
+    drawn = case.numbers_at(levels.inputs[rows])
+    stated = [number for number in stated if number.path in drawn]  # a height beside a finish is part of the sampled surface
     if not stated:
         return chosen, attributes, {}
-    drawn = case.numbers_at(levels.inputs[rows])
     ends = [0.5, 0.5 - 0.5 * level, 0.5 + 0.5 * level]
     values = np.array([np.quantile(drawn[number.path], ends) for number in stated])
     names = [".".join(number.path[1:]) for number in stated]
-    attributes["verdict"] = "; ".join(filter(None, map(_verdict, names, stated, values)))
+    left_open: dict[str, list[str]] = {}
+    for name, number, updated in zip(names, stated, values, strict=True):
+        left_open.setdefault(_left_open(number, updated, np.array(ends[1:])), []).append(name)
+    attributes["verdict"] = "; ".join(text.format(", ".join(some)) for text, some in left_open.items() if text)
     if _STRENGTH in names:  # the strength that the weaker body lets act
         values[names.index(_STRENGTH)] = np.quantile(chosen.strength[:, min(working_index, chosen.strength.shape[1] - 1)], ends)
     table = {name: ("parameter", column) for name, column in zip(("value", "low", "high"), values.T, strict=True)}
     return chosen, attributes, {"parameter": names} | table
 
 
-def _verdict(name: str, number: Uncertain, updated: np.ndarray) -> str:
-    """Return in words what measured friction leaves open of an uncertain number, or "".
+def _left_open(number: Uncertain, updated: np.ndarray, ends: np.ndarray) -> str:
+    """Return what measured friction leaves open of an uncertain number, as a text with {} for its name, or "".
 
-    updated: median, low and high end of the number after the measurement.
+    updated: median, low and high end of the number after the measurement. ends: quantile levels of these two ends.
     """
-    stated_low, low, high, stated_high = number.at(np.array([0.05, _NEAR_END, 1.0 - _NEAR_END, 0.95]))
-    if _width(*updated[1:]) > _UNTOLD * _width(stated_low, stated_high):
-        return f"the measured friction does not determine {name}"
+    if _width(*updated[1:]) > _UNTOLD * _width(*number.at(ends)):
+        return "the measured friction does not determine {}"
+    low, high = number.at(np.array([_NEAR_END, 1.0 - _NEAR_END]))
     if updated[2] >= high:
-        return f"the data bound {name} only from below"
-    if updated[1] <= low:
-        return f"the data bound {name} only from above"
-    return ""
+        return "the data bound {} only from below"
+    return "the data bound {} only from above" if updated[1] <= low else ""
 
 
 def _extrapolates(known: Measured, case: Case, load: float) -> list[str]:
