@@ -17,6 +17,7 @@ DATA = (
     "contact/material_data/elements.toml",
     "solvers/layered/curves.npz",
     "solving/accuracy/solved_set.npz",
+    "surfaces/theory/n_point_heights.txt",
     "report/templates/report.html",
     "web/first.toml",
 )

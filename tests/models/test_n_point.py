@@ -198,6 +198,10 @@ def test_table():
             assert mean_height(level, correlation) == pytest.approx(fine, rel=5e-6)
 
 
+def test_the_stored_table_is_the_computed_one():
+    assert n_point.make() == pytest.approx(n_point._table(), abs=1e-10)
+
+
 def test_beyond_the_table():
     """Continuous and finite; a height of 1/D far above."""
     for edge in (-3.0, 10.0):

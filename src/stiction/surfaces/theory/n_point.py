@@ -26,6 +26,7 @@ Gaussian density, and rates are per sampled point.
 import math
 from dataclasses import dataclass
 from functools import cache
+from importlib import resources
 
 import numpy as np
 from numpy.polynomial.chebyshev import chebval2d, chebvander
@@ -33,7 +34,6 @@ from numpy.polynomial.legendre import leggauss
 from scipy.linalg import cholesky, solve_triangular
 from scipy.special import ndtr, owens_t
 
-from stiction.engine.one_thread import on_one_thread
 from stiction.quantities.errors import InputError, InWords
 
 _gauss = cache(leggauss)
@@ -124,6 +124,7 @@ def mean_height(level, correlation):
 _LOWEST, _HIGHEST, _FOLD = -3.0, 10.0, 12.0
 _SMALLEST = 0.0275
 _DEGREES = 28, 16
+_FILE = "n_point_heights.txt"
 LARGEST_CORRELATION = 1.0 - _SMALLEST * _SMALLEST
 
 
@@ -140,12 +141,17 @@ def _unit_roughness(correlation):
 
 
 @cache
-@on_one_thread
 def _table() -> np.ndarray:
-    """Return Chebyshev coefficients (*_DEGREES) of the logarithm of the mean height of n-point asperities above a level.
+    """Return the table that `make` computes, from the file `_FILE`."""
+    with resources.files("stiction.surfaces.theory").joinpath(_FILE).open() as file:
+        return np.loadtxt(file)
+
+
+def make() -> np.ndarray:
+    """Compute Chebyshev coefficients (*_DEGREES) of the logarithm of the mean height of n-point asperities above a level.
 
     The two variables of the series are the level and the correlation of neighbouring heights, both mapped to -1 to 1. The
-    computation takes a third of a second; the result is cached.
+    command `python -m stiction.surfaces.theory.n_point` (a second) writes the coefficients to the file `_FILE`.
     """
     x, y = (np.cos(math.pi * (np.arange(n) + 0.5) / n) for n in _DEGREES)
     share = (x + 1.0) / 2.0 * (_HIGHEST - _LOWEST) / (_HIGHEST - _LOWEST + _FOLD)
@@ -271,3 +277,8 @@ def correlation_of_bandwidth(alpha: np.ndarray) -> np.ndarray:
         less = _match(1.0 - middle * middle) * np.sqrt(alpha) < _MATCH
         low, high = np.where(less, middle, low), np.where(less, high, middle)
     return 1.0 - ((low + high) / 2.0) ** 2
+
+
+if __name__ == "__main__":
+    with resources.as_file(resources.files("stiction.surfaces.theory")) as folder:
+        np.savetxt(folder / _FILE, make(), fmt="%.17g")
