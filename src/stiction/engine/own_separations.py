@@ -51,6 +51,8 @@ def sums_of_each(scattered: Scattered, h: np.ndarray, threads: int = 1) -> np.nd
     """
     laws, each = h.shape
     sums = np.empty((len(scattered.regimes), laws, each, len(QUANTITIES)))
+    if not h.size:
+        return sums
     near = ((h <= GRID[0]) & (h >= GRID[-1])).all(axis=1)
     if laws == 1 or each == 1 or scattered.heights.density is not gaussian_density:
         near[:] = False
