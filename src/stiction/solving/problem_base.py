@@ -76,8 +76,10 @@ class Problem(ABC):
 
         rows: indices of the contacts, or a slice.
         """
-        groups = self.groups[rows]
-        return self if isinstance(rows, slice) and len(groups) == len(self.groups) else replace(self, groups=groups)
+        count = len(self.groups)
+        if isinstance(rows, slice) and len(range(*rows.indices(count))) == count:
+            return self
+        return replace(self, groups=self.groups[rows])
 
     @property
     @abstractmethod
