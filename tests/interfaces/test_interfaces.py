@@ -13,7 +13,7 @@ import stiction as st
 from refusals import refusal
 from stiction import cli
 from stiction.contact.interfaces import Interface, interface, interface_names, interface_weights, interfaces
-from stiction.contact.materials import MATERIAL_CLASSES, class_of, material_names
+from stiction.contact.materials import MATERIAL_CLASSES, class_of, material, material_names
 from stiction.quantities.data_files import GRADES
 from stiction.quantities.errors import InputError
 from stiction.records.sources import bibliography
@@ -206,6 +206,14 @@ def test_a_bad_state_is_one_line(given, message):
 def test_an_unknown_state_lists_those_near_to_it():
     with refusal("interface", "oxidized metal", "oxidised metal"):
         interface("oxidized metal")
+
+
+@pytest.mark.parametrize("word", ["anodised_aluminium", "Anodized aluminum", "anodic oxide"])
+@pytest.mark.parametrize("called", [interface, material])
+def test_an_anodised_surface_is_a_film_of_alumina_with_the_interface_ceramic(called, word):
+    with pytest.raises(InputError) as error:
+        called(word)
+    assert "aluminium, with coating" in error.value.allowed and 'interface = "ceramic"' in error.value.allowed
 
 
 def shown(*words, width="80"):

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal, Self, TypedDict
 import numpy as np
 from pydantic import BeforeValidator, Field, model_validator
 
-from stiction.contact.materials import MATERIAL_CLASSES, Material, class_of, remaining_notes
+from stiction.contact.materials import MATERIAL_CLASSES, Material, class_of, refuse_anodised, remaining_notes
 from stiction.contact.pair import choose, first_is_softer
 from stiction.quantities.data_files import read_tables
 from stiction.quantities.errors import InputError, field_named, nearest
@@ -172,6 +172,7 @@ def interface(name: str, /) -> Interface:
     Raises InputError, which suggests similar names, for an unknown name.
     """
     if not isinstance(name, str) or name not in _states():
+        refuse_anodised(str(name), "interface")
         known = _SYNONYMS.get(name.lower(), "") if isinstance(name, str) else ""
         hint = f"{known!r}" if known else nearest(name, interface_names())
         raise InputError("interface", name, f"a name that `stiction interfaces` lists, e.g. {hint}")

@@ -1,5 +1,6 @@
 """Define the class Material, and read the preset materials from the files in material_data/, one file per source."""
 
+import re
 from collections.abc import Mapping, Sequence
 from functools import cache
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple, Self, get_args
@@ -21,6 +22,9 @@ if TYPE_CHECKING:
 # Classes of materials, which determine the possible interface states. The earlier class of a pair comes first in its name.
 MaterialClass = Literal["ice", "elastomer", "polymer", "layered solid", "carbon film", "soft metal", "metal", "ceramic"]
 MATERIAL_CLASSES: tuple[str, ...] = get_args(MaterialClass)
+# What to write for a material or an interface called "anodised aluminium", "anodic oxide" and so on.
+_ANODISED = re.compile("anodi[csz]", re.IGNORECASE)
+_AS_FILM = 'aluminium, with coating = { material = "alumina", thickness = "10 um", bodies = "first" } and interface = "ceramic"'
 
 
 class Material(Input):
@@ -224,9 +228,19 @@ def preset_name(word: Any, field: str = "material", others: Sequence[str] = ()) 
     if meant:
         choices = ", ".join(f"{name} ({symbols_of(name)[0]})" for name in meant)
         raise InputError(field, word, f"one of {choices}, because several presets have this name")
+    refuse_anodised(word, field)
     wanted = "a material of the case, or a preset: " if others else "a preset: "
     own = "(all: run `stiction materials`); for another material, state youngs_modulus, poissons_ratio and hardness"
     raise InputError(field, word, f"{wanted}{nearest(word, [*others, *material_names()])} {own}")
+
+
+def refuse_anodised(word: str, field: str) -> None:
+    """Raise InputError, which states what to write instead, if a word names an anodised surface.
+
+    field: name of the input, for the error.
+    """
+    if _ANODISED.search(word):
+        raise InputError(field, word, _AS_FILM)
 
 
 def symbols_of(name: str) -> tuple[str, ...]:
