@@ -40,10 +40,10 @@ class Candidate:
 def candidates(subject: Subject) -> list[Candidate]:
     """Return every rough-surface model that a comparison tries, and the Greenwood-Williamson sum with each other asperity law.
 
-    subject: the contact. Without a film and without a pressure coefficient, laws of junction growth are added, combined
-    with an asperity law that has plastic flow. On a coated contact each model is combined with its own film law or
-    "sequential", and each other film law is a separate candidate. The model that solves the map uses all points of a small
-    map, and a sample of the points of a large map.
+    subject: the contact. Without a film and without a pressure coefficient, laws of junction growth are added, combined with an
+    asperity law that has plastic flow. On a coated contact each model is combined with its own film law or "sequential". It is
+    also combined with every film law that solves film and body as one elastic solid. Each other film law is a separate
+    candidate. The model that solves the map uses all points of a small map, and a sample of the points of a large map.
     """
     models = of_kind(RoughSurface)
     taken = {model.asperity for model in models.values()}

@@ -30,9 +30,9 @@ class ResolvedLaws:
     """Store a model with its laws and all their options.
 
     model: the rough-surface model. asperity: asperity law; None for a closed-form theory or a model that solves a map.
-    tangential: tangential law; None for a contact without friction. film: film law; None for a bare contact. options:
-    values by name. ignored: selected laws that have no effect on this contact, as texts. additions: additional laws
-    (menisci, ageing ...) by keyword. dry: whether the user switched menisci off with meniscus = "none".
+    tangential: tangential law; None for a contact without friction. film: film law; None for a bare contact. options: values by
+    name. ignored: selected laws that have no effect on this contact, as texts. additions: additional laws (menisci, ageing ...)
+    by keyword. dry: whether the user switched menisci off with meniscus = "none"; always False for a sum over asperities.
     """
 
     model: RoughSurface
@@ -73,7 +73,10 @@ class ResolvedLaws:
         return replace(self, additions={name: law for name, law in self.additions.items() if name != keyword}, **changes)
 
     def records(self) -> list[Record]:
-        """Return the records of the model and of all laws in use, including laws that options add."""
+        """Return the records of the model and of all laws in use, including laws that options add.
+
+        The asperity law is omitted if the film law has its own.
+        """
         asperity = None if self.film is not None and self.film.own_asperity else self.asperity
         laws = [law for law in (self.model, asperity, self.tangential, self.film, *self.additions.values()) if law is not None]
         return [record for law in laws for record in (law, *law.parts(self.options))]

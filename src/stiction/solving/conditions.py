@@ -185,8 +185,8 @@ def excludes(rule: Validity) -> bool:
 def rules_left(problem: Problem, results: Mapping[str, np.ndarray]) -> list[np.ndarray]:
     """Return one mask for each range of `rules_of`, True where results lie outside the range.
 
-    Masks are (n, m) for n contacts and m points, or (n, 1) for ranges that do not depend on points. results: normalised
-    arrays by name, with the dimensions of the contacts first.
+    Masks are (n, m) for n contacts and m points, or (n, 1) for ranges that do not depend on points; False where the value is
+    unknown. results: normalised arrays by name, with the dimensions of the contacts first.
     """
     known, contacts = _known(problem, results), len(problem.groups)
     found = []
@@ -244,7 +244,7 @@ def _rules_for(problem: Problem) -> list[Validity]:
 
 
 def _hardens(problem: Problem) -> bool:
-    """Return whether the contact has a work-hardening metal and a law that includes hardening.
+    """Return whether every contact has a work-hardening metal and a law in use includes hardening.
 
     Under a law without hardening no contact spot bears more than the hardness.
     """

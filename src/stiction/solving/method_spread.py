@@ -87,9 +87,9 @@ def with_method_spread(
     contacts: contacts with the roughness from each method, by the name of the method. counts: number of asperities that each
     method found, 0 for methods that compute averages without finding single asperities. Adds friction_coefficient_by_method
     (asperity_method, points), its range over the methods as friction_coefficient_low and friction_coefficient_high, and
-    found_touching_by_method, the number of found asperities that touch (NaN for averages). If fewer than ten of them touch,
-    friction depends on the assumed tail of the height distribution, and the result has a validity warning. A result without
-    friction is returned unchanged.
+    found_touching_by_method, the number of found asperities that touch (NaN for averages). If a method finds fewer than ten
+    that touch, or no single asperities, friction depends on the assumed tail of the height distribution, and the result has a
+    validity warning. A result without friction is returned unchanged.
     """
     if _MU not in data:
         return data
@@ -109,8 +109,8 @@ def with_method_spread(
 def _on_the_tail(data: "xarray.Dataset") -> str:
     """Return a warning text that lists the methods and loads at which fewer than ten of the found asperities touch.
 
-    Methods that find no single asperities are listed at every load. The text is "" if no method is listed, or if the model has
-    no asperities.
+    Methods that find no single asperities, or whose contact could not be solved, are listed at every load. The text is "" if no
+    method is listed, or if the model has no asperities.
     """
     if "touching_asperities" not in data:
         return ""

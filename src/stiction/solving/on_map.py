@@ -54,7 +54,10 @@ class MapProblem(Problem):
 
     @property
     def menisci(self) -> bool:
-        """Return whether the model solves menisci between the surfaces; False without liquid, or if the model neglects it."""
+        """Return whether the model solves menisci between the surfaces; False without liquid, and if adhesion is solved.
+
+        The result is also False if the user chose meniscus = "none".
+        """
         liquid = self.groups.meniscus_index is not None
         return liquid and not self.chosen.dry and not self.adheres
 
@@ -140,7 +143,7 @@ class MapProblem(Problem):
         return {name: table.reshape(load.shape) for name, table in results.items()}
 
     def few_of(self, load: np.ndarray) -> np.ndarray:
-        """Return five normalised loads (1, 5), from light contact up to contact on a third of the nominal area.
+        """Return five normalised loads (1, 5), from light contact up to contact on at most about a third of the nominal area.
 
         At the highest load the nominal pressure is the smaller of two values: 0.2 times modulus times rms gradient, at which
         about a third of the nominal area touches, and 0.3 times the smallest hardness. The modulus is the contact modulus or,

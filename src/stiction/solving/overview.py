@@ -185,7 +185,7 @@ def cite(what: "xarray.Dataset | str | Iterable[str] | None" = None) -> str:
     Raises
     ------
     InputError
-        A key is not known.
+        A key is not known, or a dataset has no attribute `sources`.
 
     Examples
     --------

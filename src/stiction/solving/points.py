@@ -126,7 +126,8 @@ class Solved:
     """Store normalised results at points.
 
     tables: arrays by name, in the shape of the points. found: for requested loads, the `Inversion` with the separations.
-    carried: loads computed at these separations. Both are None for requested separations.
+    carried: loads computed at these separations. Both are None for requested separations, and for models that compute no
+    separations.
     """
 
     tables: dict[str, np.ndarray]

@@ -296,7 +296,8 @@ def with_requested_load(results: dict[str, np.ndarray], load: np.ndarray) -> dic
 def lost_in_rounding(carried: np.ndarray, asked: np.ndarray) -> np.ndarray:
     """Return a mask of the requested loads that round-off makes unattainable.
 
-    Such loads are small differences of large tension and compression. carried, asked: computed and requested loads.
+    Such loads are small differences of large tension and compression. A load counts as unattainable if the computed load
+    differs by more than 1e-6 of it; a requested load of 0 never counts. carried, asked: computed and requested loads.
     """
     return (np.abs(carried - asked) > _RESOLVED * np.abs(asked)) & (asked != 0.0)
 

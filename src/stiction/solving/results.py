@@ -113,9 +113,10 @@ def as_dataset(variables: Mapping[str, tuple], coords: Mapping[str, Any]) -> "xa
 
 
 def with_shares(problem: Problem, tables: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
-    """Return the results with area_fraction and nominal_pressure added, if the nominal area is known.
+    """Return the results with area_fraction and nominal_pressure added, where they can be computed.
 
-    tables: normalised arrays by name, with the dimensions of the contacts first.
+    area_fraction requires the roughness parameter, nominal_pressure the nominal area. tables: normalised arrays by name, with
+    the dimensions of the contacts first.
     """
     shared = dict(tables)
     if problem.groups.roughness_parameter is not None:

@@ -72,8 +72,8 @@ def slide(
     separation, load : float, str with a unit, or array, optional
         Exactly one of them, as in `solve`: mean separation [m] or normal load [N].
     displacement : float [m], str with a unit, or array, optional
-        Tangential displacements from rest, 0 or more; in units of sigma for Indices. By default 61 values up to 1.5 times
-        the largest sliding displacement.
+        Tangential displacements from rest, 0 or more; in units of sigma for Indices. By default 61 values up to 1.5 times the
+        largest sliding displacement; for a map 41 values, until all points slide or have weakened.
     tangential_force : float [N], str with a unit, or array, optional
         For a map at one load: forces below the sum of strengths, in place of displacements. Points must then keep their
         strength.
@@ -99,10 +99,11 @@ def slide(
         friction_force [N], the sum of all strengths, and friction_coefficient, this force divided by the load;
         tangential_stiffness [N/m] at rest; largest_tangential_force [N], largest_friction_coefficient and sliding_displacement
         [m], where the force is largest. Along `displacement`: tangential_force [N]; sticking_share, the fraction of the contact
-        area that has not slipped; for a residual strength of 1, energy_loss [J], the energy lost in one cycle of this
-        amplitude. For a map also friction_efficiency, the largest force divided by the sum of strengths; with a spring,
-        drive_displacement [m] and state_is_met, 0 at displacements that the map skips in a jump. If shear changes the contact
-        of a map, also sheared_contact_area [m2] along `displacement`; for unlike bodies, coupling_residual.
+        area that has not slipped; for a sum over asperities with a residual strength of 1, energy_loss [J], the energy lost in
+        one cycle of this amplitude. For a map also friction_efficiency, the largest force divided by the sum of strengths, and
+        point_state along `displacement`: 0 apart, 1 sticks, 2 slides; with a spring, drive_displacement [m] and state_is_met, 0
+        at displacements that the map skips in a jump. If shear changes the contact of a map, also sheared_contact_area [m2]
+        along `displacement`; for unlike bodies, coupling_residual.
 
     Raises
     ------
@@ -193,9 +194,9 @@ def _checked(problem: Problem) -> AsperitySum:
 def _displacements(subject: Subject, given: Any, slides_at: np.ndarray) -> Any:
     """Return the displacements to compute, as a number or an array with named dimensions, in the units of the contact.
 
-    given: displacements of the user, or None for 61 values up to 1.5 times the largest value of slides_at. slides_at:
-    sliding displacement of each point. Raises InputError for a negative displacement, and for None if the contact has no
-    friction.
+    given: displacements of the user, or None for 61 values up to 1.5 times the largest value of slides_at. slides_at: sliding
+    displacement of each point. Raises InputError for a negative displacement, for an empty array, and for None if the contact
+    has no friction.
     """
     if given is None:
         farthest = float(np.nanmax(slides_at)) if np.isfinite(slides_at).any() else math.nan
@@ -277,7 +278,8 @@ class Sliding:
         """Return the largest tangential force, its ratio to the load and the displacement at it, normalised, by name.
 
         static: normalised results at rest. With constant strength (Coulomb's law) the force only approaches its largest value;
-        the displacement is then where it reaches 99 % of the sum of strengths.
+        the displacement is then where it reaches 99 % of the sum of strengths. The displacement is NaN without strength or
+        stiffness, or if it is not found.
         """
         h, strength, stiffness = (static[name] for name in ("mean_separation", "friction_force", "tangential_stiffness"))
         held = (strength > 0.0) & (stiffness > 0.0)

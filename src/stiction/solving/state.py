@@ -39,7 +39,8 @@ def state_of(problem: Problem, results: Mapping[str, np.ndarray]) -> dict[str, n
     """Return dimensionless numbers for normalised results, by name, e.g. the mean pressure divided by the hardness.
 
     results: arrays with the dimensions of the contacts first. Each number is an array (n, m) for n contacts and m points. A
-    number is absent if a group is unknown, and NaN where the net load is not compressive.
+    number is absent if a group that it needs is unknown. Numbers that are relative to the load, such as adhesion_share, are NaN
+    where the net load is not compressive.
     """
     groups = problem.groups
     n = len(groups)
@@ -180,7 +181,8 @@ def _below_film(groups: Groups, load: np.ndarray, area: np.ndarray, touching: np
     load, area, touching: normalised load and area, and fraction of touching asperities. One limit is the pressure at which the
     body below the film yields. The other is the pressure that punches through the film, at most H_b + 2 (t/a) tau_f for a plug
     of radius a (upper-bound theorem of plasticity). H_b is the hardness of the body, t the film thickness and tau_f the shear
-    strength of the film. The second limit also holds where the other body is softer.
+    strength of the film. The second limit also holds where the other body is softer. Values are NaN for contacts whose film is
+    not harder than the body.
     """
     if groups.n_H is None or groups.film_aspect is None or not np.any(groups.n_H > 1.0):
         return {}
@@ -215,11 +217,12 @@ def _held_by_menisci(touching: np.ndarray, height: np.ndarray) -> np.ndarray:
 def _of_menisci(groups: Groups, area: np.ndarray, share: np.ndarray | None, pull: np.ndarray | None) -> dict[str, np.ndarray]:
     """Return wetted fraction of the surface and ratio of asperity indentation to meniscus height, (n, m), by name.
 
-    area, share: normalised contact area and fraction of touching asperities. pull: meniscus pull, normalised (n, m). The pull
-    is the Laplace pressure times the wetted area, so this area includes menisci that bridge a gap. Around elastic asperities
-    the pull is smaller; each touching asperity then adds the ring 2 pi R 2 r c (asperity radius R, Kelvin radius r, mean cosine
-    c of the contact angles). If the pull is at its upper limit, the Laplace pressure on the whole area without contact, it does
-    not determine the bridged area; the area is then computed from Gaussian heights.
+    The result is empty without menisci. The wetted fraction is missing if the asperity density is unknown. area, share:
+    normalised contact area and fraction of touching asperities. pull: meniscus pull, normalised (n, m). The pull is the Laplace
+    pressure times the wetted area, so this area includes menisci that bridge a gap. Around elastic asperities the pull is
+    smaller; each touching asperity then adds the ring 2 pi R 2 r c (asperity radius R, Kelvin radius r, mean cosine c of the
+    contact angles). If the pull is at its upper limit, the Laplace pressure on the whole area without contact, it does not
+    determine the bridged area; the area is then computed from Gaussian heights.
     """
     if groups.meniscus_height is None or groups.meniscus_index is None or share is None or pull is None:
         return {}

@@ -308,8 +308,8 @@ def _apart(subject: Subject, nearest: np.ndarray, wanted: np.ndarray, unit: np.n
     """Return the increases of the separation above the smallest ones, in units of sigma.
 
     nearest: smallest separations. wanted: requested increases if `is_increase`, else separations. unit: factor by which
-    normalised separations are multiplied. All arrays have the same shape. Raises InputError for a separation below the
-    smallest one.
+    normalised separations are multiplied. All arrays have the same shape. Raises InputError for a separation below the smallest
+    one, and for an increase beyond the largest separation that can be computed.
     """
     distance = wanted if is_increase else wanted - nearest
     short = distance < (0.0 if is_increase else -_ROUNDING * np.maximum(np.abs(nearest), 1.0))
@@ -356,7 +356,8 @@ def _tension(unloading: _Unloading, rows: np.ndarray, nearest: np.ndarray) -> tu
     """Return the largest tension during unloading, its separation, and the separation of zero load, each (m,).
 
     rows, nearest (m,): index of the contact and its smallest separation. Tensions are normalised, separations in units of
-    sigma.
+    sigma. The tension is 0 and its separation NaN if no load is tensile. The separation of zero load is NaN if the load never
+    falls from compression to tension.
     """
     from scipy.optimize.elementwise import find_root
 

@@ -100,7 +100,10 @@ def refuse_ignored_strength(problem: Problem, choice: Choice) -> None:
 
 
 def _laws_that_use(group: str, problem: Problem) -> dict[str, list[str]]:
-    """Return, for each keyword of `solve`, the keys of laws that would use a dimensionless group and suit the laws in use."""
+    """Return the keys of laws that would use a dimensionless group and suit the laws in use, by keyword (tangential, asperity).
+
+    A keyword without such laws is absent.
+    """
     chosen = problem.chosen
     asperity = chosen.asperity  # None for a theory in closed form
     known = problem.groups

@@ -43,11 +43,12 @@ class ErrorsNear(NamedTuple):
     """Store the errors of a model's contact area at k points, averaged over similar benchmark surfaces.
 
     A point is one contact at one load. The error is ln(A/A_ref), where A is the area by the model and A_ref the area by the
-    reference solution. levels (k, 5): quantiles of the error at the probabilities LEVELS. relative: root mean square of A/A_ref
-    - 1. middle: mean of the error over surfaces of the specified kind, or over Gaussian surfaces if neither map nor kind is
-    specified. distance: distance of the nearest surface. coverage: fraction of the total weight on surfaces for which the model
-    has a result. surfaces: number of surfaces with a noticeable weight. nearest: for each point a function that returns a text
-    on how the nearest surface differs, or "" if it hardly differs. All arrays but levels are (k,).
+    reference solution. levels (k, 5): quantiles of the error at the probabilities LEVELS; levels, relative and middle are NaN
+    where the model has no result. relative: root mean square of A/A_ref - 1. middle: mean of the error over surfaces of the
+    specified kind, or over Gaussian surfaces if neither map nor kind is specified. distance: distance of the nearest surface.
+    coverage: fraction of the total weight on surfaces for which the model has a result. surfaces: number of surfaces with a
+    noticeable weight. nearest: for each point a function that returns a text on how the nearest surface differs, or "" if it
+    hardly differs. All arrays but levels are (k,).
     """
 
     levels: np.ndarray
@@ -90,9 +91,10 @@ class _Table(NamedTuple):
         return cls(hard[order], start, rise, 1.0 * at_left, 1.0 * at_right - at_left)
 
     def at(self, known: SolvedSet, pressure: np.ndarray, hardness: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Interpolate to k pressures and hardnesses; return values (k, s) of all surfaces, and their weights (k, s), 0 to 1.
+        """Interpolate to k pressures and hardnesses; return values (k, s) of all surfaces, and their weights, 0 to 1.
 
-        pressure, hardness (k,): divided by E* h', with the contact modulus E* and the rms slope h'.
+        pressure, hardness (k,): divided by E* h', with the contact modulus E* and the rms slope h'. weights: (k, s). An unknown
+        value is NaN and has the weight 0.
         """
         upper, part = _interval(self.hard, np.minimum(hardness, ELASTIC))
         (low, of_low), (high, of_high) = (self._at_hardness(known, pressure, place) for place in (upper - 1, upper))
@@ -183,7 +185,7 @@ def film_errors_near(known: SolvedSet, errors: np.ndarray, features: ContactFeat
 
     known: the benchmark set. errors: array (coated surfaces, films, loads) of ln(A/A_ref), where A is the area by the model and
     A_ref the area by the reference solution. features: features of the contact at k points. like: mask (k,) of the points whose
-    film is of the kind that the benchmark set contains; the others get NaN.
+    film is of the kind that the benchmark set contains. The others, and points without a compressive load, get NaN.
     """
     surfaces = math.prod(errors.shape[:2])
     return _in_blocks(features, surfaces, lambda rows: _film_errors(known, errors, features.some(rows), like[rows]))
@@ -237,13 +239,13 @@ def _at_lighter_load(
 ) -> tuple[np.ndarray, np.ndarray]:
     """Extrapolate errors (k, s) to loads below the lightest solved load; return them with weights (k, s) of the surfaces.
 
-    errors: table of the errors. at_lightest (k, s): errors at the lightest solved pressures. pressure_ratio (k,): lightest
-    solved pressure divided by the pressure of the contact, 1 or more. lightest, hardness (k,): lightest solved pressure,
-    and hardness of the contact, both divided by E* h'. On elastic surfaces the error continues linearly in ln of the
-    pressure. On surfaces that flow plastically it decreases with the square root of the pressure, because the finest
-    roughness of a plateau flows too. Surfaces whose error changes fast have smooth plateaus, whereas real plateaus are
-    rough; the weight of such surfaces therefore decreases with the load. Both rules are judgements of the authors (grade
-    C).
+    errors: table of the errors. at_lightest (k, s): errors at the pressures `lightest`. pressure_ratio (k,): lightest solved
+    pressure divided by the pressure of the contact, or 1 if the contact has a larger pressure. lightest, hardness (k,):
+    pressure of the contact, or the lightest solved pressure if that is larger, and hardness of the contact, both divided by E*
+    h'. Errors at the ratio 1 are not changed. On elastic surfaces the error continues linearly in ln of the pressure. On
+    surfaces that flow plastically it decreases with the square root of the pressure, because the finest roughness of a plateau
+    flows too. Surfaces whose error changes fast have smooth plateaus, whereas real plateaus are rough; the weight of such
+    surfaces therefore decreases with the load. Both rules are judgements of the authors (grade C).
     """
     if not (pressure_ratio > 1.0).any():
         return at_lightest, np.ones(at_lightest.shape)

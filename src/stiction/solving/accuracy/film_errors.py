@@ -36,7 +36,7 @@ def film_errors(problem: Problem, results: Mapping[str, np.ndarray]) -> list[dic
     solution; error: lowest and highest relative error of the area at a given load; load_error: lowest and highest relative
     error of the load at a given approach; rms: root mean square of the error of ln(area) on rough surfaces; near: range of each
     parameter by which the error was looked up; outside: parameters beyond the measured range; why_not: the reason if no error
-    is known. The list is empty for a contact without a film law.
+    is known. Keys that do not apply are absent. The list is empty for a contact without a film law.
     """
     law = problem.chosen.film or (problem.record if problem.record.on_film else None)
     if law is None:
@@ -118,10 +118,10 @@ def _outside(ranges: Mapping[str, tuple[float, float]], given: Mapping[str, np.n
 def on_solved_maps(problem: Problem, points: int) -> ErrorsNear | None:
     """Return the errors of the area law for films, measured on rough surfaces with similar films; None for other models.
 
-    points: number of loads of each contact, which all get the same errors. Source: truth/films.csv. A film thinner or thicker
-    than the measured films gets the errors at the end of the measured range, because the law then approaches the law of the
-    bare body or of the film alone. A film modulus outside the measured range also gets the errors at the end of the range, but
-    the result then has a larger `distance`.
+    The result is None too if the roughness parameter is unknown. points: number of loads of each contact, which all get the
+    same errors. Source: truth/films.csv. A film thinner or thicker than the measured films gets the errors at the end of the
+    measured range, because the law then approaches the law of the bare body or of the film alone. A film modulus outside the
+    measured range also gets the errors at the end of the range, but the result then has a larger `distance`.
     """
     groups = problem.groups.resolved()
     if not problem.record.on_film or groups.roughness_parameter is None or groups.film_aspect is None:

@@ -30,8 +30,8 @@ _MARGIN = 1.001  # factor by which parameters may exceed the range of the table,
 class SphereFilmErrors(NamedTuple):
     """Store the errors of a film law on a sphere, as arrays of the same shape.
 
-    area: contact area divided by the exact area at the same load. load: load divided by the exact load at the same
-    approach. Both are NaN outside the measured range.
+    area: contact area divided by the exact area at the same load. load: load divided by the exact load at the same approach.
+    Both are NaN where the modulus ratio or the contact radius divided by film thickness is outside the measured range.
     """
 
     area: np.ndarray
@@ -41,8 +41,9 @@ class SphereFilmErrors(NamedTuple):
 class MapFilmErrors(NamedTuple):
     """Store the errors of a film law on rough surfaces, as arrays of the same shape.
 
-    The error is the ratio of the contact area to the reference area at the same load. mean: geometric mean of this ratio
-    over the surfaces. rms: root mean square of its logarithm. Both are NaN outside the measured range.
+    The error is the ratio of the contact area to the reference area at the same load. mean: geometric mean of this ratio over
+    the surfaces. rms: root mean square of its logarithm. Both are NaN where modulus ratio or film thickness is outside the
+    measured range.
     """
 
     mean: np.ndarray
@@ -54,8 +55,9 @@ def on_a_sphere(
 ) -> SphereFilmErrors | None:
     """Return the errors of a film law with its options on a sphere; None if the law was not measured.
 
-    law: key of the film law. n_E, a_over_t, thickness_over_radius: film modulus divided by substrate modulus, contact
-    radius divided by film thickness, and film thickness divided by sphere radius, as arrays of the same shape.
+    law: key of the film law. n_E, a_over_t, thickness_over_radius: film modulus divided by substrate modulus, contact radius
+    divided by film thickness, and film thickness divided by sphere radius, as arrays of the same shape. A film thickness
+    outside the measured range is replaced by the end of the range.
     """
     table = _of(_sphere(), law, options)
     if table is None:
@@ -87,9 +89,9 @@ def on_maps(law: str, options: Mapping[str, str], n_E: np.ndarray, thickness: np
 def summary(law: str) -> list[dict[str, Any]]:
     """Return the errors of a film law on a sphere, as one dictionary for each set of options.
 
-    A dictionary holds the options, a few values of n_E and a_over_t (film modulus ratio, contact radius divided by
-    thickness), and two tables (n_E, a_over_t): relative error of the area at a given load, and of the load at a given
-    approach. The list is empty if the law was not measured.
+    A dictionary holds the options, a few values of n_E and a_over_t (film modulus ratio, contact radius divided by thickness),
+    and two tables (n_E, a_over_t): relative error of the area at a given load, and of the load at a given approach. The film
+    thickness is 0.001 sphere radii. The list is empty if the law was not measured.
     """
     found = []
     for key, options in _sphere():

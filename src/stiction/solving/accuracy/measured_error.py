@@ -60,13 +60,15 @@ class MeasuredErrors:
 
     The error is ln(A/A_ref), where A is the area by the model and A_ref the area by the reference solution. column: model and
     asperity method. area: mean error over benchmark surfaces of the specified kind, or over Gaussian surfaces if neither map
-    nor kind is known. levels (k, 5): quantiles of the error on the nearest surfaces at the probabilities errors_near.LEVELS,
-    even if these surfaces are far away; NaN where nothing was measured. relative: root mean square of A/A_ref - 1 over these
-    surfaces. friction: error of ln(mu) due to the area, for laws of the interface. distance: distance of the nearest surface.
-    surfaces: number of surfaces with a noticeable weight. trust: weight from 1 for a near surface to 0 where nothing was
-    measured. sample: standard error of ln(A) because the map is only a window of a larger surface, for models that solve the
-    map. why_not: reason why no error is known at some points, or "". nearest: for each point a function that returns a text on
-    how the nearest surface differs, or "". kind_known: whether the kind of surface is known. kind: the specified kind.
+    nor kind is known; NaN, like relative and friction, where no benchmark surface is similar. levels (k, 5): quantiles of the
+    error on the nearest surfaces at the probabilities errors_near.LEVELS, even if these surfaces are far away; NaN where
+    nothing was measured. relative: root mean square of A/A_ref - 1 over these surfaces. friction: error of ln(mu) due to the
+    area, NaN for laws that are not laws of the interface. distance: distance of the nearest surface. surfaces: number of
+    surfaces with a noticeable weight. trust: weight of these errors, from 1 for a near surface to 0 where no surface is
+    similar; adhesion and a model without results on many of the surfaces lower it. sample: standard error of ln(A) because the
+    map is only a window of a larger surface, for models that solve the map; 0 for others. why_not: reason why no error is known
+    at some points, or "". nearest: for each point a function that returns a text on how the nearest surface differs, or "".
+    kind_known: whether the kind of surface is known. kind: the specified kind.
     """
 
     column: str
@@ -101,9 +103,10 @@ class MeasuredErrors:
     def as_data(self) -> dict[str, Any]:
         """Return the errors as data for JSON, by name.
 
-        Lists have one value per point, None where no error was measured; they are empty if no benchmark surface exists. Lists:
-        mean errors of area and mu, quantiles and rms of the area error, sampling error, distance of the nearest surface, number
-        of surfaces. Texts: model in the benchmark set, kind of surface, why no error is known. Flag: whether the kind is known.
+        Each list has one value per point, None where no error was measured; it is empty if no point has a benchmark surface at
+        a finite distance. The lists are: mean errors of area and mu, 5 and 95 % quantiles and rms of the area error, sampling
+        error, distance of the nearest surface, number of surfaces. All errors are relative. Texts: model in the benchmark set,
+        kind of surface (or None), why no error is known. Flag: whether the kind is known.
         """
         some = slice(None) if np.isfinite(self.distance).any() else slice(0)
         return {
@@ -123,7 +126,7 @@ class MeasuredErrors:
 
     @property
     def words(self) -> str:
-        """Return a description of the errors in one line."""
+        """Return a description of the errors, or the reason why none is known, in one line."""
         if not self.known:
             return f"not known here: {self.why_not}"
         some = np.isfinite(self.area)
@@ -153,7 +156,7 @@ def _plain(values: np.ndarray) -> list[float | None]:
 
 
 def column_of(problem: Problem) -> str:
-    """Return a model's column, e.g. "greenwood_williamson_1966|mccool" or "persson_2001|map"; "" with unusual options."""
+    """Return a model's column, e.g. "greenwood_williamson_1966|mccool" or "persson_2001|map"; "" if an option is changed."""
     chosen, record = problem.chosen, problem.record
     if any(problem.options[name] != values[0] for one in problem.records() for name, values in one.options.items()):
         return ""
@@ -172,7 +175,8 @@ def measured_errors(problem: Problem, results: Mapping[str, np.ndarray], most_po
     """Return the measured errors of a model for each point of normalised results.
 
     results: arrays by name, with the dimensions of the contacts first. The errors are flat arrays for all contacts and points.
-    most_points: with more points than this, no errors are looked up.
+    most_points: with more points than this, no errors are looked up; for a solution on the map itself, only the sampling error
+    is then unknown.
     """
     load, area = (np.asarray(results[name]).reshape(len(problem.groups), -1) for name in ("load", "contact_area"))
     column = column_of(problem)
@@ -333,7 +337,8 @@ def _why_not(problem: Problem, column: str, points: int, most_points: float) -> 
 def _adhesion(problem: Problem, results: Mapping[str, np.ndarray]) -> tuple[float, str]:
     """Return a weight, 1 to 0, for using errors measured without adhesion, and the reason if it is 0.
 
-    The reason is "" if adhesion and the pull of menisci are small compared with the load.
+    The weight falls from 1 to 0 as adhesion or the pull of menisci rises from 5 to 10 % of the load. Up to 10 %, the reason is
+    "".
     """
     state, why = state_of(problem, results), "menisci would pull, but the solved surfaces are dry"
     pull = _largest(state.get("meniscus_share"))
@@ -357,7 +362,8 @@ def _largest(values: np.ndarray | None) -> float:
 def _on_film(known: SolvedSet, column: str, features: ContactFeatures, problem: Problem) -> ErrorsNear | None:
     """Return the errors of a model on benchmark surfaces with a film, at each point; None if it was not measured on them.
 
-    On these surfaces one body has an elastic film and the other is rigid.
+    The result is also None if no coated surface is of the specified kind. On these surfaces one body has an elastic film and
+    the other is rigid. A contact with another film gets NaN.
     """
     groups, film = problem.groups, problem.chosen.film
     name = column.split("|")[0]
@@ -375,7 +381,7 @@ def _of_friction(problem: Problem, results: Mapping[str, np.ndarray], error: np.
     """Return the error (k,) of ln mu that follows from the error of the area, for laws mu = tau_0 A/P + beta.
 
     error: ln(A/A_ref) (k,) of the contact area A. tau_0: shear strength, P: load, beta: pressure coefficient. The result is NaN
-    for other friction laws.
+    for other friction laws, and for contacts whose interface is not weaker than the bodies.
     """
     tangential = problem.chosen.tangential
     if tangential is None or not tangential.interfacial or "friction_force" not in results:

@@ -136,9 +136,9 @@ def _film_of(groups: Groups, points: int) -> tuple[np.ndarray, np.ndarray]:
 class Difference:
     """Store how k points of a contact differ from s benchmark surfaces in one feature.
 
-    Arrays have length 1 instead of k if they are the same for all points. names (k,): name of the feature. ours (k,): value
-    at each point. theirs (k, s): value of each surface. squared (k, s): contribution to the squared distances. For films,
-    `theirs` and `squared` have a third dimension, the films.
+    Arrays have length 1 instead of k if they are the same for all points. names (k,): name of the feature. ours (k,): value at
+    each point. theirs (k, s): value of each surface. squared (k, s): contribution to the squared distances. For films, `theirs`
+    and `squared` have a third dimension, the films. Dimensions along which values are equal may have length 1.
     """
 
     names: np.ndarray
@@ -219,7 +219,7 @@ def kind_of_map(surface: "HeightMap") -> str | None:
 def film_differences(known: SolvedSet, features: ContactFeatures) -> list[Difference]:
     """Return the differences between k points with a film and every film of every coated benchmark surface, by feature.
 
-    Arrays are (k or 1, s, f) for s coated surfaces with f films each.
+    Arrays broadcast to (k, s, f) for s coated surfaces with f films each.
     """
     assert features.modulus is not None and features.thickness is not None
     some = known["film_surfaces"]

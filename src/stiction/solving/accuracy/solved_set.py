@@ -2,7 +2,7 @@
 
 The set holds surfaces whose contact was solved, and the errors of models on them. An error is the logarithm of the ratio of a
 model's contact area to the solved area. Each error is stored in one byte, as its signed square root in steps of 1/60. The
-resolution is then 0.002 at an error of 1 %, and 0.03 at a factor of ten.
+rounding error is then at most 0.002 at an error of 1 %, and 0.03 at a factor of ten.
 """
 
 import lzma
@@ -32,7 +32,7 @@ _NOTHING, _STEP = -128, 1.0 / 60.0
 
 
 def coded(errors: np.ndarray) -> np.ndarray:
-    """Encode logarithmic errors as bytes (int8) of the same shape; NaN has its own code."""
+    """Encode logarithmic errors, limited to -4.5 to 4.5, as bytes (int8) of the same shape; NaN has its own code."""
     whole = np.clip(np.round(np.sign(errors) * np.sqrt(np.abs(errors)) / _STEP), -127, 127)
     return np.where(np.isfinite(errors), whole, _NOTHING).astype(np.int8)
 
