@@ -307,6 +307,25 @@ def test_the_numbers_of_a_named_interface_are_among_the_sensitivities():
     assert alpha > 0.8 and 0.0 < tau < 0.2 and alpha + tau == pytest.approx(1.0, abs=0.03)
 
 
+def test_the_heights_beside_a_finish_are_among_the_sensitivities():
+    """They replace sigma, R and N, which the user did not state, and are stepped as two predictions beside them say."""
+    case = predicted_case()
+
+    def rough(first=10.0, second=8.0):
+        bodies = {"first": {"rms_height": f"{first!r} nm"}, "second": {"mean_height": f"{second!r} nm"}}
+        return {name: body | {"finish": "polished"} for name, body in bodies.items()}
+
+    case["contact"] |= {"interfacial_shear_strength": "200 MPa", "roughness": rough()}
+    found = st.sensitivity(case)["friction_coefficient_log_sensitivity"]
+    assert not {"asperity_height_deviation", "asperity_radius", "asperity_density"} & set(found["number"].values)
+    for name, body, nominal in (("rms_height", "first", 10.0), ("mean_height", "second", 8.0)):
+        mu = []
+        for step in (-0.05, 0.05):
+            case["contact"]["roughness"] = rough(**{body: nominal * math.exp(step)})
+            mu.append(st.predict(case).friction_coefficient.item())
+        assert float(found.sel(number=name)) == pytest.approx(math.log(mu[1] / mu[0]) / 0.1, rel=1e-3)
+
+
 def test_one_per_cent_changes_mu_as_printed_also_where_mu_is_steep():
     """Copper on copper has junctions that grow: 1 % of the strength of its oxide is 4 % of mu, and 20 % a factor of 11."""
     contact = {"first": "copper", "second": "copper", "interface": "oxidised metal", "nominal_area": "1 cm^2"}

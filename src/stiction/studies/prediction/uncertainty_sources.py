@@ -12,6 +12,7 @@ _NAMES = {
     "sliding": "size of the contact spots",
 }
 _BODIES = {"first": "first body", "second": "second body", "coating.material": "film", "coating": "film"}
+_BODIES |= {f"roughness.{body}": _BODIES[body] for body in ("first", "second")}
 
 
 def part_name(name: str) -> str:

@@ -23,6 +23,7 @@ from stiction.quantities.table import QUANTITIES
 from stiction.solving.choice import Choice
 from stiction.studies.prediction.many import predict_many
 from stiction.studies.uncertainty.drawing import OUTPUTS, Variant, draw
+from stiction.surfaces.roughness import Roughness
 
 # Half the width of the wider difference, in ln x.
 _WIDTH = 0.02
@@ -87,15 +88,25 @@ def _numbers(record: Input, path: Address) -> Iterator[tuple[Address, float]]:
     """Yield the address (tuple of keys) and the value of each quantity above 0 in a record and its nested records.
 
     Fields of a contact or of indices that the user did not state are left out, and so are the records `surface` and
-    `interface`. path: address of the record, with which all addresses begin.
+    `interface`. For bodies with a finish, the heights replace sigma, R and N, which follow from them. path: address of the record, with which all addresses begin.
     """
     given = record.model_fields_set if isinstance(record, Subject) else type(record).model_fields  # groups may have a default
     for name in [name for name in type(record).model_fields if name in given]:
         value = getattr(record, name)
-        if isinstance(value, Input) and name not in ("surface", "interface"):
+        if isinstance(value, Roughness) and value.unknowns:
+            for place, body in _bodies_with_finish(value):
+                yield from _numbers(body, (*path, name, *place))
+        elif isinstance(value, Input) and name not in ("surface", "interface"):
             yield from _numbers(value, (*path, name))
         elif name in QUANTITIES and isinstance(value, float) and value > 0.0:
             yield (*path, name), value
+
+
+def _bodies_with_finish(roughness: Roughness) -> Iterator[tuple[Address, Any]]:
+    """Yield the address below `contact.roughness`, and the description, of each body of a roughness made from a finish."""
+    bodies = {name: body for name in ("first", "second") if (body := roughness.part(name)) is not None}
+    for name, body in bodies.items():
+        yield (() if [*bodies] == ["first"] else (name,)), body
 
 
 def log_sensitivities(case: Case, choice: Choice, names: Sequence[str] = OUTPUTS, progress: Any = iter) -> LogSensitivities:
@@ -118,9 +129,14 @@ def log_sensitivities_of_prediction(case: Case, load: float) -> dict[str, float]
     """
     inputs, stepped, steps = _stepped_case(case, _WIDE)
     numbers, mu = stepped.numbers_at(steps), np.full(len(steps), np.nan)
-    for region, _, solved in predict_many(case, numbers, np.array([load])):
-        if solved is not None:
-            mu[region[SAMPLE]] = solved.variables["friction_coefficient"][1].ravel()
+    # A surface with a finish can be predicted only one by one: its heights are left out where they do not change.
+    heights = [path for path in numbers if path[1] == "roughness" and case.subject.roughness.unknowns]  # type: ignore[attr-defined]
+    alone = np.repeat([any(one.path in heights for one in group) for group in stepped.unknowns.values()], len(_WIDE))
+    for rows, left_out in ((np.flatnonzero(~alone), heights), (np.flatnonzero(alone), [])):
+        some = {path: value.isel({SAMPLE: rows}) for path, value in numbers.items() if path not in left_out}
+        for region, _, solved in predict_many(case, some, np.array([load])) if rows.size else ():
+            if solved is not None:
+                mu[rows[region[SAMPLE]]] = solved.variables["friction_coefficient"][1].ravel()
     low, high = np.log(mu.reshape(-1, 2)).T
     return _of_interface(case, load) | dict(zip(inputs, ((high - low) / np.ptp(_WIDE)).tolist(), strict=True))
 
