@@ -88,7 +88,8 @@ def _numbers(record: Input, path: Address) -> Iterator[tuple[Address, float]]:
     """Yield the address (tuple of keys) and the value of each quantity above 0 in a record and its nested records.
 
     Fields of a contact or of indices that the user did not state are left out, and so are the records `surface` and
-    `interface`. For bodies with a finish, the heights replace sigma, R and N, which follow from them. path: address of the record, with which all addresses begin.
+    `interface`. For bodies with a finish, the heights replace sigma, R and N, which follow from them. path: address of the
+    record, with which all addresses begin.
     """
     given = record.model_fields_set if isinstance(record, Subject) else type(record).model_fields  # groups may have a default
     for name in [name for name in type(record).model_fields if name in given]:
