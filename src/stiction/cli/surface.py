@@ -109,9 +109,10 @@ def _pressures(contact: str | None, hardness: float | None) -> list[float]:
 
 
 def _chosen(case: Path | None, load: str | None) -> "tuple[Case | None, Any]":
-    """Return the case of --case and its working load; (None, None) without --case. Raises InputError.
+    """Return the case of --case and its working load; (None, None) without --case.
 
-    load: text of --load, or None for the middle load of the case.
+    load: text of --load, or None for the middle load of the case. Raises InputError for a load without a case, for a case of
+    indices, and for a case without a compressive load.
     """
     if case is None:
         if load is not None:

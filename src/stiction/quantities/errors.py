@@ -68,7 +68,7 @@ class InputError(ValueError):
 
 @contextmanager
 def explained(text: Callable[[str], str]) -> Iterator[None]:
-    """Return a context manager that adds a hint to every InputError raised within it.
+    """Return a context manager that sets the hint of every InputError raised within it, in place of any earlier hint.
 
     text: function that maps the field name to the hint.
     """

@@ -29,8 +29,9 @@ if TYPE_CHECKING:
 def floats(value: Any, field: str, allowed: str) -> np.ndarray:
     """Return numbers without unit, in any array-like form, as an array of floats of the same shape; bounds are not checked.
 
-    field, allowed: name of the input and its allowed values, for the error message. Raises InputError for values that are not
-    numbers, including dates, bytes, complex numbers and booleans, although NumPy would convert some of them.
+    field, allowed: name of the input and its allowed values, for the error message. Text such as "0.5" is read as a number.
+    Raises InputError for values that are not numbers, including dates, bytes, complex numbers and booleans, although NumPy
+    would convert some of them.
     """
     try:
         array = np.asarray(value)

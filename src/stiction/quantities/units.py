@@ -41,7 +41,7 @@ def to_si(value, name: str):
     of these. A DataArray with a different unit in its attribute `units` is converted. name: key of the quantity in QUANTITIES.
 
     Returns a float, an array of floats, or a DataArray without attributes (those of its coordinates are kept). Raises
-    InputError if the value is not a number, is not finite, is out of bounds, or has a missing, unknown or wrong unit.
+    InputError if the value is not a number, is empty, is not finite, is out of bounds, or has a missing, unknown or wrong unit.
     """
     quantity = QUANTITIES[name]
     value = foreign.as_sequence(value)

@@ -61,7 +61,7 @@ def confidence(mu: float, low: float, high: float) -> str:
     """Return the confidence in a predicted friction coefficient: "high", "fair" or "low".
 
     low, high: ends of the prediction interval of mu. The larger of the ratios high / mu and mu / low decides: up to 1.5 is
-    high, up to 3 is fair, and more is low.
+    high, up to 3 is fair, and more is low. A lower end of 0 is low.
     """
     factor = max(high / mu, mu / low) if low > 0.0 else math.inf
     return next(word for most, word in _CONFIDENCE.items() if factor <= most)
@@ -99,10 +99,10 @@ class PredictionAnswer(TypedDict):
 
     Every interval is a list [low, high]. level: coverage probability of the intervals. efficiency: friction force over the
     summed strength of all contact spots, or None. lowered_by: what would lower mu. shares: fraction of the variance of ln mu by
-    source of uncertainty. next: recommended next step. after_measuring: expected interval of mu after one measurement of mu.
-    models: weight of each combined model of the contact area. excluded: fraction of the samples that were excluded as
-    impossible. bare_metal: interval of mu after film or oxide has worn through. checked_against: text on the benchmarks and
-    measurements that support the prediction.
+    source of uncertainty. next: recommended next step. after_measuring: expected interval of mu after one measurement of mu, or
+    None. models: weight of each combined model of the contact area. excluded: fraction of the samples that were excluded as
+    impossible. bare_metal: interval of mu after film or oxide has worn through, or None. checked_against: text on the
+    benchmarks and measurements that support the prediction.
     """
 
     load: float

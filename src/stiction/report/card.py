@@ -136,7 +136,7 @@ def _confidence(data: "xarray.Dataset") -> str:
 
 
 def shortened(warning: str) -> str:
-    """Shorten a warning to at most twelve words: cut it at a colon, then at a comma.
+    """Shorten a warning to at most twelve words: cut it at a colon, then at a comma, then after the twelfth word.
 
     >>> shortened("The interface is not stated: mu is 0.06 to 0.3 with boundary lubricant, 0.2 to 1.1 with oxidised metal.")
     'The interface is not stated'

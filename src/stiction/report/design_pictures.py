@@ -23,8 +23,8 @@ def design_figure(data: "xarray.Dataset") -> Figure:
     """Draw the result of a design study.
 
     data: result of `design`. If design variables were chosen from lists, the first panel shows the best design for each
-    combination of list entries. The next panel shows the Pareto front of two objectives or, for one objective, all evaluated
-    designs. For two objectives without lists, a last panel shows the design variables along the Pareto front.
+    combination of list entries, at most twelve. The next panel shows the Pareto front of two objectives or, for one objective,
+    all evaluated designs. For two objectives without lists, a last panel shows the design variables along the Pareto front.
     """
     texts = data.attrs["objectives"].split("\n")
     objectives = [text.split(" next to ")[0].removeprefix("least ").removeprefix("most ") for text in texts]

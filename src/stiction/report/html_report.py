@@ -44,10 +44,10 @@ _BROWSERS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-sta
 class ReportAnswer(TypedDict):
     """Define the answer of a report, as `write_report` returns it.
 
-    friction_coefficient: None if no load is compressive, or if the model has no friction. answer: answer of the prediction, or
-    of the model that the case names; None for a case with array parameters. grade: grade of that model; None for a prediction.
-    measured_error: errors of that model on benchmark surfaces; None for a prediction. not_compared: why models were not
-    compared; "" if they were.
+    friction_coefficient: None if no load is compressive, if the model has no friction, or for a case with array parameters.
+    answer: answer of the prediction, or of the model that the case names; None for a case with array parameters. grade: grade
+    of that model; None for a prediction. measured_error: errors of that model on benchmark surfaces; None for a prediction.
+    not_compared: why models were not compared; "" if they were.
     """
 
     title: str

@@ -33,7 +33,8 @@ def models_figure(
 
     data: result of `compare`. groups: groups of its models that agree on mu; the legend names the first three. prediction:
     result of `predict` at its working load. curve: prediction over several loads, drawn as a band. Dots mark the working load.
-    Groups whose mu is 0, or more than 10^4 times smaller than the largest, are left out.
+    Groups whose results are physically impossible, or whose mu is 0 or more than 10^4 times smaller than the largest, are left
+    out.
     """
     figure, (axes,) = canvas(8.53, 4.8)
     known = groups_of(data) if groups is None and "working_load" in data.attrs else groups or ()

@@ -58,7 +58,7 @@ def summary(result: "xarray.Dataset") -> Summary:
     Raises
     ------
     InputError
-        The argument is not a result of these functions.
+        The argument is not an xarray object.
 
     Examples
     --------

@@ -38,7 +38,7 @@ def answer_figure(data: "xarray.Dataset", prediction: "xarray.Dataset") -> Figur
     """Draw mu against load with the prediction at its working load, or a histogram of the samples of mu.
 
     data: result of the model that the user named, or the curve of the prediction. prediction: result of `predict`. The
-    histogram is drawn if `data` is a prediction at a single load.
+    histogram is drawn if `data` is a prediction at a single load, or has no friction.
     """
     figure, (axes,) = canvas(5.0, 3.4)
     _draw_mu(axes, data, prediction)

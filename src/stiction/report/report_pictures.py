@@ -118,7 +118,8 @@ def _in_words(data: "xarray.Dataset", what: str, against: str) -> str:
 def pictures_of_curve(findings: ReportData) -> Iterator[Picture]:
     """Yield the pictures of the curve of one model: one for each panel, and one for each chart of stacked parts.
 
-    A case with array parameters has a single picture. A prediction has none, because `pictures_of_answer` draws its curve.
+    A chart is omitted for fewer than two compressive loads, or if one part is more than 99.5 % of the sum. A case with array
+    parameters has a single picture. A prediction has none, because `pictures_of_answer` draws its curve.
     """
     # The page states the validity warnings once, not below every picture.
     data = findings.data.assign_attrs(validity_warnings="[]", outside_validity="")
@@ -147,7 +148,7 @@ def pictures_of_curve(findings: ReportData) -> Iterator[Picture]:
 
 
 def _the_one(data: "xarray.Dataset", parts: list[str]) -> str:
-    """Return the name of the part that exceeds 99.5 % of the sum of all parts at every compressive load; "" if none does.
+    """Return the name of the part that exceeds 99.5 % of the sum of absolute values at every compressive load; "" if none does.
 
     parts: names of the summed variables, for example the elastic and the plastic contact area.
     """

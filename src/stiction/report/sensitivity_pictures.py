@@ -71,7 +71,7 @@ def _symbol(name: str) -> str:
 def _indices(axes: Axes, data: "xarray.Dataset", name: str) -> None:
     """Draw total and first-order Sobol indices of one result at the working load, with their 95 % intervals.
 
-    name: the result. The total indices of other results are drawn as marks.
+    name: the result. Only the twelve most important inputs are shown. The total indices of other results are drawn as marks.
     """
     results = at_working_load(data)
     order = ranked(results, name, "total_order", "input")[:_SHOWN]

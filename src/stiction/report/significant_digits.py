@@ -10,7 +10,7 @@ def rounded(value: float, ends: list[float]) -> str:
 
     ends: ends of the uncertainty interval; [] for none, which gives two digits. The last digit shown has the decimal place of
     the first digit of half the interval width, or one place further if that first digit is 1. NaN and infinity give "not
-    defined".
+    defined", and 0 gives "0".
     """
     if not math.isfinite(value):
         return "not defined"

@@ -34,9 +34,9 @@ _ENOUGH = 10**6
 def map_figure(surface: HeightMap, title: str = "", asperities: Asperities | None = None) -> Figure:
     """Draw a height map in colours, or a profile as a line, next to a histogram of heights.
 
-    Missing points of a map are grey and hatched. The colour scale and the histogram leave out spikes and the lowest and highest
-    0.1 % of the heights. title: by default the name of the surface. asperities: asperities to mark, if their method gives
-    positions.
+    Missing points of a map are grey and hatched. The colour scale and the histogram of a map leave out spikes and the lowest
+    and highest 0.1 % of the heights. title: by default the name of the surface. asperities: asperities to mark, if their method
+    gives positions.
     """
     shape = (8.0, 3.2) if surface.is_profile else (4.4 * min(max(surface.size[1] / surface.size[0], 0.5), 2.2) + 1.6, 4.8)
     figure = Figure(figsize=(shape[0] + 3.4, shape[1]), layout="compressed")

@@ -69,7 +69,7 @@ def _column(variable: "xarray.DataArray", name: str, chosen: np.ndarray) -> tupl
     """Return the unit for the head of a column, and the texts of its cells.
 
     variable: the result. name: key of QUANTITIES. chosen: indices of the rows to show. The unit is "" if there is none, or if
-    the values span more than four decades: then each cell has a unit of its own.
+    values other than separations span more than four decades: then each cell has a unit of its own.
     """
     values = np.broadcast_to(variable.values, max(variable.size, chosen.max() + 1))[chosen]
     if values.dtype.kind in "OU":

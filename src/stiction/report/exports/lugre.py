@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def content(table: "xarray.Dataset") -> str:
-    """Return the constants of the LuGre model as JSON text, one value for each load of a friction table.
+    """Return constants of the LuGre model as JSON text, each as a list with one value for each load of a friction table.
 
     table: dataset of `export`, in its consistent units. Raises InputError if the table has no tangential stiffness.
     """

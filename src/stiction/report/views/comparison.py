@@ -164,8 +164,8 @@ def groups_of(data: "xarray.Dataset", every: bool = False) -> list[Group]:
     """Return groups of models whose mu at the working load agrees within 10 %.
 
     Groups within their claimed range come first, then groups outside it, then groups of models that cannot be right for this
-    contact. Within each of the three, groups are sorted by family and mu. data: result of `compare`. every: whether each model
-    is a group of its own.
+    contact. Within each of the three, groups are sorted by family and mu. Models without mu are left out. data: result of
+    `compare`. every: whether each model is a group of its own.
     """
     models = [data.isel(model=index) for index in range(data.sizes["model"])]
     alone = [_group([model]) for model in models if np.isfinite(model[_MU].item())]
@@ -214,8 +214,8 @@ def group_row(group: Group) -> tuple[str, str, str, str]:
 def groups_table(groups: list[Group], room: int | None = None, silent: int = 0, more: str = ALL) -> Iterator[Table | Text]:
     """Yield a table of the groups that fit into `room` lines, then a line that counts the models left out.
 
-    room: None for all groups. silent: number of models without friction because the interface is not stated. more: text on
-    where every model is listed.
+    room: None for all groups; otherwise physically impossible groups are left out too. silent: number of models without
+    friction because the interface is not stated. more: text on where every model is listed.
     """
     shown = groups if room is None else [group for group in groups if group.possible]
 

@@ -95,7 +95,7 @@ def _is_wide(data: "xarray.Dataset") -> bool:
 
 
 def _in_short(rows: list[tuple[str, str]], most: int, wide: bool = False) -> Any:
-    """Return the table of an answer with at most `most` lines, from which the least important rows are left out.
+    """Return the table of an answer, without its least important rows if it would have more than `most` lines.
 
     rows: pairs (heading, text). wide: whether the interval is so wide that its sources are always shown.
     """
