@@ -338,7 +338,7 @@ def command(name: str, load: Any, ranges: bool | None) -> str:
 
 
 def measured_table(findings: ReportData) -> Table | None:
-    """Return a table of sigma, R and N of scanned bodies by every asperity method, with the resulting friction."""
+    """Return a table of sigma, R and N of scanned bodies by every asperity method, with friction; None without scans."""
     if findings.case.measured is None:
         return None
     from stiction.report.views.surface import roughness_table

@@ -125,8 +125,8 @@ def _title(group: Group) -> str:
 def _why(data: xarray.Dataset, group: Group) -> str:
     """Return the reason why a group of models suits the contact or does not suit it, as text.
 
-    For suitable models the text is the area error on benchmark surfaces, otherwise the most important validity warning with the
-    claimed range.
+    For suitable models the text is "fits" with the area error on benchmark surfaces, if it is known; otherwise it is the most
+    important validity warning with the claimed range.
     """
     if group.fits:
         return letters(f"fits; area error {group_row(group)[2]}") if group.errors else "fits"

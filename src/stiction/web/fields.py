@@ -50,7 +50,7 @@ class Knob:
     log: bool
 
     def place(self, value: float) -> float:
-        """Return the slider position of a value in SI units."""
+        """Return the slider position of a value in SI units; the lower end for a value of 0 or less on a logarithmic slider."""
         return math.log10(value) if self.log and value > 0.0 else self.low if self.log else value
 
     def value(self, place: float) -> float:

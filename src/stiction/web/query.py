@@ -77,7 +77,10 @@ class Answer:
 
     @cached_property
     def curve(self) -> xarray.Dataset:
-        """Return the results along the loads or separations, for the first value of every array parameter."""
+        """Return the results along the loads or separations, for the first value of every array parameter.
+
+        The results of a prediction are sorted by load.
+        """
         *arrays, along = self.curve_data["load"].dims or (None,)
         curve = self.curve_data.isel(dict.fromkeys(arrays, 0))
         return curve.sortby("load") if along is not None and self.is_prediction else curve
@@ -132,7 +135,7 @@ def _without_folders(error: InputError, query: Query) -> InputError:
 def solved(query: Query) -> Answer:
     """Return the answer of a query: the prediction or, if the case names a model, the result of that model.
 
-    Raises InputError.
+    Raises InputError if the case is invalid, or if the model or the prediction does not support it.
     """
     case = read_query(query)
     data, curve = predict_with_curve(case) if is_predicted(case) else (solve_case(case),) * 2
@@ -143,7 +146,7 @@ def compared(query: Query, load: float | None, progress: Any) -> tuple[Case, xar
     """Return the case, the comparison of all models, and the prediction (None if no prediction is possible).
 
     load: in N, or normalised as in the case; None for the middle load of the case. progress: records the progress. Raises
-    InputError.
+    InputError if the case is invalid or has no compressive load.
     """
     case = read_query(query)
     load = load if load is not None else working_load(case, None)
@@ -175,7 +178,7 @@ def law_names(case: Case) -> dict[str, list[str]]:
 
 
 def states_of(query: Query) -> list[str]:
-    """Return the interface states that the bodies of a case allow; all states if the bodies have an error."""
+    """Return the interface states that the bodies allow; all if the bodies have an error, [] for dimensionless groups."""
     try:
         subject = read_query(query.with_tables(with_value_at(query.tables, INTERFACE, None))).subject
     except InputError:
@@ -213,8 +216,9 @@ def headline(answer: Answer, point: int) -> tuple[str, str]:
 def remarks(answer: Answer) -> list[str]:
     """Return sentences on an answer: model and grade, warnings and remarks.
 
-    A prediction has no sentence on model and grade. The first validity warning is left out. The other sentences list input
-    warnings, inputs that were not used, remarks, and arrays of which the curves show only the first value.
+    A prediction has no sentence on model and grade. The first warning of a prediction is left out, because the card shows it.
+    The other sentences list input warnings, inputs that were not used, remarks, and arrays of which the curves show only the
+    first value.
     """
     attrs, (*arrays, _) = answer.data.attrs, answer.data["load"].dims or ("",)
     lines = [] if answer.is_prediction else [f"Model {model_line(attrs)}; grade {grade_line(attrs)}."]

@@ -31,7 +31,7 @@ _NONE = ""  # value of the choice that searches no number
 def run_sensitivity_study(query: Query, progress: Progress) -> View:
     """Return the view (tables and pictures) of a sensitivity study, which shows which input to measure better.
 
-    query: the case. progress: records the progress. Raises InputError.
+    query: the case. progress: records the progress. Raises InputError if the case is invalid.
     """
     from stiction.report.views.sensitivity import sensitivity_view
     from stiction.studies.sensitivity.run import sensitivity
@@ -43,7 +43,8 @@ def run_design_study(query: Query, load: str | float, target: float, free: dict[
     """Return the view (tables and pictures) of a search for numbers of the case with which mu equals `target`.
 
     load: load at which mu must reach the target, in N, normalised, or a text with a unit. free: table [design.choose] of a case
-    file, with the numbers to search and their limits. Raises InputError.
+    file, with the numbers to search and their limits. Raises InputError if `target` is not above 0, or if the case, the load or
+    the limits are invalid.
     """
     from stiction.report.views.design import design_view
     from stiction.studies.design.plan import make_design_plan
@@ -61,7 +62,8 @@ def run_fit_study(query: Query, load: str | float, data: Path, free: dict[str, A
     """Return the view (tables and pictures) of a fit of numbers of the case to measured series.
 
     load: load of the prediction after the fit. data: file of the measured values. free: table [fit.free] of a case file, with
-    the numbers to fit and their limits; {} fits the interface strength of a prediction. Raises InputError.
+    the numbers to fit and their limits; {} fits the interface strength of a prediction. Raises InputError if the case, the data
+    or the limits are invalid.
     """
     from stiction.report.views.fit import fit_view
     from stiction.report.views.prediction import prediction_view

@@ -47,7 +47,10 @@ class Band:
     longest: float | None = None
 
     def of(self, surface: HeightMap) -> HeightMap:
-        """Return a surface without its form, filtered to this band of wavelengths."""
+        """Return a surface without its form, filtered to this band of wavelengths.
+
+        Raises InputError if the form or the band does not suit the surface.
+        """
         return prepared(surface, self.form, None, None, self.shortest, self.longest)
 
 
@@ -85,7 +88,10 @@ def read_bounded(path: Path, stated: Mapping[str, str]) -> HeightMap:
 
 
 def spectrum_of(surface: HeightMap, band: Band) -> BinnedSpectrum:
-    """Return the radially averaged power spectrum of a scan, prepared as `band` states, with gaps filled. Raises InputError."""
+    """Return the radially averaged power spectrum of a scan, prepared as `band` states, with gaps filled.
+
+    Raises InputError as `Band.of` does.
+    """
     inside = band.of(surface)
     return radial_average(power_spectrum(inside if inside.complete else fill_missing(inside)))
 
@@ -109,7 +115,7 @@ def pictures_of(surface: HeightMap, band: Band, method: str, narrow: bool) -> tu
     """Prepare a scan; return (analysis, drawing of the asperity heights, drawing of the map with asperities).
 
     band: how the scan is prepared. method: asperity method whose asperities are marked on the map. narrow: whether the page is
-    narrow. Raises InputError.
+    narrow. Raises InputError as `Band.of` does.
     """
     found = analyse(band.of(surface))
     heights = drawing_of(asperity_figure(found.asperities.values(), found.surface), _HEIGHTS, narrow)
@@ -139,7 +145,7 @@ def example_scan(path: Path) -> dict[str, str]:
 def resolution_picture(surface: HeightMap, contact: Contact | None, load: float, progress: Progress, narrow: bool) -> str:
     """Return a drawing of sigma, R, N and, if a contact is given, mu against the shortest wavelength that is kept.
 
-    load: [N], for mu. narrow: whether the page is narrow. Raises InputError.
+    load: [N], for mu. narrow: whether the page is narrow. Raises InputError if the scan cannot be filtered.
     """
     asked: dict[str, Any] = {} if contact is None else {"contact": contact, "load": load}
     study = resolution_study(surface, progress=progress("Filtering"), **asked)
