@@ -17,6 +17,8 @@ from collisions import collisions
 from stiction import cli
 from stiction.quantities.errors import InputError
 from stiction.report.sensitivity_pictures import sensitivity_figure
+from stiction.report.table import Table
+from stiction.report.view import in_short
 from stiction.report.views.sensitivity import indices_table, log_sensitivities_table, sensitivity_view
 from stiction.studies.case_results import solve_case
 
@@ -292,7 +294,22 @@ def test_a_stated_error_is_shown_and_the_strength_has_one_name():
     case["contact"] |= {"second": soft, "roughness": {"finish": "ground", "rms_height": "0.2 um"}}
     data = st.sensitivity(case)
     assert "interface" not in data["input"].values and data["input"].values[0] == "interfacial_shear_strength"
-    assert "uncertain: interfacial_shear_strength: 160 MPa ± 16 MPa" in [str(part) for part in sensitivity_view(data).parts()]
+    *_, uncertain = sensitivity_view(data).parts()
+    assert uncertain.rows == [("uncertain", "interfacial shear strength 160 MPa ± 16 MPa")]
+
+
+def test_a_short_answer_has_both_tables_and_then_every_range_of_the_materials():
+    """Six ranges take five lines; both tables are shortened for them, and are kept where the files are named too."""
+    contact = {"first": "copper", "second": "hardened_steel_52100", "interface": "oxidised metal", "nominal_area": "1 cm^2"}
+    contact["roughness"] = {"rms_height": "0.2 um", "finish": "ground"}
+    data = st.sensitivity({"contact": contact, "solve": {"load": "10 N"}}, ranges=True)
+    _, shares, slopes, uncertain, _ = in_short(sensitivity_view(data).parts())
+    assert len(shares.rows) == 2 and len(slopes.rows) == 4
+    assert uncertain.rows[0][1].startswith("Young's modulus of copper 115 GPa to 130 GPa; ")
+    assert uncertain.rows[0][1].count(";") == 5
+    data = st.sensitivity({"contact": contact, "solve": {"load": "10 N", "model": "persson_2001"}}, ranges=True)
+    tables = [part for part in in_short(sensitivity_view(data).parts(), written=True) if isinstance(part, Table)]
+    assert [len(table.rows) for table in tables] == [4, 4]
 
 
 def test_the_numbers_of_a_named_interface_are_among_the_sensitivities():

@@ -20,6 +20,7 @@ from stiction.quantities.table import QUANTITIES
 _BEYOND = 0.025
 # Smallest distance of quantile levels from 0 and 1, because the quantiles there may be infinite.
 _LEAST_SHARE = 1e-12
+LOG_UNIFORM = " (log-uniform)"  # end of the description of a range whose logarithm is uniform
 
 
 @dataclass(frozen=True)
@@ -167,7 +168,7 @@ def in_range(quantity: str, low: float, high: float, nominal: float, log: bool) 
 
     log: whether the logarithm is uniform instead of the number.
     """
-    words = f"{show(low, quantity)} to {show(high, quantity)}" + (", by its logarithm" if log else "")
+    words = f"{show(low, quantity)} to {show(high, quantity)}" + (LOG_UNIFORM if log else "")
     return Distribution(quantity, nominal, "log-uniform" if log else "uniform", (low, high), words)
 
 

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from stiction.contact.subject import Subject
 
 MOST_LINES = 15  # largest number of lines of a short answer on a terminal of 80 columns
-_COLUMNS, _ROWS = 80, 5
+_COLUMNS, _ROWS, _LEAST_ROWS = 80, 5, 3
 
 
 def lines_of(part: Any, columns: int = _COLUMNS) -> int:
@@ -32,17 +32,32 @@ def lines_of(part: Any, columns: int = _COLUMNS) -> int:
 def in_short(parts: Iterable[Any], columns: int = _COLUMNS, written: bool = False) -> Iterator[Any]:
     """Yield the parts of an answer that fit into MOST_LINES lines, then a line on how to see the rest.
 
-    parts: texts and tables. Tables are shortened to five rows, and a part that does not fit is left out. columns: width of the
-    terminal in characters. written: whether to reserve room for a line about the written files.
+    parts: texts and tables. Tables are shortened to five rows; ranked tables to three or four if more tables then fit. A part
+    that does not fit is left out. columns: width of the terminal in characters. written: whether to reserve room for a line
+    about the written files.
     """
-    left = MOST_LINES - 1 - 2 * written
-    for part in filter(None, parts):
-        part = part.few(_ROWS) if isinstance(part, Table) else part
-        lines = lines_of(part, columns)
-        if lines <= left:
-            left -= lines
-            yield part
+    parts, most = [*filter(None, parts)], MOST_LINES - 1 - 2 * written
+    by_rows = (_fitting(parts, rows, columns, most) for rows in range(_ROWS, _LEAST_ROWS - 1, -1))
+    yield from max(by_rows, key=_tables_in)
     yield "Details: --details"
+
+
+def _fitting(parts: Iterable[Any], rows: int, columns: int, most: int) -> list[Any]:
+    """Return the parts that fit into `most` lines, with `rows` rows of each ranked table."""
+    shown: list[Any] = []
+    for part in parts:
+        part = part.few(rows if part.ranked else _ROWS) if isinstance(part, Table) else part
+        lines = lines_of(part, columns)
+        if lines <= most:
+            most -= lines
+            shown.append(part)
+    return shown
+
+
+def _tables_in(parts: list[Any]) -> tuple[int, int]:
+    """Return the number of ranked tables, and of all tables, among the parts of an answer."""
+    tables = [part for part in parts if isinstance(part, Table)]
+    return sum(table.ranked for table in tables), len(tables)
 
 
 class Picture(NamedTuple):

@@ -8,11 +8,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from rich.text import Text
 
+from stiction.case.distribution import LOG_UNIFORM
 from stiction.laws.validity import warnings_of
 from stiction.report.answer import answer_record, headline, model_line
 from stiction.report.files import record, write_csv
 from stiction.report.swept_tables import of_point, points_dimension
-from stiction.report.table import Column, Table, numbers
+from stiction.report.table import Column, Table, facts, numbers
 from stiction.report.view import View, picture
 from stiction.report.views.prediction import plain
 from stiction.report.views.run import draws_in_words, in_draws
@@ -117,24 +118,25 @@ def share_tables(data: "xarray.Dataset") -> Iterator[Table]:
     yield log_sensitivities_table(data)
 
 
-def _uncertain_inputs(data: "xarray.Dataset") -> Iterator[Text]:
-    for line in data.attrs["uncertain_inputs"].splitlines():
-        yield Text(f"uncertain: {line}", style="dim")
+def _uncertain_inputs(data: "xarray.Dataset") -> Iterator[Table]:
+    """Yield a table with one row: the uncertain inputs and their ranges."""
+    inputs = (line.partition(": ") for line in data.attrs["uncertain_inputs"].splitlines())
+    yield facts([("uncertain", "; ".join(f"{part_name(name)} {words.removesuffix(LOG_UNIFORM)}" for name, _, words in inputs))])
 
 
-def sensitivity_notes(data: "xarray.Dataset") -> Iterator[Text]:
+def sensitivity_notes(data: "xarray.Dataset") -> Iterator[Text | Table]:
     """Yield notes: which inputs were varied and how, and the validity warnings at nominal inputs."""
     used = data.attrs
     if "input" in data.dims:
+        for text, share in json.loads(used["validity_warnings_of_points"]).items():
+            if text in WHY_NOT:
+                yield Text(f"excluded: {in_draws(share, text)}", style="bold yellow")
         yield from _uncertain_inputs(data)
         if used["methods"]:
             yield Text(f"methods of finding asperities, equally likely: {', '.join(used['methods'].split())}", style="dim")
         models = ", ".join(f"{name} {weight:.0%}" for name, weight in json.loads(used["models"]).items())
         yield Text(f"models: {models}", style="dim")
         yield Text(draws_in_words(used), style="dim")
-        for text, share in json.loads(used["validity_warnings_of_points"]).items():
-            if text in WHY_NOT:
-                yield Text(f"excluded: {in_draws(share, text)}", style="bold yellow")
         yield Text(
             "total, first: share of the variance of the logarithm; effect: change of the logarithm over the range of the input",
             style="dim",
