@@ -40,10 +40,10 @@ def surface(
 ) -> None:
     """Analyse a measured surface: heights, kind of surface, asperities, and the lines of a case file that use it.
 
-    --contact also solves the contact of the surface with a flat by boundary elements: real area, separation, stiffness.
-    --out writes map.png, spectrum.png, asperities.png, surface.json, spectrum.csv, and the resolution study as fan.png,
-    fan.csv and fan.nc: how sigma, R and N (and with --case mu) depend on the asperity method and on the shortest
-    wavelength.
+    --contact also solves the contact of the surface with a flat by boundary elements: real area, separation, stiffness. --out
+    writes map.png, spectrum.png, asperities.png, surface.json, spectrum.csv, with --contact also contact.csv and pressure.npy,
+    and the resolution study as fan.png, fan.csv and fan.nc: how sigma, R and N (and with --case mu) depend on the asperity
+    method and on the shortest wavelength.
     """
     if out is None and (case is not None or load is not None):
         what, value = ("--load", load) if case is None else ("--case", str(case))

@@ -163,7 +163,7 @@ def shown(value: float, name: str, digits: int = 4) -> str:
 def with_unit(variable: "xarray.DataArray", value: float | None = None, digits: int = 4) -> str:
     """Format a value of a variable with a prefixed unit, or as a plain number if it has no unit.
 
-    value: SI value; by default the only value of `variable`.
+    value: SI value; by default the only value of `variable`. NaN and infinity give "-".
     """
     value, name = float(variable if value is None else value), str(variable.name)
     plain = variable.attrs.get("units", "1") == "1" or name not in QUANTITIES

@@ -23,8 +23,8 @@ class MovingMap:
 
     problem: contact and laws. contacts: solution without shear at each load. strengths: shear strength [Pa] of the points
     (rows, columns) at each load. operator: computes shear displacements. remark: text for the user on what the solution
-    neglects, or "". farther: largest displacement to solve by default, divided by the displacement at which every point
-    slips if shear does not change the pressure.
+    neglects, or "". farther: largest displacement that is solved by default at constant strength, divided by the displacement
+    at which every point slips if shear does not change the pressure.
     """
 
     farther: ClassVar[float] = 1.0

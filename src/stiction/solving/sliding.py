@@ -98,12 +98,13 @@ def slide(
     xarray.Dataset
         friction_force [N], the sum of all strengths, and friction_coefficient, this force divided by the load;
         tangential_stiffness [N/m] at rest; largest_tangential_force [N], largest_friction_coefficient and sliding_displacement
-        [m], where the force is largest. Along `displacement`: tangential_force [N]; sticking_share, the fraction of the contact
-        area that has not slipped; for a sum over asperities with a residual strength of 1, energy_loss [J], the energy lost in
-        one cycle of this amplitude. For a map also friction_efficiency, the largest force divided by the sum of strengths, and
-        point_state along `displacement`: 0 apart, 1 sticks, 2 slides; with a spring, drive_displacement [m] and state_is_met, 0
-        at displacements that the map skips in a jump. If shear changes the contact of a map, also sheared_contact_area [m2]
-        along `displacement`; for unlike bodies, coupling_residual.
+        [m], where the force is largest, or 99 % of the largest if strength stays constant. Along `displacement`:
+        tangential_force [N]; sticking_share, the fraction of the contact area that has not slipped; for a sum over asperities
+        with a residual strength of 1, energy_loss [J], the energy lost in one cycle of this amplitude. For a map also
+        friction_efficiency, the largest force divided by the sum of strengths, and point_state along `displacement`: 0 apart, 1
+        sticks, 2 slides; with a spring, drive_displacement [m] and state_is_met, 0 at displacements that the map skips in a
+        jump; if strength falls with slip, points_in_weakening, the weakening length in map points. If shear changes the contact
+        of a map, also sheared_contact_area [m2] along `displacement`; for unlike bodies, coupling_residual.
 
     Raises
     ------

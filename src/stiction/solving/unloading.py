@@ -98,7 +98,7 @@ def unload(
     Raises
     ------
     InputError
-        A value is out of bounds, or the laws do not describe unloading.
+        A value is out of bounds or missing, the contact has a film or a liquid, or the laws do not describe unloading.
 
     Notes
     -----

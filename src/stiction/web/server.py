@@ -25,10 +25,10 @@ _PATIENCE = 600.0  # seconds, time limit for building a page; the first use of a
 
 
 def query_of(case: Path | None) -> Query:
-    """Return the case that the page starts with, from a case file or the default one, as a `Query`. Raises InputError.
+    """Return the case that the page starts with, from a case file or the default one, as a `Query`.
 
-    The case is solved before the server starts. Errors of the file are thus reported at once, and kernels are compiled and laws
-    imported before the first visitor comes.
+    Raises InputError if the case cannot be solved. The case is solved before the server starts. Errors of the file are thus
+    reported at once, and kernels are compiled and laws imported before the first visitor comes.
     """
     if case is None:
         query = Query(first_case())

@@ -252,7 +252,7 @@ def left_out_in_words(groups: list[Group], shown: list[Group], silent: int = 0) 
 
 
 def why_apart(groups: list[Group], prediction: "xarray.Dataset | None") -> str:
-    """Explain why a prediction differs from the models, if most models within their range differ by over 20 %; else "".
+    """Explain why a prediction differs by over 20 % from most models within their range; "" if it does not.
 
     groups: groups of models. prediction: result of `predict` at the load of the groups, or None.
     """
