@@ -124,13 +124,19 @@ def _uncertain_inputs(data: "xarray.Dataset") -> Iterator[Table]:
     yield facts([("uncertain", "; ".join(f"{part_name(name)} {words.removesuffix(LOG_UNIFORM)}" for name, _, words in inputs))])
 
 
+def _excluded(data: "xarray.Dataset") -> Iterator[Text]:
+    """Yield the fraction of the samples without a result, and why they have none."""
+    if share := data.attrs["impossible_draws"]:
+        yield Text(f"excluded: {share:.0%} of the samples, pressure above hardness or area above nominal", style="bold yellow")
+    for text, share in json.loads(data.attrs["validity_warnings_of_points"]).items():
+        if text in WHY_NOT:
+            yield Text(f"excluded: {in_draws(share, text)}", style="bold yellow")
+
+
 def sensitivity_notes(data: "xarray.Dataset") -> Iterator[Text | Table]:
     """Yield notes: which inputs were varied and how, and the validity warnings at nominal inputs."""
     used = data.attrs
     if "input" in data.dims:
-        for text, share in json.loads(used["validity_warnings_of_points"]).items():
-            if text in WHY_NOT:
-                yield Text(f"excluded: {in_draws(share, text)}", style="bold yellow")
         yield from _uncertain_inputs(data)
         if used["methods"]:
             yield Text(f"methods of finding asperities, equally likely: {', '.join(used['methods'].split())}", style="dim")
@@ -165,7 +171,7 @@ def sensitivity_view(data: "xarray.Dataset", groups: Mapping[str, float] | None 
             yield from _uncertain_inputs(data)
             return
         if "input" in data.dims:
-            yield from (indices_table(data), "")
+            yield from (*_excluded(data), indices_table(data), "")
         yield from (log_sensitivities_table(data), "", *sensitivity_notes(data))
 
     def as_record() -> dict[str, Any]:

@@ -223,7 +223,7 @@ def _with_indices(found: "xarray.Dataset", case: Case, variation: _Variation, pr
     return (
         found.assign_coords(input=variation.inputs)
         .assign(variables)
-        .assign_attrs(validity_warnings_of_points=warning_shares(drawn))
+        .assign_attrs(validity_warnings_of_points=warning_shares(drawn), impossible_draws=drawn.impossible_share)
     )
 
 
