@@ -240,8 +240,7 @@ def _log_of(values: np.ndarray) -> np.ndarray:
 def _relative(excess: np.ndarray, targets: np.ndarray, tension: np.ndarray) -> np.ndarray:
     """Return load errors (n, m), each divided by the size of the load, or by the largest tension if the load is negligible.
 
-    If both load and tension are 0, the error is not divided. excess: load errors (n, m). targets: requested loads (n, m).
-    tension: largest tensions (n,).
+    If both are 0, the error is not divided. excess, targets (n, m): load errors and loads. tension (n,): largest tensions.
     """
     tension = tension[:, None]
     scale = np.where(np.abs(targets) > NOTHING * tension, np.abs(targets), np.where(tension > 0.0, tension, 1.0))
@@ -274,8 +273,7 @@ def _tension_past(problem: Problem, h: np.ndarray, loads: np.ndarray, size: np.n
     """Find the largest tension (n,) and its separation (n,) from loads on a grid; 0 and NaN for contacts without tension.
 
     h (H,): descending separations in units of sigma. loads (n, H): loads at these separations. size (n,): scale of the loads; a
-    tension that is tiny in comparison is treated as a round-off error. For adhesive contacts or menisci, separations near the
-    upper ends of the heights are searched too.
+    tension that is tiny in comparison is a round-off error. Separations near the upper ends of the heights may be searched too.
     """
     tension, where = largest_tension(problem.load_at, np.broadcast_to(h, loads.shape), loads)
     if problem.heights.tops.size and (problem.groups.theta is not None or problem.groups.meniscus_height is not None):

@@ -309,7 +309,7 @@ def _apart(subject: Subject, nearest: np.ndarray, wanted: np.ndarray, unit: np.n
 
     nearest: smallest separations. wanted: requested increases if `is_increase`, else separations. unit: factor by which
     normalised separations are multiplied. All arrays have the same shape. Raises InputError for a separation below the smallest
-    one, and for an increase beyond the largest separation that can be computed.
+    one, and for too large an increase.
     """
     distance = wanted if is_increase else wanted - nearest
     short = distance < (0.0 if is_increase else -_ROUNDING * np.maximum(np.abs(nearest), 1.0))
@@ -356,8 +356,7 @@ def _tension(unloading: _Unloading, rows: np.ndarray, nearest: np.ndarray) -> tu
     """Return the largest tension during unloading, its separation, and the separation of zero load, each (m,).
 
     rows, nearest (m,): index of the contact and its smallest separation. Tensions are normalised, separations in units of
-    sigma. The tension is 0 and its separation NaN if no load is tensile. The separation of zero load is NaN if the load never
-    falls from compression to tension.
+    sigma. Without tension the first is 0 and its separation NaN. The last is NaN if the load never falls below 0.
     """
     from scipy.optimize.elementwise import find_root
 

@@ -60,15 +60,13 @@ class MeasuredErrors:
 
     The error is ln(A/A_ref), where A is the area by the model and A_ref the area by the reference solution. column: model and
     asperity method. area: mean error over benchmark surfaces of the specified kind, or over Gaussian surfaces if neither map
-    nor kind is known; NaN, like relative and friction, where no benchmark surface is similar. levels (k, 5): quantiles of the
-    error on the nearest surfaces at the probabilities errors_near.LEVELS, even if these surfaces are far away; NaN where
-    nothing was measured. relative: root mean square of A/A_ref - 1 over these surfaces. friction: error of ln(mu) due to the
-    area, NaN for laws that are not laws of the interface. distance: distance of the nearest surface. surfaces: number of
-    surfaces with a noticeable weight. trust: weight of these errors, from 1 for a near surface to 0 where no surface is
-    similar; adhesion and a model without results on many of the surfaces lower it. sample: standard error of ln(A) because the
-    map is only a window of a larger surface, for models that solve the map; 0 for others. why_not: reason why no error is known
-    at some points, or "". nearest: for each point a function that returns a text on how the nearest surface differs, or "".
-    kind_known: whether the kind of surface is known. kind: the specified kind.
+    nor kind is known. levels (k, 5): quantiles of the error on the nearest surfaces at the probabilities errors_near.LEVELS,
+    even if these surfaces are far away. relative: root mean square of A/A_ref - 1 over these surfaces. friction: error of
+    ln(mu) due to the area, for laws of the interface. area, relative and friction are NaN if unknown. distance: distance of the
+    nearest surface. surfaces: number of surfaces with a noticeable weight. trust: weight, 1 for a near surface, 0 where none is
+    similar; adhesion lowers it. sample: standard error of ln(A) because the map is only a window of a larger surface; 0 without
+    a map. why_not: reason why no error is known at some points, or "". nearest: for each point a function that returns a text
+    on how the nearest surface differs, or "". kind_known: whether the kind of surface is known. kind: the specified kind.
     """
 
     column: str
@@ -103,10 +101,9 @@ class MeasuredErrors:
     def as_data(self) -> dict[str, Any]:
         """Return the errors as data for JSON, by name.
 
-        Each list has one value per point, None where no error was measured; it is empty if no point has a benchmark surface at
-        a finite distance. The lists are: mean errors of area and mu, 5 and 95 % quantiles and rms of the area error, sampling
-        error, distance of the nearest surface, number of surfaces. All errors are relative. Texts: model in the benchmark set,
-        kind of surface (or None), why no error is known. Flag: whether the kind is known.
+        Each list has one value per point, None where unknown; it is empty if no benchmark surface has a finite distance.
+        Relative errors: mean of area and mu, 5 and 95 % quantiles and rms of area, sampling error. Other lists: distance of the
+        nearest surface, number of surfaces. Texts: model, kind of surface (or None), why no error is known. Flag: kind_known.
         """
         some = slice(None) if np.isfinite(self.distance).any() else slice(0)
         return {
@@ -175,8 +172,7 @@ def measured_errors(problem: Problem, results: Mapping[str, np.ndarray], most_po
     """Return the measured errors of a model for each point of normalised results.
 
     results: arrays by name, with the dimensions of the contacts first. The errors are flat arrays for all contacts and points.
-    most_points: with more points than this, no errors are looked up; for a solution on the map itself, only the sampling error
-    is then unknown.
+    most_points: with more points, no errors are looked up; only the sampling error is then unknown if the map itself is solved.
     """
     load, area = (np.asarray(results[name]).reshape(len(problem.groups), -1) for name in ("load", "contact_area"))
     column = column_of(problem)
@@ -337,8 +333,7 @@ def _why_not(problem: Problem, column: str, points: int, most_points: float) -> 
 def _adhesion(problem: Problem, results: Mapping[str, np.ndarray]) -> tuple[float, str]:
     """Return a weight, 1 to 0, for using errors measured without adhesion, and the reason if it is 0.
 
-    The weight falls from 1 to 0 as adhesion or the pull of menisci rises from 5 to 10 % of the load. Up to 10 %, the reason is
-    "".
+    The weight falls to 0 as adhesion or the pull of menisci rises from 5 to 10 % of the load; the reason is "" up to 10 %.
     """
     state, why = state_of(problem, results), "menisci would pull, but the solved surfaces are dry"
     pull = _largest(state.get("meniscus_share"))
@@ -362,8 +357,7 @@ def _largest(values: np.ndarray | None) -> float:
 def _on_film(known: SolvedSet, column: str, features: ContactFeatures, problem: Problem) -> ErrorsNear | None:
     """Return the errors of a model on benchmark surfaces with a film, at each point; None if it was not measured on them.
 
-    The result is also None if no coated surface is of the specified kind. On these surfaces one body has an elastic film and
-    the other is rigid. A contact with another film gets NaN.
+    It is also None if no coated surface is of the contact's kind. The error is NaN unless one body has an elastic film.
     """
     groups, film = problem.groups, problem.chosen.film
     name = column.split("|")[0]
