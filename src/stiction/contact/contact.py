@@ -110,9 +110,10 @@ class Contact(Subject):
         self._check_adhesion()
         if self.interface is not None:
             check_interface(self, self.interface, *self.touching)
-        left_out = [name for name in ("hold_time", "reference_time", "ageing_rate") if getattr(self, name) is None]
-        if 0 < len(left_out) < 3:
-            raise InputError(left_out[0], None, "hold_time, reference_time, ageing_rate together, or none of them")
+        ageing = ("hold_time", "reference_time", "ageing_rate")
+        left_out = [name for name in ageing if getattr(self, name) is None]
+        if 0 < len(left_out) < len(ageing):
+            raise InputError(left_out[0], None, f"{', '.join(ageing)} together, or none of them")
         if self.weakening_slip is not None and self.residual_strength is None:
             raise InputError("residual_strength", None, "0 to 1, the fraction of strength that remains after weakening_slip")
         return self
@@ -126,10 +127,9 @@ class Contact(Subject):
         film = None if self.coating is None else self.coating.work_of_adhesion
         if film is None or np.all((np.asarray(film) > 0.0) == some.any()):
             return
-        wrong = "0", "above 0, because work_of_adhesion of the contact is above 0"
-        if not some.any():
-            wrong = "above 0", "no value, because work_of_adhesion of the contact is 0 or not stated"
-        raise InputError("coating.work_of_adhesion", *wrong)
+        if some.any():
+            raise InputError("coating.work_of_adhesion", "0", "above 0, because work_of_adhesion of the contact is above 0")
+        raise InputError("coating.work_of_adhesion", "above 0", "nothing: work_of_adhesion of the contact is 0 or not stated")
 
     @property
     def adheres(self) -> bool:
