@@ -159,6 +159,10 @@ def test_what_is_not_used_and_the_warning_are_never_left_out():
     assert {"warning", "not used", "state"} <= {row[0] for row in shown.rows}
 
 
+def test_mu_of_one_model_names_its_load_where_there_are_several(case):
+    assert re.search(r"^mu +0\.\d+ at 10 N$", run("run", case, "--model", "persson_2001"), re.MULTILINE)
+
+
 def test_models_without_friction_are_counted_where_the_interface_is_not_stated(case):
     assert "give an area but no" not in run("compare", case)
     case.write_text(CASE.replace('interface = "oxidised metal"\n', ""), encoding="utf-8")
@@ -258,7 +262,8 @@ def test_pasted_asperities_have_a_kind_or_a_distribution_and_every_line_counts(t
     monkeypatch.chdir(tmp_path)
     spectrum = st.SelfAffine(hurst=0.8, rolloff=3e-6, shortest=0.8e-6, deviation=12e-9)
     np.save("scan.npy", st.gaussian_surface((192, 192), (20e-6, 20e-6), spectrum, seed=4).heights)
-    said = run("surface", "scan.npy", "--size", "20 um", "--unit", "m")
+    said = run("surface", "scan.npy", "--size", "20 um", "--unit", "m", "--save-map", "map.gwy")
+    assert said.splitlines()[-1] == "written to map.gwy"
     pasted = said.partition("# or its asperities")[2].partition("Details")[0]
     assert 'kind = "' in pasted and "height_distribution" not in pasted
     text = CASE[: CASE.index("[contact.roughness]")] + "[contact.roughness]" + pasted + '[solve]\nload = "1 N"\n'

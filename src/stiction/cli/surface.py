@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from stiction.cli.options import Json, Out, argument, option
-from stiction.cli.program import app, bar, busy, present, solving
+from stiction.cli.program import app, bar, busy, console, present, solving
 from stiction.quantities.errors import InputError
 
 if TYPE_CHECKING:
@@ -91,6 +91,8 @@ def surface(
     table = {name: value for name, value in steps.items() if value is not None and (name, value) != ("form", 1)}
     case_table = {"first": {name: value for name, value in body.items() if value is not None}} | table
     present(surface_view(analysis, case_table, solved, resolution, details), out, json)
+    if save_map is not None and not json:
+        console().print(f"written to {save_map}", highlight=False, markup=False, soft_wrap=True)
 
 
 def _pressures(contact: str | None, hardness: float | None) -> list[float]:

@@ -148,7 +148,8 @@ def in_brief(case: "Case", data: "xarray.Dataset") -> Iterator[Any]:
         if mu is None:
             said = "not computed: state the strength of the interface"
         else:
-            said = f"{number(mu)}{band}" if np.isfinite(mu) else "not defined at this load"
+            at = f" at {case.subject.show(answer['load'], 'load', 3)}" if data["load"].size > 1 else ""
+            said = f"{number(mu)}{at}{band}" if np.isfinite(mu) else f"not defined{at or ' at this load'}"
         rows.insert(0, ("mu", said))
     unused = data.attrs.get("inputs_not_used", "")
     yield facts([*rows, ("not used", unused), ("outside", f"{warnings[0]}{more}" if warnings else "")])
