@@ -119,9 +119,12 @@ def share_tables(data: "xarray.Dataset") -> Iterator[Table]:
 
 
 def _uncertain_inputs(data: "xarray.Dataset") -> Iterator[Table]:
-    """Yield a table with one row: the uncertain inputs and their ranges."""
-    inputs = (line.partition(": ") for line in data.attrs["uncertain_inputs"].splitlines())
-    yield facts([("uncertain", "; ".join(f"{part_name(name)} {words.removesuffix(LOG_UNIFORM)}" for name, _, words in inputs))])
+    """Yield a table with one row, the uncertain inputs and their ranges; nothing if no input of the case is uncertain."""
+    inputs = [line.partition(": ") for line in data.attrs["uncertain_inputs"].splitlines()]
+    if inputs:
+        yield facts(
+            [("uncertain", "; ".join(f"{part_name(name)} {words.removesuffix(LOG_UNIFORM)}" for name, _, words in inputs))]
+        )
 
 
 def _excluded(data: "xarray.Dataset") -> Iterator[Text]:
