@@ -46,7 +46,7 @@ def test_draws_are_called_what_they_are():
     said = "\n".join(one for one in uncertain_notes(xarray.Dataset(attrs=attributes)))
     assert "random samples of the uncertain inputs: 64, seed 0" in said
     assert "in 33.3% of the random samples of the inputs: y is not 1" in said
-    assert "inputs: real contact area over the nominal area is not 0 to 0.1: too near" in said
+    assert "inputs: real contact area divided by the nominal area is not 0 to 0.1: too near" in said
 
 
 def test_the_command_of_a_comparison_has_a_load_that_is_read():

@@ -10,7 +10,7 @@ from pydantic import BeforeValidator, Field, model_validator
 from stiction.contact.materials import MATERIAL_CLASSES, Material, class_of, refuse_anodised, remaining_notes
 from stiction.contact.pair import choose, first_is_softer
 from stiction.quantities.data_files import read_tables
-from stiction.quantities.errors import InputError, field_named, nearest
+from stiction.quantities.errors import InputError, InWords, field_named, nearest
 from stiction.quantities.inputs import Input, OptionalNumber, as_text, by_default
 from stiction.quantities.lognormal import lognormal_quantile
 from stiction.quantities.ranges import Ranges, check_ranges, range_in_words
@@ -195,8 +195,7 @@ def check_interface(contact: Input, state: Interface, first: Material, second: M
     """
     stated = ("interfacial_shear_strength", "pressure_coefficient")
     for name in (name for name in stated if getattr(contact, name) is not None):
-        allowed = f"interface or {name}, not both"
-        raise InputError("interface", state.name, allowed)
+        raise InputError("interface", InWords(f"{state.name!r} and {name} are both given"), "one of the two")
     coated = contact.part("coating") is not None
     if not state.allows(first, second, coated=coated):
         bodies = f"{first.name} on {second.name}" + ("" if coated else " without a film")

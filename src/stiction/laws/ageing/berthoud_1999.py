@@ -70,6 +70,14 @@ RECORD = Ageing(
     aged=aged,
     verified="the creep law integrated numerically at 20 digits; the aged and the constant part of a force, by hand",
     needs=("shear_strength", "waiting", "ageing_rate"),
-    validity=(Validity("waiting", 0.0, _MEASURED, "measured over five decades of time; longer holds are extrapolated", "fit"),),
+    validity=(
+        Validity(
+            "waiting",
+            0.0,
+            _MEASURED,
+            "the law was measured over five decades of time; for longer holds it is extrapolated",
+            "fit",
+        ),
+    ),
     notes="Ageing rate and reference time must be measured; no law here predicts them. contact_area is the initial area.",
 )

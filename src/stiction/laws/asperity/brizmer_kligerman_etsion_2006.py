@@ -155,7 +155,7 @@ RECORD = AsperityLaw(
             LEAST_NU,
             0.5,
             f"the fit starts at {LEAST_NU}; below it, the stick-to-slip ratios of load and displacement at first yield "
-            f"keep their values at {LEAST_NU}",
+            f"are taken at {LEAST_NU}",
         ),
     ),
     limits=(

@@ -121,7 +121,7 @@ FLOWING = (
         "load_share_substrate",
         0.75,
         1.0,
-        "the film is assumed to carry its full hardness everywhere, which overestimates its load",
+        "the pressure on the film is assumed to equal its hardness everywhere, which overestimates the load",
     ),
 )
 

@@ -138,12 +138,14 @@ RECORD = FilmLaw(
     needs=("theta", "lam", "n_E", "n_H", "tau"),
     validity=(
         DEEP_FILM,
-        Validity("load_share_substrate", 0.0, 0.1, "the 2015 paper computes the substrate's load as if no film covered it"),
+        Validity(
+            "load_share_substrate", 0.0, 0.1, "soft_coating_2015 computes the load of the substrate as if no film covered it"
+        ),
         Validity(
             "n_E",
             0.9,
             1.1,
-            "the 2015 paper adds loads of film and substrate in different units, which are equal only for equal moduli",
+            "soft_coating_2015 adds loads of film and substrate in different units, which are equal only for equal moduli",
         ),
     ),
     wants={"2015": "it needs the asperity law roy_chowdhury_ghosh_1994"},

@@ -87,7 +87,9 @@ VALIDITY = (
         0.01,
         "menisci are not small compared with asperities, and pull at least 3 % less than computed",
     ),
-    Validity("meniscus_tabor_parameter", 0.0, 0.1, "menisci deform asperities this soft, which the law neglects"),
+    Validity(
+        "meniscus_tabor_parameter", 0.0, 0.1, "menisci deform such soft asperities, but the law neglects this deformation"
+    ),
     Validity("meniscus_coverage", 0.0, 0.2, "neighbouring menisci merge and pull less than computed, by a tenth or more"),
 )
 PULL_ON_MAPS = Validity(

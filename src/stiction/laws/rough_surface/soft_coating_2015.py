@@ -81,7 +81,10 @@ RECORD = RoughSurface(
     "paper prints no numbers",
     validity=(
         Validity(
-            "mean_separation", -4.0, np.inf, "asperities of surfaces this close are not independent (2015 paper, section 4)"
+            "mean_separation",
+            -4.0,
+            np.inf,
+            "at so small a separation asperities are not independent (soft_coating_2015, section 4)",
         ),
     ),
     limits=(
