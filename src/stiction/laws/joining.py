@@ -59,9 +59,9 @@ def _joined(normal: Callable, coordinate: Callable, resistance: Callable, interf
     `along` computes the response at a coordinate u, `coordinate` computes u at a displacement.
 
     normal, coordinate: formulas of a `NormalSegment`. resistance: formula of a `TangentialResistance`. interfacial: whether the
-    tangential law describes the interface. It then receives load and area after they are multiplied by the factors of
-    `Weights`, otherwise before. parameters, own: number of parameters of the asperity law and of the tangential law. The
-    function is cached, so that the same laws give the same formulas and kernels are compiled once.
+    tangential law describes the interface. It then receives load and area after they are multiplied by the factors `load` and
+    `area` of `Weights`, otherwise before. parameters, own: number of parameters of the asperity law and of the tangential law.
+    The function is cached, so that the same laws give the same formulas and kernels are compiled once.
     """
     joined = parameters + own
 
@@ -83,7 +83,7 @@ def _joined(normal: Callable, coordinate: Callable, resistance: Callable, interf
         """Return displacement w, dw/du, load, contact area, slip-limited and yield-limited force at the coordinate u.
 
         row: parameters of the asperity law and of the tangential law, then the five numbers of `Weights`. The tangential
-        law, a law of the interface, receives load and area after they are weighted.
+        law, a law of the interface, receives load and area times the factors `load` and `area` of `Weights`.
         """
         w, stretch, load, area = normal(u, *row[:parameters])
         shift, unit, of_load, of_area, _ = row[joined:]
@@ -122,7 +122,7 @@ class Law:
         """Return one `Regime` for each segment of the asperity law, with its tangential resistance and with `weights` applied.
 
         groups: dimensionless groups of n contacts. labels: further fields of each Regime, such as body="film" or
-        touching=False.
+        touching=False. The tangential forces are 0 as in `join`.
         """
         return [self.join(segment, groups, weights, **labels) for segment in self.segments(groups)]
 
@@ -130,6 +130,7 @@ class Law:
         """Return the `Regime` of one segment of the asperity law, with its tangential resistance and with `weights` applied.
 
         groups: dimensionless groups of n contacts. labels: further fields of the Regime, such as body="film" or touching=False.
+        Both tangential forces are 0 if there is no tangential law, or if the law gives the segment no resistance.
         """
         tangential_resistance = None
         if self.tangential is not None:
@@ -267,7 +268,8 @@ def coordinates(segment: NormalSegment, w: np.ndarray | float) -> np.ndarray:
 def coordinates_at_area(segment: NormalSegment, area: np.ndarray | float) -> np.ndarray:
     """Return the coordinates u (n,) of a segment at the contact areas `area`, clipped to the segment.
 
-    area: contact area in units of pi R sigma, a number or an array (n,). The area must grow along the segment.
+    area: contact area in units of pi R sigma, a number or an array (n,). The area must grow along the segment. The
+    coordinate is infinite if an endless segment does not reach the area before u = 1e100.
     """
     edges, out = np.ascontiguousarray(segment.edges), np.empty(len(segment.edges))
     compiled = _coordinates_at_area(segment.normal, len(segment.parameters))
@@ -303,10 +305,11 @@ def _one_each(values: np.ndarray | float, edges: np.ndarray) -> np.ndarray:
 def resistances(
     tangential: TangentialLaw, groups: Groups, load: np.ndarray, area: np.ndarray, state: str = "elastic"
 ) -> np.ndarray:
-    """Return the tangential force (n, m) by a law of the interface for whole contacts of known load and contact area.
+    """Return the tangential force (n, m) of whole contacts of known load and contact area, by a law of the interface.
 
-    groups: dimensionless groups of n contacts. load, area (n, m): m states of each contact. state: "elastic" or "plastic".
-    Units: loads and forces in K R^(1/2) sigma^(3/2) with K = (4/3) E*, areas in pi R sigma.
+    The force is the sum of the law's slip-limited and yield-limited force. groups: dimensionless groups of n contacts. load,
+    area (n, m): m states of each contact. state: "elastic" or "plastic". Units: loads and forces in K R^(1/2) sigma^(3/2) with
+    K = (4/3) E*, areas in pi R sigma.
     """
     anywhere = NormalSegment(none, none, (), np.zeros((len(groups), 1)), state)
     tangential_resistance = tangential.tangential_resistance(anywhere, groups)

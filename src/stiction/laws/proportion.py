@@ -17,6 +17,6 @@ OUT_OF_PROPORTION = (
 def input_warnings(subject: Subject) -> list[str]:
     """Return a sentence for each ratio of inputs, such as sqrt(sigma/R), that is implausible for a rough surface.
 
-    No model is run.
+    A ratio that the contact does not determine is not checked. No model is run.
     """
     return [str(warning) for warning in warnings_about(subject, OUT_OF_PROPORTION, {})]

@@ -68,7 +68,10 @@ def root_of(w, *row):
 
 
 def edges_at(*places: np.ndarray | float) -> np.ndarray:
-    """Return the edges (n, m) of n segments; each argument is one column, an array (n,) of coordinates or a number."""
+    """Return the edges (n, m) of n segments; each argument is one column: an array (n,) of coordinates or a number.
+
+    At least one argument is an array.
+    """
     return np.stack(np.broadcast_arrays(*places), axis=1)
 
 

@@ -35,6 +35,7 @@ ENOUGH_SUMMITS = Validity(
 def elastic_limit(parent: str) -> Limit:
     """Return a record entry (Limit): the law equals the elastic law `parent` if nothing yields.
 
-    Load and contact area must agree within 1e-9 at a plastic adhesion index of 1e24, at which nothing yields.
+    Load and contact area must agree within 1e-9 at an elastic adhesion index of 1 and a plastic one of 1e24, at which
+    nothing yields.
     """
     return Limit(parent, {"theta": 1.0, "lam": 1e24}, ("load", "contact_area"), 1e-9)

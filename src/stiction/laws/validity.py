@@ -17,9 +17,9 @@ if TYPE_CHECKING:
 def warnings_about(subject: Subject, rules: Iterable[Validity], results: Mapping[str, Any]) -> list[ValidityWarning]:
     """Return one warning for each validity range that is violated by an input or a result of a contact.
 
-    rules: the validity ranges. results: dimensionless results by name; a result that is None is not checked. A quantity that is
-    not in `results` is taken from the contact, `subject`. A warning states the smallest and the largest value outside the
-    range, and how many of the values are outside.
+    rules: the validity ranges. results: dimensionless results by name. A quantity that is not in `results` is taken from the
+    contact, `subject`. A quantity that is None or unknown is not checked. A warning states the smallest and the largest value
+    outside the range, and how many of the values are outside.
     """
     warnings = []
     for rule, values, outside in violated_ranges(subject, rules, results):
@@ -34,8 +34,8 @@ def violated_ranges(
 ) -> Iterator[tuple[Validity, np.ndarray, np.ndarray]]:
     """Yield each violated validity range, with all values of its quantity and a mask of the values outside the range.
 
-    rules: the validity ranges. results: dimensionless results by name; a result that is None is not checked. A quantity that is
-    not in `results` is taken from the contact, `subject`. NaN counts as inside.
+    rules: the validity ranges. results: dimensionless results by name. A quantity that is not in `results` is taken from the
+    contact, `subject`. A quantity that is None or unknown is not checked. NaN counts as inside.
     """
     for rule in rules:
         value = results[rule.quantity] if rule.quantity in results else subject.known(rule.quantity)
@@ -58,7 +58,8 @@ def with_warnings(data: "xarray.Dataset", more: Iterable[ValidityWarning]) -> "x
 def as_attributes(warnings: Iterable[ValidityWarning]) -> dict[str, str]:
     """Return the two attributes that store validity warnings in a result and in netCDF files.
 
-    `outside_validity` holds them as text, `validity_warnings` as JSON.
+    `outside_validity` holds them as text, joined by "; ", `validity_warnings` as a JSON list. Without warnings the attributes
+    are "" and "[]".
     """
     listed = tuple(warnings)
     data = json.dumps([warning.as_data() for warning in listed], ensure_ascii=False)

@@ -166,7 +166,7 @@ class Parameter:
 
 
 def range_in_words(low: float, high: float) -> str:
-    """Return a range of numbers as text with three digits: "0 to 0.5", "5 or more" or "5 or less"; an infinite end is open."""
+    """Return a range as text with three significant digits: "0 to 0.5", "5 or more" or "5 or less"; an infinite end is open."""
     if high == inf:
         return f"{low:.3g} or more"
     return f"{high:.3g} or less" if low == -inf else f"{low:.3g} to {high:.3g}"

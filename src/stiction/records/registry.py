@@ -183,14 +183,16 @@ class RoughSurface(Record):
 
 @dataclass(frozen=True, kw_only=True)
 class Composite(Record):
-    """Describe a formula for a joint property of film and substrate, as a function of depth. All formulas take scalars.
+    """Describe a formula for a joint property of film and substrate: modulus against contact radius, or hardness against depth.
 
-    - property "modulus": value(E_film/E_substrate, thickness/contact radius, Poisson's ratio of film, Poisson's ratio of
-      substrate) returns the joint modulus divided by the modulus of the substrate
+    `value` takes scalars; `constants` and `landmarks` take arrays (n,).
+
+    - property "modulus": value(E'_film/E'_substrate, thickness/contact radius, Poisson's ratio of film, Poisson's ratio of
+      substrate) returns the joint modulus divided by E'_substrate, with the reduced modulus E' = E/(1 - nu^2)
     - property "hardness": value(H_film/H_substrate, depth/thickness, constant, exponent) returns the joint hardness divided by
       the hardness of the substrate
     - constants(n_E, n_H, n_Y): constants (n,) of a hardness formula; n_E, n_H, n_Y are modulus, hardness and yield stress of
-      the film relative to the substrate
+      the film divided by the substrate's
     - landmarks(constant, exponent): values (n, m) of depth/thickness between which the formula is smooth
     """
 
@@ -210,7 +212,8 @@ class Addition(Record):
     """Describe a law that a contact can have in addition to the laws of its model, such as a law of menisci.
 
     Each folder of `laws` with a file kind.py holds one kind of such laws. The docstring of its `__init__.py` names the kind;
-    its kind.py defines KIND, a subclass of this class.
+    its kind.py defines KIND, a subclass of this class. Without overrides a kind fits all other laws, no contact states it, and
+    it neither changes groups nor adds regimes or results.
 
     - default: key of the law used if the contact has the inputs of this kind (see `is_stated`); "" for none
     - order: position of the kind in lists, the lowest first
@@ -344,7 +347,7 @@ def composites_of(property: str) -> dict[str, Composite]:
 
 
 def _first(key: str, known: Iterable[str]) -> tuple[str, ...]:
-    """Return all keys in `known` as a tuple, with `key` moved to the front."""
+    """Return `key`, followed by the other keys in `known`, as a tuple."""
     return key, *(other for other in known if other != key)
 
 
@@ -381,8 +384,8 @@ def select_options(record: Record, options: Mapping[str, str]) -> dict[str, str]
 def resolve_options(known: Iterable[Record], options: Mapping[str, str | None]) -> dict[str, str]:
     """Return the value of every option of these records, by name: the value in `options`, or the default.
 
-    known: records of the laws in use. options: values by name, None for the default. Raises InputError for an option that no
-    record has, or for a value that is not allowed.
+    known: records of the laws in use. options: values by name, None for the default. Raises InputError for a value that is not
+    allowed, or for an option that no record has, unless its value is None.
     """
     known = tuple(known)
     allowed = {name: values for record in known for name, values in record.options.items()}

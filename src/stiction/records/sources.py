@@ -46,7 +46,10 @@ def bibliography() -> dict[str, str]:
 
 
 def keys_in(text: str) -> list[str]:
-    """Return the keys of the bibliography that a text names in brackets, such as "[briscoe_evans_1982]", each once."""
+    """Return the keys of the bibliography that a text names in brackets, such as "[briscoe_evans_1982]".
+
+    Each key is listed once, in the order of the text.
+    """
     return [key for key in dict.fromkeys(_NAMED.findall(text)) if key in _entries()]
 
 
@@ -54,7 +57,8 @@ def bibtex(keys: Iterable[str], more: Mapping[str, str] = MappingProxyType({})) 
     """Return the BibTeX entries of these keys as the text of a .bib file; "" for no keys.
 
     keys: keys of the bibliography or of `more`, in any order and with repetitions. more: BibTeX text of further entries by key.
-    The entries are in the order of the bibliography, separated by blank lines. Raises InputError for an unknown key.
+    The entries are in the order of the bibliography, then of `more`, separated by blank lines. An entry in `more` replaces an
+    entry of the bibliography with the same key. Raises InputError for an unknown key.
     """
     wanted = set(keys)
     entries = _entries() | dict(more)

@@ -38,7 +38,10 @@ class ValidityWarning:
 
     @property
     def beyond(self) -> float:
-        """Return how far the values lie outside the range, relative to the bound they violate; absolute if this bound is 0."""
+        """Return how far the values lie outside the range, relative to the bound they violate; absolute if this bound is 0.
+
+        If both bounds are violated, the larger number is returned. The result is NaN if no bound is finite.
+        """
         ends = [(self.low, self.low - self.least), (self.high, self.most - self.high)]
         excesses = [distance / abs(bound) if bound else distance for bound, distance in ends if math.isfinite(bound)]
         return max(excesses, default=math.nan)
@@ -46,7 +49,7 @@ class ValidityWarning:
     def as_data(self) -> dict[str, str | float | None]:
         """Return the fields and `beyond` by name, for JSON; a warning without a quantity has only `why` and `kind`.
 
-        NaN and an open end of the range become None, an infinite value becomes "inf" or "-inf".
+        An infinite `least` or `most` becomes "inf" or "-inf"; any other infinite number, and NaN, becomes None.
         """
         if not self.quantity:
             return {"why": self.why, "kind": self.kind}
@@ -84,7 +87,10 @@ class ValidityWarning:
 
     @property
     def rule(self) -> str:
-        """Return the violated range and the reason for it, as text with the symbol of the quantity but without its value."""
+        """Return the violated range and the reason for it, as text with the symbol of the quantity but without its value.
+
+        The text is `why` alone if the quantity is "" or unknown.
+        """
         return (
             f"{QUANTITIES[self.quantity].symbol} is not {self._range}: {self.why}" if self.quantity in QUANTITIES else self.why
         )

@@ -84,8 +84,8 @@ def stiffening(hardening, modulus_over_yield):
     """Return the numbers `front` and `rate` in the formula for the contact radius of a hardening asperity (eq 26).
 
     They give the exponent Upsilon = -front exp(rate (omega - omega_c)/R), with the displacement omega and its value omega_c
-    at first yield. hardening: e = E_t/E, tangent modulus divided by Young's modulus. modulus_over_yield: E/S_y, Young's
-    modulus divided by yield stress, with s = (E/S_y)^(1/2). Both may be arrays. Upsilon = -2 s e^(1 - (omega -
+    at first yield. hardening: e = E_t/E, tangent modulus divided by Young's modulus, below 1. modulus_over_yield: E/S_y,
+    Young's modulus divided by yield stress, with s = (E/S_y)^(1/2). Both may be arrays. Upsilon = -2 s e^(1 - (omega -
     omega_c)/R) / ((4 - 3 exp(-2 s e)) (1 - e)), as the authors' code computes it, and 0 for e = 0. The printed equation,
     which the code calls wrong, has the opposite sign and omega in place of omega - omega_c. With that sign the area would
     grow without bound for e -> 1 instead of tending to Hertz's.
@@ -174,9 +174,9 @@ def _fill_wide(w_c, B, sharpness, front, rate, out):
 def _edges(w_c, sharpness, front, rate, wide):
     """Return the edges (n, m) of the segment beyond 1.9 w_c: its start, the splits for integration, and infinity.
 
-    Edges are displacements in units of sigma. The segment is split where the contact radius reaches R (`wide`), where
-    Upsilon = -1 (the area may change quickly there), and at fixed multiples of w_c. w_c: displacement at first yield.
-    sharpness: sqrt(sigma/R). front, rate: from `stiffening`. All arguments are arrays (n,).
+    Edges are displacements in units of sigma. The segment is split where the contact radius reaches R (`wide`), at fixed
+    multiples of w_c and, if the material hardens, where Upsilon = -1 (the area may change quickly there). w_c: displacement at
+    first yield. sharpness: sqrt(sigma/R). front, rate: from `stiffening`. All arguments are arrays (n,).
     """
     start = _elastic_to * w_c
     hardens = (front > 0.0) & (rate > 0.0)

@@ -138,10 +138,10 @@ def first_contact(theta: np.ndarray, branch: str) -> np.ndarray:
 
 
 def elastic(theta: np.ndarray, branch: str, last: np.ndarray) -> NormalSegment:
-    """Return the JKR law as a NormalSegment, from the smallest stable contact to the coordinates `last` (n,).
+    """Return the JKR law as a NormalSegment, from the coordinates of `first_contact` to the coordinates `last` (n,).
 
-    theta (n,): elastic adhesion index. branch: "loading" or "unloading", which sets the smallest contact. Asperity laws with
-    yield use the segment for their elastic part.
+    theta (n,): elastic adhesion index. branch: "loading" or "unloading". The segment is empty where `last` is below its first
+    coordinate. Asperity laws with yield use the segment for their elastic part.
     """
     first = first_contact(theta, branch)
     lowest = 0.0 if branch == "loading" else float(np.min(-3.0 * first**4, initial=0.0))  # w = u (u^3 - s), s = 4 u^3

@@ -46,8 +46,8 @@ def value(hardness_ratio, depth_over_thickness, constant, exponent):
 def constants(n_E: np.ndarray, n_H: np.ndarray, n_Y: np.ndarray) -> np.ndarray:
     """Return the constant c (n,) in the exponent by which the film's effect on the hardness decays with depth.
 
-    c is n_Y/n_E for a soft film (n_H < 1), n_H/(n_Y sqrt(n_E)) for a hard one. n_E, n_H, n_Y: modulus, hardness and yield
-    stress of the film divided by the substrate's.
+    c is n_Y/n_E for a soft film (n_H < 1), n_H/(n_Y sqrt(n_E)) for n_H >= 1. n_E, n_H, n_Y: modulus, hardness and yield stress
+    of the film divided by the substrate's.
     """
     return np.where(n_H < 1.0, n_Y / n_E, n_H / (n_Y * np.sqrt(n_E)))
 

@@ -41,7 +41,7 @@ class Contamination(Addition, TangentialLaw):
 
         The variances of the friction forces of all asperities add up. results: results of the sum per asperity, with the
         key "load". summed(law): sum of the resistance of `law` over all heights, per asperity. asperities: number of
-        asperities.
+        asperities (n, 1). The result is NaN where the load is not positive.
         """
         assert asperities is not None  # the law requires groups that determine the number
         return {"friction_coefficient_scatter": quotient(np.sqrt(summed(self) / asperities), results["load"])}

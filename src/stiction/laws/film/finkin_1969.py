@@ -71,7 +71,8 @@ def stiffness(groups: Groups, bound: str) -> np.ndarray:
 
     bound: key of BOUNDS. Units: w in sigma, load in K R^(1/2) sigma^(3/2). The load uses the film's confined modulus M = E'_f
     (1 - nu)^2/(1 - 2 nu) if the bound is "compressible", else its shear modulus G = E'_f (1 - nu)/2, with E'_f = E_f/(1 -
-    nu^2), Young's modulus E_f and Poisson's ratio nu.
+    nu^2), Young's modulus E_f and Poisson's ratio nu. If both bodies are coated, "incompressible_frictionless" gives the value
+    of "incompressible".
     """
     resolved = groups.resolved()
     nu, film = resolved.layer_nu, 0.75 * resolved.film_modulus

@@ -43,7 +43,7 @@ def fading_rates(
 
     They are the factors of w and w^2 in the exponent, with the displacement w in units of sigma: (c/tau, 0) for the
     exponent m = 1, (0, c/tau^2) for m = 2. n_E, n_H, n_Y: modulus, hardness and yield stress of the film divided by the
-    substrate's. tau: film thickness in units of sigma. m_soft, m_hard: m for n_H < 1 and for n_H > 1, 1 or 2 (sources
+    substrate's. tau: film thickness in units of sigma. m_soft, m_hard: m for n_H < 1 and for n_H >= 1, 1 or 2 (sources
     disagree). Raises InputError for another m.
     """
     for name, exponent in (("m_soft", m_soft), ("m_hard", m_hard)):

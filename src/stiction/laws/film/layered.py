@@ -84,7 +84,8 @@ def _first(unloading: bool) -> Any:
 def elastic(groups: Groups, law: Law) -> NormalSegment:
     """Return the segment of the elastic asperity on a bonded film, with the adhesion (none, DMT or JKR) of the asperity law.
 
-    groups: dimensionless groups of n coated contacts with all defaults filled in, from `Groups.resolved`. law: asperity law and
+    It begins at first touch or, for JKR and the option "unloading", at the loss of contact, and it has no end. groups:
+    dimensionless groups of n coated contacts with all defaults filled in, from `Groups.resolved`. law: asperity law and
     options; only its kind of adhesion and the option "branch" are used.
     """
     laws, traits = len(groups), law.asperity.traits
@@ -110,9 +111,9 @@ def regimes(groups: Groups, law: Law, hardness: str, soft_film_exponent: str) ->
     """Return the regimes of a surface with a bonded film; results count the whole load as the film's.
 
     A regime is a segment of an asperity law together with the tangential force on it. Forces are in units of K R^(1/2)
-    sigma^(3/2), with K = (4/3) E* of the substrate. groups: dimensionless groups of n coated contacts. law: asperity law
-    and tangential law. hardness: key of the composite law for the hardness. soft_film_exponent: exponent of that law for a
-    soft film, "1" or "2".
+    sigma^(3/2), with K = (4/3) E* of the substrate. groups: dimensionless groups of n coated contacts. law: asperity law and
+    tangential law. hardness: key of the composite law for the hardness. soft_film_exponent: exponent m of that law for a soft
+    film, "1" or "2"; a hard film has 3 - m.
     """
     resolved = groups.resolved()
     record: Any = composites_of("hardness")[hardness]

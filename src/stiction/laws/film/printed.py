@@ -89,7 +89,7 @@ def _film_weights(segment: NormalSegment) -> tuple[Weights, Weights]:
     """Return two `Weights` for a segment of the film, as printed: for displacements below and above the film thickness.
 
     Beyond the film thickness the printed equations keep the elastic load without its friction, and drop the plastic load
-    (departures D5, D9).
+    (departures D5, D9). Both keep the contact area.
     """
     return Weights(friction=_FRICTION_FACTOR), Weights(friction=0.0) if segment.state == "elastic" else Weights(load=0.0)
 

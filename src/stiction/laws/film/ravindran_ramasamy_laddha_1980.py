@@ -71,8 +71,8 @@ def rise(groups: Groups) -> np.ndarray:
     """Return the factor q (n,) in the mean pressure q n_H sqrt(w/tau) eta while film and substrate carry the load together.
 
     The pressure is in units of load divided by area. w, tau: displacement and film thickness in units of sigma. n_H: hardness
-    of the film divided by the hardness H of the substrate. eta: hardness group. With the film's shear strength tau_0, q follows
-    from the friction constant C: C/(K sqrt(R sigma)) = 2 eta (tau_0/H)^3/(q n_H)^2. Without C, q is 1.
+    of the film divided by the hardness H of the substrate, at most 1. eta: hardness group. With the film's shear strength
+    tau_0, q follows from the friction constant C: C/(K sqrt(R sigma)) = 2 eta (tau_0/H)^3/(q n_H)^2. Without C, q is 1.
     """
     constant = groups.film_friction_constant
     if constant is None:

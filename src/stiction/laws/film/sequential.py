@@ -79,8 +79,9 @@ def regimes(groups: Groups, law: Law, film_shear: str) -> list[Regime]:
 def _values_at_thickness(law: Law, groups: Groups) -> np.ndarray:
     """Return load, slip-limited and yield-limited resistance (3, n) of the film at a displacement equal to its thickness.
 
-    The film keeps these values at larger displacements. With a tangential law of the interface, the part of the resistance
-    that is proportional to the area is not included, because it is computed from the area elsewhere.
+    The film keeps these values at larger displacements. With a tangential law of the interface, the part of the resistance that
+    is proportional to the area is not included, because it is computed from the area elsewhere. The values are 0 for a film of
+    infinite thickness.
     """
     film, weights = groups.film(), Weights(unit=groups.n_E, area=0.0 if law.interfacial else 1.0)
     at_thickness = np.zeros((3, len(groups)))

@@ -129,9 +129,10 @@ def of_map(
 ) -> "MapCurve":  # fmt: skip
     """Solve the contact of a map at nominal pressures [Pa] and return the result as a MapCurve.
 
-    surface: map that represents the roughness of both faces. points, yielding, adhesion: options of the model. shear: not
-    used here, because the option is applied later. mode_mixity: must be "none". Raises InputError if the map or a pressure
-    cannot be solved.
+    surface: map that represents the roughness of both faces. points, yielding, adhesion: options of the model. With
+    adhesion, all points are solved and menisci are left out. shear: not used here, because the option is applied later.
+    mode_mixity: must be "none". Raises InputError for another mode_mixity, or if the map or a pressure cannot be solved
+    with these options.
     """
     from stiction.solvers.boundary_elements.curve import curve_of_map  # slow to import, so only if a map is solved
 
@@ -169,8 +170,9 @@ def _sticking(
 def attraction_of(surface: "HeightMap", contact: Contact, bodies: Bodies, adhesion: str) -> tuple[float, float]:
     """Return work of adhesion [J/m2] and range of the attraction [m] of a contact with a map.
 
-    adhesion: "atomic_range" takes the equilibrium distance. "shortest_range" takes the shortest range that the map resolves, or
-    the equilibrium distance if that is longer. Raises InputError for a contact without adhesion.
+    The work of adhesion is the coating's if the coating states one, else the contact's. adhesion: "atomic_range" takes the
+    equilibrium distance. "shortest_range" takes the shortest range that the map resolves, or the equilibrium distance if that
+    is longer. Raises InputError for a contact without adhesion.
     """
     from stiction.solvers.boundary_elements.adhesive_curve import shortest_range
 

@@ -68,7 +68,7 @@ def separation_near(load: np.ndarray, groups: Groups) -> np.ndarray:
     """Return separations (n, H), in units of sigma, at the loads (n, H), as starting values for a search.
 
     load: per asperity, in units of K R^(1/2) sigma^(3/2). The separations are those of independent asperities minus the
-    displacement of the nominal area.
+    displacement of the nominal area; they are NaN for loads of 0 or less.
     """
     return lone_separation(load) - _compliance(groups) * load
 

@@ -45,7 +45,7 @@ def curve(h: np.ndarray, groups: Groups) -> tuple[np.ndarray, np.ndarray]:
     """Return load and contact area (n, H) per asperity at H separations of n contacts.
 
     h: separation in units of sigma from the mean summit height, (H,) or (n, H). Units: loads in K R^(1/2) sigma^(3/2), areas in
-    pi R sigma.
+    pi R sigma. Raises InputError if no isotropic Gaussian surface has the N R sigma of a contact.
     """
     return summits.curve(h, groups.roughness_parameter, spheres)
 
@@ -53,7 +53,8 @@ def curve(h: np.ndarray, groups: Groups) -> tuple[np.ndarray, np.ndarray]:
 def separation_near(load: np.ndarray, groups: Groups) -> np.ndarray:
     """Return approximate separations (n, H), in units of sigma, at the loads (n, H), as starting values for a search.
 
-    load: per asperity, in units of K R^(1/2) sigma^(3/2).
+    load: per asperity, in units of K R^(1/2) sigma^(3/2). The result is NaN for loads of 0 or less. Raises InputError as
+    `curve` does.
     """
     return separation_of_summits(load, groups.roughness_parameter, spheres)
 

@@ -81,7 +81,7 @@ def curve(h: np.ndarray, groups: Groups) -> tuple[np.ndarray, np.ndarray]:
     """Return load and contact area (n, H) per asperity at H separations of n contacts.
 
     h: separation in units of sigma from the mean summit height, (H,) or (n, H). Units: loads in K R^(1/2) sigma^(3/2), areas in
-    pi R sigma.
+    pi R sigma. Raises InputError for contacts whose N R sigma is outside the range of the model.
     """
     return _sums(h, groups.roughness_parameter)
 
@@ -102,7 +102,7 @@ def separation_near(load: np.ndarray, groups: Groups) -> np.ndarray:
     """Return approximate separations (n, H), in units of sigma, at the loads (n, H), as starting values for a search.
 
     load: per asperity, in units of K R^(1/2) sigma^(3/2). The load of this model has a maximum. All returned separations
-    are larger than the separation at this maximum.
+    are larger than the separation at this maximum. They are NaN for loads of 0 or less.
     """
     return _near()(load, np.log(groups.roughness_parameter))
 

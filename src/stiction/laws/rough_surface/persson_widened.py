@@ -63,7 +63,7 @@ def area_on_map(load: np.ndarray, groups: Groups, surface: "HeightMap") -> np.nd
     """Return the contact area per asperity (n, H) at H loads of n contacts, from a map.
 
     Units: load per asperity in K R^(1/2) sigma^(3/2), area in pi R sigma. surface: map that represents the roughness of both
-    faces, the same for all contacts.
+    faces, the same for all contacts. The area is 0 under tension.
     """
     density = groups.roughness_parameter[:, None]
     slope = groups.sharpness[:, None] * slope_of(density)

@@ -79,8 +79,7 @@ STIFF = 5.0  # film modulus over the bodies' from which on this law is inaccurat
 class Waves(NamedTuple):
     """Hold a spectrum: the wavenumber of each wave and its fraction of the mean square gradient.
 
-    wavevector: wavenumbers, (n, m) for n surfaces, or (m,), in the inverse unit of the film thickness. share: fraction of the
-    mean square gradient in each wave, same shape; the fractions of a surface add up to 1.
+    wavevector: (n, m) for n surfaces, or (m,), in the inverse unit of the film thickness. share: same shape; sum 1 per surface.
     """
 
     wavevector: np.ndarray
@@ -196,7 +195,10 @@ def _interpolated(function: Callable[[np.ndarray], np.ndarray], low: np.ndarray,
 
 
 def area_at_load(load: np.ndarray, groups: Groups) -> np.ndarray:
-    """Return the area per asperity (n, H), in pi R sigma, at loads (n, H) in K R^(1/2) sigma^(3/2); it is 0 under tension."""
+    """Return the area per asperity (n, H), in pi R sigma, at loads (n, H) in K R^(1/2) sigma^(3/2); it is 0 under tension.
+
+    Raises InputError if no isotropic Gaussian surface has the N R sigma of a contact.
+    """
     resolved = groups.resolved()
     require_gaussian(resolved.roughness_parameter)
     parts = [_area(load[rows], resolved[rows]) for rows in blocks(len(load), _PER_POINT * load.shape[1])]
@@ -252,8 +254,8 @@ def area_on_map(load: np.ndarray, groups: Groups, surface: "HeightMap") -> np.nd
     """Return the contact area per asperity (n, H) at H loads of n coated contacts, from a map of both faces.
 
     Units: load per asperity in K R^(1/2) sigma^(3/2), area in pi R sigma. The elastic contact of the map with its film is
-    solved at a few loads. Between and beyond them, the area law is used with the spectrum and the bare contact area of the map.
-    All contacts have the same map.
+    solved at up to five loads, unless the map is too large. Between and beyond them, the area law is used with the spectrum and
+    the bare contact area of the map. All contacts have the same map. The area is 0 under tension.
     """
     resolved, density = groups.resolved(), groups.roughness_parameter[:, None]
     pressure = reduced_pressure(np.maximum(load, 0.0), density)
@@ -302,9 +304,9 @@ def compliance_of(groups: Groups, surface: "HeightMap") -> "Compliance":
 def _elastic_on_map(pressure: np.ndarray, groups: Groups, surface: "HeightMap", slope: float) -> np.ndarray:
     """Return the ratio (H,) of elastic contact area to nominal area for one coated contact with a map.
 
-    pressure (H,): nominal pressure divided by E* h'. slope: root mean square gradient h'. The contact is solved with its film
-    at a few loads. The ratio of each solved area to the area law is interpolated in the logarithm of the pressure and applied
-    at all loads. If too few points touch at a load, the ratio at the lightest pressure 10^(k/40) with enough points is used.
+    pressure (H,): nominal pressure divided by E* h'. slope: root mean square gradient h'. Contacts with the film are solved at
+    up to five loads, or at none if the map is too large. The ratio of their areas to the area law is interpolated over the
+    logarithm of the pressure. Where too few points touch, the ratio at the lightest solvable pressure 10^(k/40) is used.
     """
     from scipy.interpolate import PchipInterpolator
 
@@ -336,8 +338,7 @@ def _bare_curve(surface: "HeightMap", pressure: np.ndarray, slope: float, n_E: f
     """Return a function that gives the ratio of contact area to nominal area for a map without film.
 
     Its argument is the nominal pressure divided by E* h'. It interpolates a formula based on the slopes of the map, for all
-    pressures that films with the modulus ratio n_E may need. pressure: pressures with the film, divided by E* h'. slope: root
-    mean square gradient h'.
+    pressures that films with the modulus ratio n_E may need. pressure: with the film, divided by E* h'. slope: rms gradient h'.
     """
     from scipy.interpolate import PchipInterpolator
 
@@ -367,7 +368,6 @@ WAYS = (
     "formula from spectral moments, for a Gaussian, isotropic, self-affine surface",
     "solution of the contact of the map with its film or, if the map is too large, a formula from its slopes and spectrum",
 )
-
 
 RECORD = RoughSurface(
     key="rough_on_film",

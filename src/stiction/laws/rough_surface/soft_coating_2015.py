@@ -31,7 +31,8 @@ def regimes(groups: Groups, law: Law, film: FilmLaw | None, variant: str, transi
 
     A regime is a segment of an asperity law together with the tangential force on it. groups: dimensionless groups of n
     contacts. law: asperity law, tangential law and options. film: film law, or None. variant: "corrected" or "published".
-    transition: "jump" or "gradual" onset of plastic contact. Raises InputError for options that exclude each other.
+    transition: "jump" or "gradual" onset of plastic contact. Raises InputError for options that exclude each other, or that
+    exclude one of the laws.
     """
     printed, gradual = variant == "published", transition == "gradual"
     if law.options.get("branch") == "unloading" and (printed or gradual or groups.has_film):

@@ -53,6 +53,7 @@ def tangential_resistance(segment: NormalSegment, groups: Groups) -> TangentialR
 
     segment: one smooth part of an asperity law. groups: dimensionless groups of n contacts; without a film the law
     `savkoor_briggs_1977` applies. Plastic asperities have no resistance, because the energy balance does not apply to them.
+    Raises InputError if `peeling` is 0.
     """
     if groups.n_E is None:
         return of_a_half_space(segment, groups)

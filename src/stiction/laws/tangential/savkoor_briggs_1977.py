@@ -77,7 +77,7 @@ def tangential_resistance(segment: NormalSegment, groups: Groups) -> TangentialR
     """Return the tangential force at which a JKR asperity peels along an elastic segment, or None for other segments.
 
     segment: one smooth part of an asperity law. groups: dimensionless groups of n contacts. Plastic asperities have no
-    resistance, because the energy balance does not apply to them.
+    resistance, because the energy balance does not apply to them. Raises InputError if `peeling` is 0.
     """
     if segment.state != "elastic":
         return None

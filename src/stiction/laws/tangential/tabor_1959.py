@@ -69,7 +69,7 @@ def tangential_resistance(segment: NormalSegment, groups: Groups, alpha: str) ->
 
     It has kinks where growth begins and where the mean pressure reaches the hardness. segment: one smooth part of an asperity
     law. groups: dimensionless groups of n contacts. alpha: key of ALPHA, "von_mises" or "9". Raises InputError if the interface
-    is as strong as the bulk.
+    is as strong as the bulk or stronger.
     """
     share = interface_over_bulk(groups, alpha)
     endless = share >= 1.0 - _ROUNDING

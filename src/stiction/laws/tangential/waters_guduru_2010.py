@@ -125,7 +125,7 @@ def tangential_resistance(segment: NormalSegment, groups: Groups) -> TangentialR
     """Return the tangential force at which a JKR asperity peels along an elastic segment, or None for other segments.
 
     segment: one smooth part of an asperity law. groups: dimensionless groups of n contacts. Plastic asperities have no
-    resistance.
+    resistance. Raises InputError if `peeling` is 0.
     """
     if segment.state != "elastic":
         return None

@@ -44,7 +44,7 @@ def residual(w_max, load_max, area_max):
     w_max, load_max, area_max: displacement, load and contact area of a yielded asperity at the turning point, where unloading
     begins. In SI the formula is omega_max - 3 P/(4 E* a). Where a published load jumps up at yield, or an area jumps down, the
     formula can be negative; the result is then 0. This happens for Kogut and Etsion's law up to 1.58 times the displacement at
-    first yield.
+    first yield. It is also 0 if area_max is not positive.
     """
     if not area_max > 0.0:
         return 0.0
@@ -126,10 +126,11 @@ def _contact_loss(normal: Callable, parameters: int) -> Any:
     def fill_free(distance, table, edges, out):
         """Fill `out` (n,) with the loading coordinate of the asperity that has just lost contact after unloading.
 
-        distance (n,): increase of the separation in units of sigma. table, edges: parameters and edges of the loading
-        segment. If even the first asperity of the segment is still in contact, `out` is extrapolated below the segment
-        along a straight line, or set to the start of the segment if the line leads too far. The coordinate after unloading,
-        sqrt(u - out[i]) at the loading coordinate u, is then smooth on the segment.
+        distance (n,): increase of the separation in units of sigma. table, edges: parameters and edges of the loading segment.
+        If all asperities of the segment have lost contact, `out` is its last coordinate. If even the first asperity of the
+        segment is still in contact, `out` is extrapolated below the segment along a straight line, or set to the start of the
+        segment if the line leads too far. The coordinate after unloading, sqrt(u - out[i]) at the loading coordinate u, is then
+        smooth on the segment.
         """
         for i in range(distance.size):
             row = unpack(table[i], parameters)
@@ -175,8 +176,9 @@ def _residual_limit(normal: Callable, parameters: int) -> Any:
 def unloaded_segments(segments: list[NormalSegment], distance: np.ndarray) -> list[NormalSegment]:
     """Return the segments of an asperity after loading and an increase of the separation by `distance`.
 
-    distance (n,): in units of sigma. segments: the loading law of an asperity without adhesion. Summed over heights at the
-    separation h, the returned segments give load and area of a surface that was first loaded to the separation h - distance.
+    distance (n,): in units of sigma. segments: the loading law of an asperity without adhesion. A segment is split where its
+    residual displacement begins to be above 0. Summed over heights at the separation h, the returned segments give load and
+    area of a surface that was first loaded to the separation h - distance.
     """
     far = np.ascontiguousarray(distance, dtype=float)
     unloaded = []

@@ -60,7 +60,7 @@ def _add(out, count, u):
 
 @lazy_kernel(worth=100_000)
 def _add_zeros(which, places, values, law, out, count):
-    """Append the zeros of one signal to the edges `out`, and return the new number of edges.
+    """Append the zeros of one signal, and the near misses of REAL, to the edges `out`; return the new number of edges.
 
     which: index of the signal, a function of u whose zeros are kinks. places, values: coordinates u of the samples, and the
     values of the signal there. law: parameters of an asperity on a graded film. count: number of edges so far.
@@ -204,9 +204,9 @@ def _add_plateaus(law, edges, count, part, levels, places, loads, slopes):
 def _fixed_edges(law, tau, out):
     """Fill `out` with the edges that are known in advance, and return three coordinates and the number of edges.
 
-    The three are the start of the contact, the end of the range that `_scan` samples, and the coordinate at which the film
-    is pressed through. tau: displacement at which this happens, in units of sigma. Further edges split long segments. law:
-    parameters of an asperity on a graded film.
+    The three are the start of the contact, the end of the range that `_scan` samples, and the coordinate at which the film is
+    pressed through (the end of the range if this is farther). tau: displacement at which this happens, in units of sigma.
+    Further edges split long segments. law: parameters of an asperity on a graded film.
     """
     pull, _, n_H, linear, square = law[:5]
     S, bodies = math.sqrt(6.0 * pull), law[ALONE:]
@@ -365,8 +365,8 @@ def find_kinks(parameters: np.ndarray, tau: np.ndarray) -> tuple[np.ndarray, ...
 
     The edges (n, CAPACITY) are coordinates u. The part codes (n, CAPACITY - 1) give body and state of each segment between
     them: 0 elastic film, 1 plastic film, 2 elastic substrate, 3 plastic substrate, -1 no segment. The plateaus (n, 6) are
-    three pairs (start, level): for u >= `start` the load is at least `level`. The branch points (n, 4) are coordinates at
-    which the yield resistance begins or ceases to be real; its slope is infinite there.
+    three pairs (start, level): for u >= `start` the load is at least `level`; an unused pair is (inf, 0). The branch points
+    (n, 4), -inf if unused, are coordinates at which the yield resistance begins or ceases to be real, with an infinite slope.
     """
     laws = len(parameters)
     edges, part = np.empty((laws, CAPACITY)), np.empty((laws, CAPACITY - 1), dtype=np.int8)

@@ -31,7 +31,7 @@ def _slipping(resistance: Callable, own: int) -> Any:
 
     resistance: formula of the strength, with `own` parameters. The returned formula takes these parameters, then K beta, the
     tangential displacement in units of sigma, and the fraction of its strength that a sliding asperity retains. The energy is
-    in the unit of force times sigma.
+    in the unit of force times sigma, and does not depend on this fraction. Both numbers are 0 for an asperity without strength.
     """
     compliance, moved, residual = own, own + 1, own + 2
 
@@ -92,7 +92,7 @@ def slipping_law(tangential: TangentialLaw, displacement: np.ndarray, residual: 
 
     tangential: tangential law that gives the strength. displacement (n,): in units of sigma. residual: fraction of its strength
     that an asperity retains once it slides. The slip-limited part of the returned law is the force. Its yield-limited part is
-    the energy lost per cycle of this amplitude, in the unit of force times sigma.
+    the energy lost per cycle of this amplitude, in the unit of force times sigma; it is valid only for a residual of 1.
     """
     return _displaced(tangential, _slipping, displacement, np.full(len(displacement), residual))
 
@@ -100,7 +100,8 @@ def slipping_law(tangential: TangentialLaw, displacement: np.ndarray, residual: 
 def sticking_area_law(tangential: TangentialLaw, displacement: np.ndarray) -> TangentialLaw:
     """Return a tangential law whose resistance is the contact area that still sticks at a tangential displacement.
 
-    tangential: tangential law that gives the strength. displacement (n,): in units of sigma.
+    tangential: tangential law that gives the strength. displacement (n,): in units of sigma. Contacts without strength have no
+    sticking area.
     """
     return _displaced(tangential, _sticking_area, displacement)
 
@@ -169,7 +170,7 @@ def _sliding_onsets(segment: NormalSegment, strength: TangentialResistance, more
     """Return the coordinates (n, 4) on a segment at which asperities change between sticking and sliding.
 
     strength: resistance of the asperities to sliding. more: K beta and the tangential displacement in units of sigma, arrays
-    (n,). Unused entries are the first coordinate of the segment.
+    (n,). Displacements w beyond 100 sigma are not searched. Unused entries are the first coordinate of the segment.
     """
     edges = with_kinks(segment.edges, strength.kinks)
     edges = np.ascontiguousarray(np.minimum(edges, coordinates(segment, _DEEPEST)[:, None]))

@@ -138,7 +138,7 @@ def _fill(rows, root, curves, first, out):
 
 
 def peeling_columns(segment: NormalSegment, groups: Groups) -> tuple[tuple[np.ndarray, ...], np.ndarray | None]:
-    """Return the parameters of `peeling_force`, arrays (n,), and the coordinate (n, 1) at which the peeling force vanishes.
+    """Return the parameters of `peeling_force`, arrays (n,), and the coordinate (n, 1) at which that force is 0, or None.
 
     The coordinate is None for a loading segment. For an unloading segment whose force vanishes nowhere, it is the start of the
     segment. segment: JKR asperity of a film law that solves film and body as one solid. groups: dimensionless groups of n

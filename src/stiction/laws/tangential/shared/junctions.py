@@ -45,10 +45,10 @@ def _above(normal: Callable, parameters: int) -> Any:
 
 
 def where_pressure_is(segment: NormalSegment, pressure: np.ndarray) -> np.ndarray:
-    """Return the coordinates (n, 2) at which the mean pressure of a segment equals `pressure` (n,).
+    """Return up to two coordinates of a segment, (n, 2), at which the mean pressure equals `pressure` (n,).
 
-    pressure: ratio of load, in K R^(1/2) sigma^(3/2), to area, in pi R sigma; the hardness is eta in this unit. Unused entries
-    are the first coordinate of the segment.
+    pressure: ratio of load, in K R^(1/2) sigma^(3/2), to area, in pi R sigma; the hardness is eta in this unit. Displacements
+    beyond 100 sigma are not searched. Unused entries are the first coordinate of the segment.
     """
     last = np.minimum(segment.edges[:, -1], coordinates(segment, _DEEPEST))
     edges = np.ascontiguousarray(np.minimum(segment.edges, last[:, None]))

@@ -22,7 +22,7 @@ LAWS = ("bowden_tabor_1943", "tabor_1959", "junction_growth", "brizmer_kligerman
 def of_whole_segment(plastic_junctions: str, segment: NormalSegment, groups: Groups) -> TangentialResistance | None:
     """Return the resistance of a plastic segment by the law with the key `plastic_junctions`; None for the key "none".
 
-    groups: dimensionless groups of n contacts.
+    The options of that law have their default values. groups: dimensionless groups of n contacts.
     """
     if plastic_junctions == NO_JUNCTIONS:
         return None
@@ -46,7 +46,7 @@ def _from_there_on(published: Callable, own: int, junction: Callable, more: int)
 def beyond(
     plastic_junctions: str, start: np.ndarray, published: TangentialResistance, segment: NormalSegment, groups: Groups
 ) -> TangentialResistance:
-    """Return a resistance that equals `published` up to the displacement `start`, and follows another law beyond it.
+    """Return a resistance that equals `published` below the displacement `start`, and follows another law from there on.
 
     start (n,): displacement in units of sigma, which must be a kink of `published`, because none is added here.
     plastic_junctions: key of the other tangential law, or "none", which returns `published` unchanged. groups: dimensionless

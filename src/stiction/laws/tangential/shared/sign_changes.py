@@ -54,8 +54,9 @@ def sign_changes(
     """Return the coordinates (n, numbers, most) at which functions of u change sign along a segment.
 
     signed(u, row) returns the values of `numbers` functions at the coordinate u. row: parameters of the segment, followed by
-    `parameters`, arrays (n,). most: largest number of sign changes of each function. Unused entries are the first coordinate of
-    the segment.
+    `parameters`, arrays (n,). most: largest number of sign changes of each function. The search takes 200 equal steps in ln u,
+    up to 1e5 times its first coordinate; two sign changes within one step are missed. Unused entries are the first coordinate
+    of the segment.
     """
     laws = len(segment.edges)
     all_parameters, out = (*segment.parameters, *parameters), np.empty((laws, numbers, most))

@@ -175,7 +175,7 @@ def _unloading_kinks(out, level, shape):
 
 @lazy_kernel(worth=3_000)
 def _fill_kinks(level, end, nu, K_beta, printed, unloading, kinks):
-    """Fill `kinks` (n, 3 or 9) with the kinks v of the resistance of n contacts, up to `end` (n,).
+    """Fill `kinks` (n, 3 or 9) with the coordinates v, up to `end` (n,), at which the resistance of n contacts has a kink.
 
     v: coordinate u divided by S^(1/3), with the strength of adhesion S. The first three columns are the v above first touch
     (v^3 = 2/3) at which slip and yield resistance are equal. With `unloading` the segment starts at a smaller v, and six
