@@ -73,7 +73,7 @@ class MapProblem(Problem):
         """
         if not isinstance(self.subject, Contact) or self.subject.measured is None:
             raise InputError(
-                "height map", None, f"roughness = a HeightMap, or a scan in a case file; {self.record.key} needs one"
+                "height map", None, f"roughness = a HeightMap, or a scan in a case file; {self.record.key} solves a map"
             )
         self.subject.require_single(f"one number, where {self.record.key} solves a map")
         return self.subject if self.menisci else self.subject.replace(liquid=None)

@@ -236,7 +236,7 @@ RECORD = RoughSurface(
             "range_tabor",
             limits.LEAST_TABOR,
             inf,
-            "the range of attraction is too long for the JKR limit; a finer map can shorten it, down to 0.3 nm",
+            "the range of attraction is too long for the JKR limit; a finer map allows a shorter range, down to 0.3 nm",
         ),
         Validity("attraction_residual", 0.0, limits.MOST_ATTRACTION_LEFT, "the solution did not converge", "effect"),
         Validity("solution_residual", 0.0, limits.TOLERANCE, "the solution did not converge", "effect"),

@@ -91,7 +91,7 @@ RECORD = TangentialLaw(
             "plasticity_index",
             0.0,
             2.0,
-            "asperities beyond six critical interferences have no friction in this law, so mu is too low",
+            "asperities above six times the critical interference have no friction in this law, so mu is too low",
             "effect",
         ),
     ),
