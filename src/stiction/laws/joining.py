@@ -32,8 +32,8 @@ class Weights:
 
     Each field is a number or an array (n,), one value for each of n contacts. shift: added to the displacement, in units of
     sigma. unit: factor that converts the forces of this body to the unit of force of the contact. load, area, friction:
-    factors of load, contact area and tangential force, usually 1 (included) or 0 (not included); `friction` has no effect
-    with a law of the interface.
+    factors of load, contact area and tangential force, usually 1 (included) or 0 (not included). `friction` has no effect
+    with a law of the interface, whose force follows from the load and area that these factors give.
     """
 
     shift: np.ndarray | float = 0.0

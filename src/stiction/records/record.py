@@ -114,7 +114,8 @@ def _from_plug_ins() -> tuple[tuple[Record, str], ...]:
 def _why_unusable(record: object, others: list[Record]) -> str:
     """Return the reason, as text, why an object from a plug-in cannot be used as a record; "" if it can.
 
-    others: records of the plug-ins loaded before it, whose keys must not be repeated.
+    others: records of the plug-ins loaded before it. Within one kind, neither their keys nor the keys of this package may be
+    repeated.
     """
     if not isinstance(record, Record) or not hasattr(record, "kind"):
         return f"it is a {type(record).__name__}, not a record of a law"

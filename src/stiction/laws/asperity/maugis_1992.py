@@ -146,8 +146,9 @@ def coordinate(w, g, lam):
     """Return the coordinate s of Maugis's contact at the displacement w in units of sigma, on the stable branch.
 
     s = a/sqrt(c^2 - a^2), with contact radius a and outer radius c of the attracting ring. g: (pi/theta)^(1/3), with the
-    elastic adhesion index theta. lam: Maugis's parameter lambda_M of the attraction. Newton's method, started above the
-    root of the convex function, solves the equation to machine precision.
+    elastic adhesion index theta. lam: Maugis's parameter lambda_M of the attraction. w must not be below the smallest
+    displacement of this branch. Newton's method, started above the root of the convex function, solves the equation to machine
+    precision.
     """
     if w == math.inf:
         return math.inf

@@ -124,7 +124,8 @@ def pressed_through(v, *row):
     """Return w, dw/dv, load and contact area at the coordinate v, for displacements w = tau + v^2 above the film thickness.
 
     Within the radius c = g coth(y) the pressure is the substrate's hardness, with g = sqrt(2) v, y = arsinh(v/sqrt(tau)) + m g
-    and lengths in units of sqrt(R sigma). row: `tau`, `hill`, `bound` (m), `edge` and `more`, as in `squeezed`.
+    and lengths in units of sqrt(R sigma). All four results are infinite at v = infinity. row: `tau`, `hill`, `bound` (m),
+    `edge` and `more`, as in `squeezed`.
     """
     tau, hill, bound, edge, more = row
     if v == math.inf:

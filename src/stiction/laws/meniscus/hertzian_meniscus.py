@@ -64,7 +64,7 @@ def along(s, pull, height):
 
     The zeros are contact area and tangential forces. s = a/sqrt(b^2 - a^2), with the inner radius a and the outer radius b of
     the ring. pull: attractive force at first touch, in units of K R^(1/2) sigma^(3/2). height: largest bridged gap in units of
-    sigma.
+    sigma. At s = infinity the load is -pull/2.
     """
     if s == math.inf:
         return math.inf, math.inf, -0.5 * pull, 0.0, 0.0, 0.0
@@ -76,7 +76,7 @@ def along(s, pull, height):
 
 @formula
 def coordinate(w, pull, height):
-    """Return the coordinate s of a ring of liquid at the displacement w in units of sigma.
+    """Return the coordinate s of a ring of liquid at the displacement w in units of sigma, or 0 for w <= 0.
 
     height: largest bridged gap w_m in units of sigma. Newton's method solves w = pi w_m s^2/F(s). It starts at an upper
     bound of s, which follows from F <= pi/2 and F <= 4/(3 s). `pull` is not used.

@@ -60,7 +60,7 @@ def axis_coefficient(nu):
     """Return c1, the ratio of the shear stress on the axis of a sheared Hertz contact to the largest surface traction q0.
 
     c1 = -1 + (3/2) z atan(1/z) - z^2 / (2 (1 + z^2)), where z = 0.48 is the depth of first yield, in units of the contact
-    radius, for nu = 0.3. The authors use this depth for every Poisson's ratio nu.
+    radius, for nu = 0.3. The authors use this depth for every Poisson's ratio; nu is not used.
     """
     z = 0.48
     return -1.0 + 1.5 * z * math.atan(1.0 / z) - z * z / (2.0 * (1.0 + z * z))
@@ -68,7 +68,7 @@ def axis_coefficient(nu):
 
 @formula
 def on_axis(w_ratio, nu, K_H):
-    """Return the ratio of tangential to normal force at which a Hertz contact yields on its axis.
+    """Return the ratio of tangential to normal force at which a Hertz contact yields on its axis; it is 0 for w_ratio >= 1.
 
     w_ratio: displacement divided by the displacement at first yield without shear. K_H: largest pressure at that yield
     divided by the hardness. nu: Poisson's ratio. At yield (f p0)^2 + 3 (c1 q0)^2 = Y^2, with the yield stress Y. Without

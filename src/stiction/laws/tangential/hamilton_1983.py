@@ -102,9 +102,9 @@ def below_reach(nu):
 def shear_at_yield(s, nu, x, z) -> np.ndarray:
     """Return the ratio q0/Y of largest traction to yield stress at which a given point of a sheared Hertz contact yields.
 
-    s: largest pressure divided by the yield stress, p0/Y. nu: Poisson's ratio. x, z: position along the direction of shear
-    and depth of the point, in units of the contact radius. The arguments are broadcast. The result is infinite if the point
-    never yields. The squared von Mises stress is a quadratic form in s and q0/Y.
+    s: largest pressure divided by the yield stress, p0/Y. nu: Poisson's ratio. x, z: position along the direction of shear and
+    depth of the point, in units of the contact radius. The arguments are broadcast. The result is infinite if the point never
+    yields; s alone must not make it yield. The squared von Mises stress is a quadratic form in s and q0/Y.
     """
     return _root(s, *_forms(nu, x, z))
 
@@ -179,11 +179,11 @@ def series_below() -> np.ndarray:
 
 
 def _least(s, nu, x, z, reach_x: float, reach_z: float) -> np.ndarray:
-    """Return the largest traction at which a Hertz contact first yields anywhere, divided by the yield stress: q0/Y.
+    """Return the ratio q0/Y at which a Hertz contact first yields, the smallest value of `shear_at_yield` over all its points.
 
-    s: largest pressure divided by Y. nu: Poisson's ratio. Both arrays and the result have the same shape. The points (x,
-    z), in units of the contact radius, are tried first. Then a neighbourhood of the point that yields first, reach_x by
-    reach_z in size, is searched.
+    q0: largest traction. Y: yield stress. s: largest pressure divided by Y. nu: Poisson's ratio. Both arrays and the result
+    have the same shape. The points (x, z), in units of the contact radius, are tried first. Then a neighbourhood of the point
+    that yields first, reach_x by reach_z in size, is searched.
     """
 
     def shear(x, z):
@@ -232,10 +232,10 @@ def _sum(y, series, first, terms):
 def resistance(u, w, load, area, *row):
     """Return the slip-limited and the yield-limited force of an elastic asperity, (0, Q) with Q = (q0/p0) P.
 
-    load, area: P and contact area. u, w: not used. row: hardness group eta; k = H/Y; Poisson's ratio; three values of s =
-    p0/Y (see `series_for`); two factors that convert s to the variables y of the two series; coefficients of both series.
-    s = 1.5 k P/(eta A), because the mean pressure is H where P = eta A (theory.md) and H = k Y. Units: load and forces in K
-    R^(1/2) sigma^(3/2), area in pi R sigma.
+    Q is 0 if the load alone causes yield. load, area: P and contact area. u, w: not used. row: hardness group eta; k = H/Y;
+    Poisson's ratio; three values of s = p0/Y (see `series_for`); two factors that convert s to the variables y of the two
+    series; coefficients of both series. s = 1.5 k P/(eta A), because the mean pressure is H where P = eta A (theory.md) and H =
+    k Y. Units: load and forces in K R^(1/2) sigma^(3/2), area in pi R sigma.
     """
     eta, k, nu, inside_until, below_from, end, to_inside, to_below = row[:8]
     series = row[8:]

@@ -47,10 +47,10 @@ from stiction.records.sources import Source
 def slip_resistance(load, theta, K_beta):
     """Return the tangential force at which a JKR contact peels, T = 4 (K beta)^(-1/2) sqrt((2 pi/theta) P + 3 pi^2/theta^2).
 
-    load: P before shearing, in units of K R^(1/2) sigma^(3/2), like T. theta: elastic adhesion index. K_beta: K beta, with
-    K = (4/3) E* and the tangential compliance beta of the pair of bodies. The force follows from the energy balance G_N +
-    G_T = gamma at constant load; it is eq (10) of soft_coating_2015, restated for the state before shearing (departure D6).
-    The radicand is a perfect square for a JKR contact; only rounding can make it negative.
+    load: P before shearing, in units of K R^(1/2) sigma^(3/2), like T. theta: elastic adhesion index. K_beta: K beta, with K =
+    (4/3) E* and the tangential compliance beta of the pair of bodies. The force follows from the energy balance G_N + G_T =
+    gamma at constant load; it is eq (10) of soft_coating_2015, restated for the state before shearing (departure D6). The
+    radicand is a perfect square for a JKR contact; only rounding can make it negative; it then counts as 0.
     """
     pull = math.pi / theta
     return 4.0 * math.sqrt(max(2.0 * pull * load + 3.0 * pull * pull, 0.0) / K_beta)
@@ -62,7 +62,7 @@ def slip_resistance_printed(x, theta, K_beta):
 
     It is T = 4 (K beta)^(-1/2) sqrt((2 pi/theta) x^(3/2) - 3 pi^2/theta^2), in units of K R^(1/2) sigma^(3/2). x: a^2/(R
     sigma), with the contact radius a. theta: elastic adhesion index. K_beta: K beta, with K = (4/3) E* and the tangential
-    compliance beta of the pair of bodies.
+    compliance beta of the pair of bodies. A negative radicand counts as 0.
     """
     hertz = x * math.sqrt(x)
     return 4.0 * math.sqrt(max(2.0 * math.pi / theta * hertz - 3.0 * (math.pi / theta) ** 2, 0.0) / K_beta)

@@ -39,8 +39,8 @@ _PANELS, _NODES, _STEPS = 120, 16, 8
 class _Table:
     """Hold a table of ln q and of J(q), the integral of 1/(t^3 S(erf t)) over t from q to infinity.
 
-    S: factor of a theory, a function of the relative contact area. q: nominal pressure p / sqrt(2 V), with the variance V
-    of the pressure; it grows from light to full contact.
+    S: factor of a theory, a function of the relative contact area. q = p / sqrt(2 V), with the nominal pressure p and the
+    variance V of the pressure; q grows from light to full contact.
     """
 
     log_q: np.ndarray
