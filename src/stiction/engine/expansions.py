@@ -49,7 +49,7 @@ def series_for(h: np.ndarray, law: np.ndarray) -> tuple[np.ndarray, np.ndarray, 
 def expand(h, shape, evaluated, out):
     """Store the coefficients of s Taylor series, each about its mean separation h (s,), in `out` (s, TERMS, 5).
 
-    The last axis contains the number of touching asperities, load, area, slip-limited and yield-limited resistance. h: in units
+    The last axis contains the fraction touching, load, area, slip-limited and yield-limited resistance. h: in units
     of sigma. shape: parameters of the height density. evaluated: the fields of `nodes.Evaluated`, the values of the laws at
     integration nodes.
     """
@@ -76,8 +76,8 @@ def read_series(d, number, coefficients, out):
     """Store m sums, each exp(-d^2/2) times a power series in d, in `out` (m, 5).
 
     d (m,): separation of each sum minus separation of its series, in units of sigma. number (m,): index of the series.
-    coefficients (s, TERMS, 5): coefficients that `expand` computed. The five values are number of touching asperities, load,
-    area, slip-limited and yield-limited resistance.
+    coefficients (s, TERMS, 5): coefficients that `expand` computed. The five values are fraction touching, load, area,
+    slip-limited and yield-limited resistance.
     """
     for i in range(d.size):
         series, x = coefficients[number[i]], d[i]

@@ -156,7 +156,7 @@ def empirical(samples: np.ndarray, cells: int | None = None) -> Heights:
     """Return the distribution of measured heights as a frequency polygon, scaled to mean 0 and standard deviation 1.
 
     samples: 10 or more heights in any unit. cells: number of histogram cells; by default from the rule of Freedman & Diaconis
-    (1981).
+    (1981). Raises InputError for fewer heights, and for heights that are not finite or all equal.
     """
     samples = np.asarray(samples, dtype=float).ravel()
     if samples.size < 10 or not np.all(np.isfinite(samples)) or np.ptp(samples) == 0.0:
@@ -182,6 +182,7 @@ def discrete(samples: np.ndarray) -> Heights:
     """Return the heights of single asperities, scaled to mean 0 and standard deviation 1 (divisor n).
 
     samples: 2 or more heights in any unit. Sums run over these asperities one by one, without a density (Aymard et al. 2024).
+    Raises InputError for fewer heights, and for heights that are not finite or equal apart from round-off.
     """
     samples = np.sort(np.asarray(samples, dtype=float).ravel())
     if samples.size < 2 or not np.all(np.isfinite(samples)) or samples[0] == samples[-1]:

@@ -99,7 +99,7 @@ def evaluating(along: Callable, parameters: int, values: int = 6) -> Any:
 
     @lazy_kernel(worth=400_000)
     def evaluate(u, law, count, table, out):
-        """Store in out[i] the values of the law law[i] at the coordinates u[i, :count[i]].
+        """Store in out[i] the values of the parameter set law[i] at the coordinates u[i, :count[i]].
 
         law (r,): index of the parameter set, a row of `table`. count (r,): number of coordinates, rounded down to a multiple of
         eight. Each value has LONGEST elements in the row out[i]. With this fixed distance the compiler can prove that the
@@ -172,11 +172,11 @@ def cutting(window: Callable) -> Any:
 
     @engine_kernel
     def cut(h, law, heights, laws, parts):
-        """Fill `parts` with the integration intervals of the law law[i] at the separation h[i], and return their number.
+        """Fill `parts` with the intervals of the parameter set law[i] at the separation h[i], and return their number.
 
         h, law (m,): separation in units of sigma and index of the parameter set of each sum. heights: parameters of the
-        density, and heights at which it is not smooth. laws: (edges, displacements at the edges), both (n, m + 1). parts:
-        fields of `Parts`; the owner of an interval is i.
+        density, and heights at which it is not smooth. laws: edges of the segments and displacements at them, (n, m + 1) each.
+        parts: fields of `Parts`; the owner of an interval is i.
         """
         (_, knots), (edges, displaced), (laws_of, owner, ends, end_w, rule, at_knot) = heights, laws, parts
         used = 0

@@ -4,7 +4,7 @@ A regime is a smooth part of an asperity's behaviour; a law is one parameter set
 because compiled loops accept these directly:
 
 - heights: (shape, knots) of a `Heights`.
-- laws: the fields of `nodes.Laws`: parameters (n, p), edges (n, m), branch points (n, b), two_sided.
+- laws: the fields of `nodes.Laws`: parameters (n, p), edges (n, m + 1), branch points (n, b), two_sided.
 - rules: nodes and weights (rules, 2, longest) on [0, 1], and number of nodes (rules,).
 - nodes: displacements (n, capacity), weights times summed values (n, rows, capacity), number of nodes used (n,). `append_nodes`
   of the module `placing`, and the loop that the function `placing` of this module returns, fill them for one block of laws.
@@ -222,8 +222,8 @@ def reaching(window: Callable) -> Any:
     """Return a formula that finds the displacements of a segment that contribute to a sum, and splits this range into parts.
 
     window: window formula of the height distribution, as in `Heights`. The returned formula maps (w_left, w_right, reach,
-    shape) to: displacement at the start, step to the end of each part, number of parts (0 if nothing contributes), displacement
-    at the end, index of the integration rule. reach: (w_low, w_top, nearest), the displacements between which nodes are placed
+    shape) to: displacement at the start, width of each part, number of parts (0 if nothing contributes), displacement at the
+    end, index of the integration rule. reach: (w_low, w_top, nearest), the displacements between which nodes are placed
     and the smallest separation, in units of sigma. The range ends where the density at the smallest separation has become
     negligible compared with the density at the start; at larger separations it is then negligible too.
     """
@@ -291,7 +291,7 @@ def placing(along: Callable, coordinate: Callable, window: Callable, parameters:
 def summing(density: Callable, totals: bool) -> Any:
     """Return a compiled loop that sums the values stored at integration nodes, times the height density, at many separations.
 
-    density: formula density(z, shape), as in `Heights`. totals: True for load, area and total resistance; False for number
+    density: formula density(z, shape), as in `Heights`. totals: True for load, area and total resistance; False for fraction
     touching, load, area, slip-limited and yield-limited resistance.
     """
 

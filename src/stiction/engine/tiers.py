@@ -1,7 +1,7 @@
 """Choose which loops run: plain Python, compiled loops that all laws share, or one compiled loop per regime.
 
-A regime is a segment of an asperity law together with the tangential force on it. Shared loops compile quickly; loops for one
-regime run quickly.
+A regime is a smooth part of an asperity's behaviour, given by formulas. Shared loops compile quickly; loops for one regime run
+quickly.
 """
 
 import os

@@ -85,7 +85,7 @@ def _decay(depth: np.ndarray, pitch: tuple[float, float]) -> tuple[float | None,
 
     depth: heights (rows, columns) [m] above their mean. pitch: distance (dy, dx) of neighbouring points [m]. The
     autocorrelation is 1 at distance 0. The shortest distance is None if the autocorrelation falls to 0.2 in no direction within
-    the map. The longest distance is None if it does not fall to 0.2 in every direction.
+    the map. The longest distance is None unless the autocorrelation falls to 0.2 within the map in every direction.
     """
     from scipy.ndimage import label
     from scipy.signal import fftconvolve

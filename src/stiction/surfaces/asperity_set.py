@@ -45,7 +45,7 @@ class Asperities:
 
     @property
     def count(self) -> int:
-        """Return the number of single asperities found; 0 for a method that only computes averages."""
+        """Return the number of single asperities found; 0 if only their averages are known."""
         return len(self.heights)
 
 
@@ -107,7 +107,7 @@ def spread(samples: np.ndarray) -> float:
 
 
 def of_numbers(surface: "Roughness") -> Asperities:
-    """Return the Asperities object for a body whose sigma, R and N the user specifies; the mean height is 0."""
+    """Return the Asperities object for a body whose sigma, R and N the user specifies; mean height and skewness are 0."""
     density: Any = surface.asperity_density
     deviation: Any = surface.asperity_height_deviation
     radius: Any = surface.asperity_radius

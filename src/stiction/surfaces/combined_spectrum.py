@@ -35,7 +35,8 @@ class CombinedSpectrum:
         Power spectral density C, normalised as in `SelfAffine`; between bins ln C is linear in the logarithm of the wave
         number.
     disagreement : float
-        Largest ratio of the densities that two scans give at the same wave number; 1 if no two scans overlap.
+        Largest ratio of the densities that two scans give at the same wave number. Only densities from at least 30 waves are
+        compared. 1 if no two scans overlap.
     dimensions : int
         2 for a surface, 1 for a profile.
 

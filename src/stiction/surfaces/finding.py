@@ -71,7 +71,7 @@ def asperities(surface: HeightMap, method: str = "mccool", **options: "QuantityL
     Raises
     ------
     InputError
-        The method is unknown, an option or the map does not suit the method, or no asperity is found.
+        The method is unknown, an option or the map does not suit the method, or fewer than two asperities are found.
 
     Examples
     --------

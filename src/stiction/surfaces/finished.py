@@ -44,7 +44,8 @@ class Finished(Input):
     converted by Sq = 1.25 Ra; without either height, the finish provides Sq. kind: kind of surface as in `Roughness`; the
     default is the kind of the finish. skewness, kurtosis, texture_aspect_ratio: as in `Roughness`.
 
-    Raises InputError if both heights are specified, or if sigma, R or N is specified as well.
+    Raises InputError if both heights are specified, if sigma, R or N is specified as well, for an unknown finish or kind, and
+    for an impossible pair of skewness and kurtosis.
     """
 
     finish: Annotated[str, BeforeValidator(_finish)] = Field(description="a finish, e.g. ground, lapped or polished")
@@ -232,7 +233,10 @@ def _moments(body: Finished | Roughness, name: str, levels: Mapping[str, Any]) -
 
 
 def is_finished(table: Any) -> bool:
-    """Return whether a roughness table specifies a finish or a roughness height (Sq, Ra), and names no scan file."""
+    """Return whether a roughness table, or the table of one of its bodies, specifies a finish or a roughness height (Sq, Ra).
+
+    The result is False if `table` is not a mapping, or if one of its bodies is described by a scan file.
+    """
     if not isinstance(table, Mapping):
         return False
     if table.keys() & {"finish", *HEIGHTS, *_SYMBOLS}:

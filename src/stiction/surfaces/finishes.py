@@ -91,13 +91,14 @@ def surface_kind_of(word: Any) -> str:
 def mixture_of_kinds(shares: Mapping[str, float]) -> str:
     """Return a text that describes a mixture of kinds of surface, e.g. "0.700 lay + 0.300 gaussian".
 
-    shares: fraction of each kind, by the name of the kind or of a finish; the fractions sum to 1.
+    shares: fraction of each kind, by the name of the kind or of a finish; the fractions sum to 1. Raises InputError for an
+    unknown name.
     """
     return " + ".join(f"{share:.3f} {surface_kind_of(word)}" for word, share in shares.items())
 
 
 def shares_of_kinds(kind: str) -> dict[str, float]:
-    """Return the fraction of each kind of surface in a text from `mixture_of_kinds`; a single kind has the fraction 1."""
+    """Return the fraction of each kind of surface in a text from `mixture_of_kinds`; any other text counts as one kind."""
     parts = [_SHARE_OF_KIND.fullmatch(part) for part in kind.split(" + ")]
     return {part[2]: float(part[1]) for part in parts if part} if all(parts) else {kind: 1.0}
 

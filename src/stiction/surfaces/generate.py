@@ -153,7 +153,7 @@ def gaussian_surface(
         Power spectral density C(q) at wave numbers q [rad/m]: m^4 for a surface, m^3 for a profile, normalised as in
         `SelfAffine`, which is such a callable.
     seed : int
-        At least 0; the same seed and shape give the same heights.
+        Seed of the random numbers, at least 0. The same arguments give the same heights.
     stretch : float, optional
         Factor > 0 by which the surface is stretched along `angle`, by default 1 (isotropic).
     angle : float [rad], optional

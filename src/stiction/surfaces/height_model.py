@@ -31,8 +31,10 @@ class HeightModel:
     - reason: why this distribution was chosen, in words
     - skewness: skewness of the heights
     - allowed: largest acceptable Kolmogorov-Smirnov distance between a distribution and the heights
-    - distances: Kolmogorov-Smirnov distance of each candidate, by name
+    - distances: Kolmogorov-Smirnov distance of each candidate, by name: "gaussian", "weibull"
     - likelihoods: mean log-likelihood of the standardised heights for each candidate, by name; -inf if it excludes a height
+
+    If no candidate was fitted, allowed is NaN, and distances and likelihoods are empty.
     """
 
     name: str

@@ -39,8 +39,8 @@ class HeightMap:
     Raises
     ------
     InputError
-        The heights are not a two-dimensional array of numbers or include infinite values, or the size is not two finite
-        positive lengths.
+        The heights are empty, not a two-dimensional array of numbers, or include infinite values, or the size is not two
+        lengths between 1e-60 and 1e60 m.
 
     Examples
     --------
@@ -146,7 +146,10 @@ class HeightMap:
 
 
 def _unmasked(heights) -> np.ndarray:
-    """Return heights as an array; masked values of a masked array of real numbers become NaN."""
+    """Return heights as an array; masked values of a masked array of real numbers become NaN.
+
+    Raises InputError for rows of different lengths. The type of the array is not checked.
+    """
     if not isinstance(heights, np.ma.MaskedArray) or heights.dtype.kind not in "iuf":
         try:
             return np.asarray(heights)
@@ -169,7 +172,7 @@ def every_point(heights: np.ndarray, size: tuple[float, float], every: int) -> t
 def size_in_metres(size) -> tuple[float, float]:
     """Return the size (y, x) of a map in metres, from a pair of numbers [m] or texts with units.
 
-    Raises InputError unless both are finite and > 0.
+    Raises InputError unless both lie between 1e-60 and 1e60 m.
     """
     try:
         y, x = (float(in_metres(one, "size")) for one in size)
@@ -183,7 +186,8 @@ def size_in_metres(size) -> tuple[float, float]:
 def in_metres(value, field: str) -> float:
     """Return a length in metres, from a number [m] or text such as "10 um"; it may be negative or zero.
 
-    field: name of the input, for the error. Raises InputError if the value is not a length.
+    field: name of the input, for the error. Raises InputError for text that is not a length, and for an integer above the
+    range of a float. NaN and infinity are returned.
     """
     try:
         return float(value) if isinstance(value, Real) else to_si(str(value), "mean_separation")

@@ -36,8 +36,8 @@ class Scan(Input):
     """Describe a scan file of one body and how to read it.
 
     file: path, relative to the folder of the case file. size: length of the scan along x, text with a unit, in place of the
-    size in the file. unit, height_unit: units of the numbers in the file. height_scale: factor to multiply heights by. channel:
-    name of the channel to read, if the file has more than one. periodic: whether the scan is one period of an endless surface.
+    size in the file. unit: unit of the file's numbers. height_unit: unit of its heights, if different. height_scale: factor of
+    the heights. channel: channel to read, if the file has more than one. periodic: whether the scan is one period of a surface.
     """
 
     file: str
@@ -224,8 +224,8 @@ def roughness_of(scan: Any) -> Roughness:
 def measure(wanted: MeasuredRoughness, folder: Path = Path()) -> Measured:
     """Read and prepare the scans of a contact, and find the asperities by every method.
 
-    wanted: the scans and options. folder: folder to which the file paths are relative. Raises InputError if a scan cannot be
-    read, if no method finds asperities, or if the requested method does not.
+    wanted: the scans and options. folder: base of the file paths. Raises InputError if a scan cannot be read, if no method or
+    not the requested one finds asperities, or if `heights` is unknown, or not "gaussian" with two rough bodies.
     """
     from stiction.surfaces.asperity_set import of_numbers
     from stiction.surfaces.finding import asperities, method_of_moments, methods

@@ -56,7 +56,8 @@ def prepared(
     Raises
     ------
     InputError
-        An option is out of its bounds, or only round-off remains after spikes and form are removed.
+        An option is out of its bounds, fewer points have heights than the form has coefficients, or only round-off remains
+        after spikes and form are removed.
 
     Examples
     --------
@@ -137,7 +138,10 @@ def _check_left(raw: HeightMap, surface: HeightMap) -> None:
 
 
 def level(surface: HeightMap) -> HeightMap:
-    """Return the map minus its least-squares mean plane, or a profile minus its mean line."""
+    """Return the map minus its least-squares mean plane, or a profile minus its mean line.
+
+    The result is not periodic. Raises InputError if fewer points have heights than the plane or line has coefficients.
+    """
     fitted = "line" if surface.is_profile else "plane"
     return surface.with_heights(_without_polynomial(surface, 1), f"levelled: least-squares {fitted} removed").alone()
 
@@ -145,7 +149,8 @@ def level(surface: HeightMap) -> HeightMap:
 def remove_form(surface: HeightMap, order: int) -> HeightMap:
     """Return the map minus its least-squares polynomial in x and y.
 
-    order: total order of the polynomial, 1 to 4. It is fitted to the points with heights. Raises InputError for another order.
+    order: total order of the polynomial, 1 to 4. It is fitted to the points with heights. The result is not periodic.
+    Raises InputError for another order, or if fewer points have heights than the polynomial has coefficients.
     """
     if isinstance(order, bool) or order not in (1, 2, 3, 4):
         raise InputError("order", order, "1, 2, 3 or 4, the order of the polynomial to remove")
@@ -253,8 +258,8 @@ def filter_band(surface: HeightMap, shortest=None, longest=None) -> HeightMap:
     the weights are exp(-pi (x / (alpha lambda))^2) / (alpha lambda) with the cutoff lambda and alpha = sqrt(ln 2 / pi). The
     transmission is exp(-ln 2 (lambda / wavelength)^2), 50 % at the cutoff (ISO 16610-21 and -61). At edges and missing points
     the remaining weights are renormalised, and the filter does not reproduce a slope. Therefore level the map first, and
-    exclude half a cutoff at each edge from statistics. Missing points stay missing. Raises InputError unless 2 pitch <=
-    shortest < longest <= size (of the longest side).
+    exclude half a cutoff at each edge from statistics. Missing points stay missing. The result is not periodic. Raises
+    InputError unless 2 pitch (the larger one) <= shortest < longest <= size (of the longest side), or if both are None.
     """
     low, high, band = _band(surface, shortest, longest)
     heights = surface.heights

@@ -65,7 +65,7 @@ def read_scan(
     ------
     InputError
         The file is absent, empty, damaged, of unknown format, too small (FEWEST_POINTS), without heights, with equal heights,
-        or wrongly scaled; or its size or unit is missing.
+        or wrongly scaled; its size or unit is missing; or an option is not allowed.
 
     Notes
     -----
@@ -196,10 +196,10 @@ def _scale_warning(heights: np.ndarray, size: tuple[float, float]) -> tuple[str,
 
 
 def _factors(raw: RawScan, size, unit, height_unit, height_scale) -> tuple[float, float, tuple[str, ...]]:
-    """Return metres per lateral unit, metres per height unit, and remarks on the origin of both for the history.
+    """Return metres per lateral unit (1 if no unit is known), metres per height unit, and remarks on both for the history.
 
     raw: content of the file. unit, height_unit, height_scale: as specified by the user, else None. size: the specified size or
-    None. Raises InputError for an unknown or missing unit.
+    None. Raises InputError for an unknown or missing unit, and for a height_scale that is 0 or not finite.
     """
     taken = unit or raw.unit
     heights_in = height_unit or taken
@@ -225,6 +225,7 @@ def _size(raw: RawScan, size, unit, factor: float) -> tuple[tuple[float, float],
     """Return the size (y, x) [m] of a scan, as specified or from the file, and remarks for the history.
 
     size: as specified by the user, None to use the file. unit: unit of a size without one. factor: metres per unit of the file.
+    Raises InputError if neither states a size, or if the size is not allowed.
     """
     rows, columns = raw.heights.shape
     if size is None:

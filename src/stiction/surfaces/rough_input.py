@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 def _rough(value):
-    """Convert the input for the roughness of a contact to a Roughness if it is a scan or a finish; else return it unchanged."""
+    """Convert the input for the roughness of a contact to a Roughness if it describes scans or a finish; else return it."""
     if isinstance(value, Roughness | str | int | float | None):
         return value
     if is_finished(value):

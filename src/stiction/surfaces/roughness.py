@@ -101,7 +101,7 @@ class Roughness(Input):
     Raises
     ------
     InputError
-        A number is out of its bounds, or a name is unknown.
+        A number is out of its bounds, no surface can have the skewness and kurtosis, or a name is unknown.
 
     Notes
     -----

@@ -181,8 +181,9 @@ def _window(name: str, shape, size) -> np.ndarray:
 def power_spectrum(surface: HeightMap, window: str = "hann") -> PowerSpectrum:
     """Compute the power spectrum of a map or a profile, after its mean height is subtracted.
 
-    window: a key of WINDOWS, by which the heights are multiplied; use "none" for periodic surfaces. Raises InputError if points
-    are missing or a side has fewer than LEAST_POINTS points. Needs four times the memory of the heights.
+    window: a key of WINDOWS, by which the heights are multiplied; use "none" for periodic surfaces. Raises InputError for
+    an unknown window, and if points are missing or a side has fewer than LEAST_POINTS points. Needs four times the memory of
+    the heights.
     """
     heights = _complete(surface)
     heights = heights - heights.mean()
@@ -198,6 +199,7 @@ def radial_average(spectrum: PowerSpectrum, bins: str = "log", tip_radius: float
 
     bins: "log" or "linear", the spacing of the bins; bins without a wave are left out. tip_radius: radius of the stylus [m], >
     0, or None; a blunt tip raises the shortest reliable wavelength. The spectrum of a profile is only averaged in bins.
+    Raises InputError for unknown bins, and for a tip_radius that is not > 0.
     """
     edges = _edges(bins)(spectrum.lowest, math.pi / spectrum.pitch)
     sums = _average_over_directions(spectrum, edges)

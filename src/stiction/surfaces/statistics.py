@@ -84,8 +84,10 @@ class ProfileMoments:
     - isotropic: moments of an isotropic surface, from averages over the directions
     - equivalent: moments from equation (1) of the module docstring, which allows for a lay; None if all slopes lie along one
       line, so that the surface has no summits
-    - cutoff: shortest wavelength included [m]
+    - cutoff: shortest wavelength included [m]; for finite differences, twice the distance of the points used
     - method: how they were computed, "finite differences" or "power spectrum"
+
+    For a profile, isotropic and equivalent equal x.
     """
 
     x: Moments
@@ -99,8 +101,8 @@ class ProfileMoments:
 def statistics(surface: HeightMap) -> Statistics:
     """Compute height parameters, rms slopes and rms curvatures of a map or profile; missing points are left out.
 
-    Raises InputError if no point has a height, if all heights are equal, or if no three neighbouring points along x (for a
-    map also along y) have heights.
+    Raises InputError if no point has a height, if all heights are equal, or if no three neighbouring points along x have
+    heights; for a map, also if no point has four neighbours with heights.
     """
     heights, (dy, dx) = surface.heights, surface.pitch
     mean, heights_of = _height_parameters(heights)
@@ -128,8 +130,8 @@ def moments_by_differences(surface: HeightMap, cutoff: float | None = None) -> P
 
     cutoff: wavelength [m], > 0. The points used for a difference are half a cutoff apart, rounded to whole pitches. By default
     the cutoff is twice the larger pitch, so that neighbours are used. Shorter waves are not removed: the map is sampled as by
-    an instrument with half a cutoff as its pitch, and m0 includes all points. Raises InputError as `statistics` does, or if the
-    cutoff is too long for the map.
+    an instrument with half a cutoff as its pitch, and m0 includes all points. Raises InputError if all heights are missing or
+    equal, if no three points at this distance along a direction have heights, and for a cutoff that is not > 0 or too long.
     """
     cutoff = None if cutoff is None else in_metres(cutoff, "cutoff")
     if cutoff is not None and not (cutoff > 0.0 and math.isfinite(cutoff)):
@@ -161,7 +163,7 @@ def moments_by_spectrum(spectrum: "PowerSpectrum", cutoff: float | None = None) 
 
     cutoff: wavelength [m], >= 0. The default is twice the larger pitch (Nyquist). 0 includes every wave on the grid; the
     shortest of these run along its diagonals. The moments are reliable only if the cutoff is at least `spectrum.shortest`.
-    Raises InputError if no wave is at least as long as the cutoff.
+    Raises InputError for another cutoff, if no wave is at least as long as the cutoff, and if all heights are equal.
     """
     cutoff = 2.0 * spectrum.pitch if cutoff is None else in_metres(cutoff, "cutoff")
     if not (cutoff >= 0.0 and math.isfinite(cutoff)):

@@ -60,7 +60,8 @@ class SelfAffine:
     hurst : float
         Hurst exponent H, 0 to 1: C decreases as q^(-2 - 2 H) for a surface and as q^(-1 - 2 H) for a profile.
     rolloff, shortest : float [m] or str with a unit
-        Wavelength above which C is constant, and shortest wavelength; 0 < shortest <= rolloff <= longest.
+        Wavelength above which C is constant, and shortest wavelength; 0 < shortest <= rolloff <= longest, and
+        shortest < longest.
     deviation : float [m] or str with a unit
         Root mean square height.
     longest : float [m] or str with a unit, optional
@@ -107,7 +108,7 @@ class SelfAffine:
             raise InputError("longest", self.longest, f"above the shortest wavelength, {self.shortest:g} m")
 
     def with_slope(self, slope: float) -> "SelfAffine":
-        """Return this spectrum multiplied by a factor, so that the rms gradient of its surfaces is `slope` [1]."""
+        """Return this spectrum multiplied by a factor, so that the rms gradient of its surfaces is `slope` [1], above 0."""
         require_positive(slope=slope)
         return replace(self, deviation=self.deviation * slope / self.rms_slope)
 
@@ -131,7 +132,10 @@ class SelfAffine:
         return line_moments(self.dimensions, (plateau * self._shape(k) for k in (0, 2, 4)))
 
     def __call__(self, q: np.ndarray) -> np.ndarray:
-        """Return the power spectral density C at wave numbers q >= 0 [rad/m]: m^4 for a surface, m^3 for a profile."""
+        """Return the power spectral density C at wave numbers q >= 0 [rad/m]: m^4 for a surface, m^3 for a profile.
+
+        C is 0 for waves shorter than `shortest` or longer than `longest`.
+        """
         lowest, corner, highest = self._edges()
         inside = (q >= lowest * (1.0 - _EDGE)) & (q <= highest * (1.0 + _EDGE))
         falling = np.maximum(q, corner) / corner
@@ -159,7 +163,8 @@ class GaussianCorrelation:
     """Define the power spectrum of a surface with the autocorrelation deviation^2 exp(-r^2 / length^2) at the distance r.
 
     Such a surface is smooth and has one length scale. Nayak's alpha is exactly 3. deviation: rms height [m]. length:
-    correlation length [m]. Both may be text with a unit. dimensions: 2 for a surface, 1 for a profile.
+    correlation length [m]. Both are above 0 and may be text with a unit. dimensions: 2 for a surface, 1 for a profile.
+    Raises InputError for other values.
     """
 
     deviation: float

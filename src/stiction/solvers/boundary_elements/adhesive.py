@@ -178,7 +178,8 @@ def adhesive_state(
 
     heights: (rows, columns) [m]. size: (y, x) of the map [m]. modulus: contact modulus E* [Pa] of both bodies or, with a film,
     of the uncoated body alone. work: work of adhesion [J/m2]. reach: range of attraction [m]. film: elastic film on one body,
-    or None. finer: whether to refine a grid that is too coarse for the contact edge. Raises InputError for an unusable map.
+    or None. finer: whether to refine a grid that is too coarse for the contact edge. Raises InputError for unusable
+    arguments.
     """
     if not math.isfinite(load):
         raise InputError("load", load, "finite, in N")

@@ -60,7 +60,8 @@ def _as_contact(contact: AdhesiveContact, nominal: float) -> MapContact:
     """Convert an adhesive contact to a MapContact without a pressure map.
 
     nominal: nominal area [m2]. The separation is infinite if the faces do not touch. The pressure map is omitted, because
-    tension also acts inside the contact, and other code counts every point with pressure as a contact point.
+    tension also acts inside the contact, and other code counts every point with pressure as a contact point. Stiffness,
+    residual and error bounds are NaN, and the approach is None, because the adhesive solver does not compute them.
     """
     return MapContact(
         load=contact.load, mean_pressure=contact.load / nominal, nominal_area=nominal, area=contact.area,

@@ -1,8 +1,8 @@
-"""Estimate the elastic contact area of a map without solving it, from slopes or ranks of its points.
+"""Estimate the elastic contact area of a map without solving it, from the slopes at its points ranked by height.
 
 These formulas are this project's own (grade B: fitted to solved maps). All start from Persson's theory (2001), A/A0 =
 erf(2^(1/2) p), where A/A0 is the area fraction, p the mean pressure divided by E* h', and h' the rms gradient of the map.
-Formulas (1) and (2) are implemented in surfaces.theory.widened_area, (3) and (4) here. All extend Persson's theory:
+Formulas (1) and (2) are implemented in surfaces.theory.widened_area, (3) and (4) here:
 
     G(p, c) = erf(2^(1/2) p [1 + c (1 - erf(2^(1/2) p)^(1/2))])                                                           (1)
 

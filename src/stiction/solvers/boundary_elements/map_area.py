@@ -100,9 +100,9 @@ class MapArea:
     def solvable(self) -> list[int]:
         """Return the sampling steps with which the map can be solved, coarsest first; empty if there are none.
 
-        A step of r uses every r-th point of each row and column, few enough to solve. Steps above 1 also leave enough points in
-        the shortest wave. If no step satisfies both conditions, the list contains only the smallest step that leaves at least
-        FEWEST_IN_WAVE points in this wave, if there is one.
+        A step of r uses every r-th point of each row and column, few enough to solve. On a periodic map r divides the numbers
+        of rows and columns. Steps above 1 also leave enough points in the shortest wave. If no step satisfies these conditions,
+        the list contains only the smallest step that leaves at least FEWEST_IN_WAVE points in this wave, if there is one.
         """
         in_wave = self.waves.points_in_shortest_wave
         all_of_them = range(1, min(self.heights.shape) // 16 + 1)

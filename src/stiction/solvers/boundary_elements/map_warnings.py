@@ -76,7 +76,7 @@ def _warnings_of_solution(solution, load_error, tolerance):
 
 
 def share_at_ends(pressure: np.ndarray) -> float:
-    """Return the fraction of the load on the outermost points of a pressure map (rows, columns)."""
+    """Return the fraction of the load on the outermost points of a pressure map (rows, columns); 0 without load."""
     total = float(pressure.sum())
     if total <= 0.0:
         return 0.0  # the load is below the smallest floating-point number

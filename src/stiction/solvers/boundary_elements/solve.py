@@ -41,11 +41,11 @@ class MapContact:
 
     load [N]. mean_pressure: load divided by nominal area [Pa]. nominal_area [m2]. area: real area, corrected for edge pixels
     [m2]. area_pixels: area of all pixels in contact [m2]. perimeter: length of the contact edge [m]. separation: distance from
-    the mean plane of the undeformed heights to the flat counterface [m]; for half-spaces on a periodic map, to the mean plane
-    of the deformed counterface. mean_gap: mean distance of the faces [m], with 0 where they touch. approach: approach since
-    first touch [m]; None for half-spaces on a periodic map. stiffness: derivative of the load with respect to the approach
-    [N/m]; NaN without elastic points, or if not requested. plastic_area: area where the pressure equals the hardness [m2].
-    plastic_share: fraction of the load on this area [1].
+    the mean plane of the undeformed heights to the flat counterface [m]. For a map without free edges, on a body that is
+    elastic to any depth, it is the distance to the mean plane of the deformed counterface, and approach is None. mean_gap: mean
+    distance of the faces [m], with 0 where they touch. approach: approach since first touch [m]. stiffness: derivative of the
+    load with respect to the approach [N/m]; NaN without elastic points, or if not requested. plastic_area: area where the
+    pressure equals the hardness [m2]. plastic_share: fraction of the load on this area [1].
 
     pressure: (rows, columns) [Pa]; None if not stored. residual: relative error of the contact conditions. steps: number of
     steps of the solver. pressure_error, area_error [1], overlap [m]: error bounds on this grid (see `certificate`). load_error:
@@ -134,10 +134,11 @@ def solve_map(
     dry faces.
 
     Further keywords: free: whether there is no pressure outside of a map that is not periodic (default False). tolerance:
-    largest accepted residual. most_steps: largest number of steps. keep_maps: whether pressure maps are stored (default True).
-    stiffness: whether the contact stiffness is computed (default True). progress: called with a `Progress` before every step.
-    done: called with each solved contact. device: array library that solves the map instead of NumPy, optionally with one of
-    its devices, such as "torch:cuda". Results are NumPy arrays in the order of the loads.
+    largest accepted residual (default 1e-5). most_steps: largest number of steps at each load (default 2000). keep_maps:
+    whether pressure maps are stored (default True). stiffness: whether the contact stiffness is computed (default True).
+    progress: called with a `Progress` before every step. done: called with each solved contact. device: array library that
+    solves the map instead of NumPy, optionally with one of its devices, such as "torch:cuda". Results are NumPy arrays in the
+    order of the loads.
 
     A load that did not converge has a warning `not_converged`. After a keyboard interrupt the loads solved so far are returned,
     if there are any. Raises InputError for unusable arguments, a load that the hardness cannot carry, or too little memory.

@@ -1,11 +1,11 @@
 """Compute displacement, load and area of one elastic asperity on a film, without adhesion or with DMT's or JKR's adhesion.
 
-The coordinate is u = x^(1/4), with x = a^2/(R sigma), a the contact radius, R the asperity radius and sigma the rms height. A
-row of parameters holds ln n_E, per_root = (R sigma)^(1/4)/sqrt(t_1) with t_1 the thickness of one film, the strength of
-adhesion, and the coefficients of two or three curves (see `solvers.layered.curves`). n_E is the contact modulus of the surfaces
-that meet, divided by the contact modulus of the bodies without films. With z = (q - 1)/(q + 1) and q = per_root u the
-coefficients give the sphere's moduli E_P, E_S and B, divided by the modulus of the bodies without a film, and D in the approach
-D a^2/R. Displacement, load, stiffness and area without adhesion are
+The coordinate is u = x^(1/4), with x = a^2/(R sigma), a the contact radius, R the asperity radius and sigma the standard
+deviation of the asperity heights. A row of parameters holds ln n_E, per_root = (R sigma)^(1/4)/sqrt(t_1) with t_1 the thickness
+of one film, the strength of adhesion, and the coefficients of two or three curves (see `solvers.layered.curves`). n_E is the
+contact modulus of the surfaces that meet, divided by the contact modulus of the bodies without films. With z = (q - 1)/(q + 1)
+and q = per_root u the coefficients give the sphere's moduli E_P, E_S and B, divided by the modulus of the bodies without a
+film, and D in the approach D a^2/R. Displacement, load, stiffness and area without adhesion are
 
     w_H = D u^4,  P_H = E_P u^6,  dP_H/dw_H = (3/2) E_S u^2,  A = u^4
 
@@ -221,7 +221,8 @@ _halve_off, _halve_short = halving(_comes_off), halving(_is_short)
 def edged_coordinate(w, *row):
     """Return the coordinate u of an asperity with JKR's adhesion at the displacement w, on the stable branch.
 
-    On this branch the displacement grows with u. w: divided by sigma. row: parameters of the asperity.
+    On this branch the displacement grows with u. w: divided by sigma; below its value at detachment, the result is the
+    coordinate of detachment. row: parameters of the asperity.
     """
     if w == math.inf:
         return math.inf

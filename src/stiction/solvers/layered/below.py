@@ -33,10 +33,10 @@ def carried_at_depth(depth: np.ndarray, nu: np.ndarray) -> np.ndarray:
 
 
 def pressure_carried_below(spot: np.ndarray, groups: Groups) -> np.ndarray:
-    """Return the mean pressure (n, m) on a contact spot at which the body below the film yields, over the body's hardness.
+    """Return the mean pressure (n, m) on a contact spot at which the body below the film yields, divided by its hardness.
 
-    spot: contact area (n, m), divided by pi R sigma (R: asperity radius, sigma: rms height). groups: dimensionless groups of n
-    contacts.
+    spot: contact area (n, m), divided by pi R sigma (R: asperity radius, sigma: standard deviation of the asperity heights).
+    groups: dimensionless groups of n contacts.
     """
     whole = groups.resolved()
     radius = np.sqrt(spot) * per_root(whole)[:, None] ** 2

@@ -33,8 +33,8 @@ class Bodies(NamedTuple):
 def per_root(groups: Groups) -> np.ndarray:
     """Return the factor (n,) by which (a^2/(R sigma))^(1/4) is multiplied to give sqrt(a/t_1): (R sigma)^(1/4)/sqrt(t_1).
 
-    groups: dimensionless groups of n contacts. a: contact radius. t_1: thickness of one film. R, sigma: asperity radius and rms
-    height.
+    groups: dimensionless groups of n contacts. a: contact radius. t_1: thickness of one film. R, sigma: asperity radius and
+    standard deviation of the asperity heights.
     """
     aspect = np.broadcast_to(groups.film_aspect / groups.films, len(groups))
     return 1.0 / np.sqrt(np.clip(aspect, _THINNEST, _THICKEST))

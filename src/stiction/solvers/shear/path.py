@@ -63,8 +63,8 @@ class State:
     shift [m]. force: sum of the traction along x over all points [Pa]; multiplied by the area of a point, it is the force [N].
     traction [Pa] and slip since the start [m], both (components, rows, columns). slipped: length of the slip path of each point
     [m]; slides: whether the point is at its strength; touching: whether it is in contact; all three (rows, columns). stick:
-    fraction of the touching points that stick. loss: work dissipated by slip so far, summed over points [Pa m]. converged:
-    whether the iterations of this step converged.
+    fraction of the touching points that stick; 0 if none touches. loss: work dissipated by slip so far, summed over points
+    [Pa m]. converged: whether the iterations of this step converged.
     """
 
     shift: float
@@ -192,8 +192,9 @@ def slide_map(
     operator: tangential compliance. strength: (rows, columns) [Pa], 0 outside of contact. pixel: area of a point [m2].
     weakening: how strength falls with slip; None for constant strength. directions: 1 neglects the traction across the sliding
     direction, 2 includes it. tolerance, most_steps: largest residual and number of steps of the traction solver at each shift.
-    keep_maps: whether states keep traction and slip. done: called with each state. With weakening, the steps around the largest
-    force are repeated with smaller steps. Raises InputError for strengths that are negative, not finite, or all 0.
+    keep_maps: whether all states keep traction and slip, or only the peak. done: called with each state. With weakening, the
+    steps around the largest force are repeated with smaller steps. Raises InputError for strengths that are negative, not
+    finite, or all 0, and for other directions.
     """
     strength = np.asarray(strength, dtype=float)
     if not np.isfinite(strength).all() or strength.min() < 0.0 or not strength.max() > 0.0:
@@ -223,8 +224,8 @@ def follow(
     """Compute the states at rigid shifts [m] in the given order; return them and the state with the largest force.
 
     advance: function (state, shift) that returns the state at the next shift. start: state before the first shift. finer:
-    whether the steps around the largest force are repeated with smaller steps. keep_maps: whether states keep traction and
-    slip. done: called with each state.
+    whether the steps around the largest force are repeated with smaller steps. keep_maps: whether all states keep traction
+    and slip, or only the one with the largest force. done: called with each state.
     """
     states, state, before, peak, top = [], start, start, start, -1
     for index, shift in enumerate(shifts):

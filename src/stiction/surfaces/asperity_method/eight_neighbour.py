@@ -30,8 +30,8 @@ def eight_neighbour(surface: HeightMap, fit_points: int) -> Asperities:
 
     fit_points: number of points of the paraboloid fitted around each, a key of FITS. A neighbour of equal height disqualifies a
     point, so plateaus are not counted. A summit is excluded if a fitted point is missing or off the map. The density is the
-    number of summits divided by the area of the positions where they could be counted. Raises InputError for a profile or if
-    fewer than two summits are found.
+    number of summits divided by the area of the positions where they could be counted. Raises InputError for a map with
+    fewer than three rows or columns, for fewer than two summits, and for a mean curvature that is not positive.
     """
     heights = areal(surface)
     middle = heights[1:-1, 1:-1]

@@ -35,7 +35,8 @@ def n_point(surface: HeightMap, level: float, directions: str) -> Asperities:
     The module stiction.surfaces.theory.n_point defines height and radius of an asperity. The density per length is the number
     of upward crossings of the level. The density per area follows from it by the relation for peaks of a Gaussian surface,
     because none is published for n-point asperities. Heights and radii exclude asperities cut by the end of a profile or by a
-    missing point, which biases them towards shorter asperities. Raises InputError if fewer than two asperities are found.
+    missing point, which biases them towards shorter asperities. Raises InputError for profiles of fewer than three points,
+    for fewer than two asperities, and if the profiles along one direction have none.
     """
     heights, curvatures = [np.zeros(0)], [np.zeros(0)]
     per_length: list[float] = []

@@ -43,7 +43,8 @@ def persistence(surface: HeightMap, threshold: float | None, fit_points: int) ->
     - fit_points: number of points of the paraboloid fitted around each summit, a key of FITS
 
     A summit is excluded if a fitted point is missing or off the map. The density is the number of summits divided by the area
-    of the positions where they could be counted. Raises InputError for a profile or if fewer than two summits are found.
+    of the positions where they could be counted. Raises InputError for a map with fewer than three rows or columns, for fewer
+    than two summits, and for a mean curvature that is not positive.
     """
     heights = areal(surface)
     if threshold is None:

@@ -30,7 +30,8 @@ def three_point(surface: HeightMap, directions: str) -> Asperities:
     directions: "x", "y" or "xy", the directions of the profiles, whose peaks are pooled. The curvature of a peak is the second
     difference of the heights. The density per area follows from the peaks per length, 1.2092 D_x D_y, or 1.2092 D^2 for
     profiles along one direction. A neighbour of equal height disqualifies a point, so plateaus are not counted. Points next to
-    missing ones are excluded. Raises InputError if fewer than two peaks are found.
+    missing ones are excluded. Raises InputError for profiles of fewer than three points, for fewer than two
+    peaks, and if the profiles along one direction have none.
     """
     found = [_peaks(lines, pitch) for lines, pitch in profiles(surface, directions)]
     heights, curvatures = np.concatenate([one[0] for one in found]), np.concatenate([one[1] for one in found])

@@ -13,7 +13,7 @@ def read(path: Path, channel) -> RawScan:
     """Read one measurement from a container, after applying the filters that the container specifies.
 
     channel: name or position (from 0) of the measurement, by default the first. Raises InputError for a .zip file that is
-    damaged or not such a container, or if the library SurfaceTopography is not installed.
+    damaged or not such a container, for an unknown channel, or if the library SurfaceTopography is not installed.
     """
     try:
         from SurfaceTopography.Container.IO import CEReader

@@ -18,7 +18,8 @@ def read(path: Path, channel) -> RawScan | None:
     """Read a file in the format of an instrument; return None for an unknown format.
 
     channel: name or position (from 0) of a channel with heights. By default the library's default channel is read if it holds
-    heights, else the first channel that does. Raises InputError for a damaged file or if the library is not installed.
+    heights, else the first channel that does. Raises InputError for a damaged file, for a file without a channel of heights or
+    without the requested one, and if the library is not installed.
     """
     with quiet_library():
         try:
@@ -76,7 +77,7 @@ def _channel(reader, wanted):
     """Return the requested channel of a file that the library has opened, or a default one.
 
     reader: opened file. wanted: name or position (from 0); None for the library's default channel, or the first with heights.
-    Raises InputError, which lists the channels with heights, if none matches.
+    Raises InputError if none matches, or if no channel has heights.
     """
     channels = list(reader.channels)
     with_heights = [each for each in channels if each.is_height_channel and not isinstance(each.unit, tuple)]

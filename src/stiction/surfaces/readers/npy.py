@@ -13,6 +13,7 @@ def read(path: Path, channel) -> RawScan:
     """Read the array of a .npy file: heights (rows, columns) along y and x, or (points,) of a profile.
 
     channel: must be None. The file is memory-mapped, so that a damaged header that claims too many values needs no memory.
+    Raises InputError for a damaged file, and for an array that is not of real numbers in one or two dimensions.
     """
     no_channel(channel)
     try:

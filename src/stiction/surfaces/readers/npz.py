@@ -12,7 +12,8 @@ from stiction.surfaces.readers.shared.arrays import checked, quiet
 def read(path: Path, channel) -> RawScan:
     """Read one array of a .npz file: heights (rows, columns) along y and x, or (points,) of a profile.
 
-    channel: name of the array; it may be None if the file has only one array. Raises InputError if it has no such array.
+    channel: name of the array; it may be None if the file has only one array. Raises InputError for a damaged file, if
+    it has no such array, and for an array that is not of real numbers in one or two dimensions.
     """
     try:
         with quiet(), path.open("rb") as file, np.load(file, allow_pickle=False) as archive:

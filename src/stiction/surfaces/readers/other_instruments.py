@@ -12,7 +12,7 @@ def read(path: Path, channel) -> RawScan | None:
     """Read a file that Gwyddion can read; return None for others, or if gwyddionpy or its converter is not installed.
 
     channel: name of a channel with heights, or its position (from 0) among these; by default the first. Raises InputError if
-    there is none.
+    the file has no channel with heights, or not the requested one.
     """
     try:
         import gwyddionpy

@@ -18,8 +18,8 @@ from stiction.surfaces.readers.shared.text import matrix, read_text
 def read(path: Path, channel) -> RawScan | None:
     """Read a text file: a matrix of heights (rows along x), or columns x z of a profile or x y z of a map.
 
-    channel: must be None. Returns None if `_units` does, because the # lines are of another format, or if the file begins with
-    more than one line of words.
+    channel: must be None. Returns None if `_units` does, because the # lines are of another format, if # lines specify units
+    above a matrix, or if the file begins with more than one line of words.
     """
     units = _units(path)
     if units is None:

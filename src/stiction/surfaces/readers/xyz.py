@@ -15,7 +15,8 @@ from stiction.surfaces.readers.shared.text import read_text
 def read(path: Path, channel) -> RawScan | None:
     """Read a .xyz file: columns x z of a profile, or columns x y z of a map.
 
-    channel: must be None. Returns None for a file that begins with more than one line of words.
+    channel: must be None. Returns None for a file that begins with more than one line of words. Raises InputError unless the
+    table has two or three columns.
     """
     return read_text(path, channel, _no_positions)
 

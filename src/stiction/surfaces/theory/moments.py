@@ -98,7 +98,7 @@ class Moments:
     def asperities(self):
         """Return the standard deviation sigma of the summit heights, their mean tip radius R and their number N per area.
 
-        Source: Nayak 1971, McCool 1986.
+        sigma is NaN for alpha below 0.8968. Source: Nayak 1971, McCool 1986.
         """
         deviation = np.sqrt(self.m0 - SUMMIT_DEFICIT * self.m2 * self.m2 / self.m4)
         radius = 3.0 / 8.0 * np.sqrt(math.pi / self.m4)

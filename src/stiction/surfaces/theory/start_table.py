@@ -65,7 +65,7 @@ def separation_of_summits(load: np.ndarray, density: np.ndarray, shapes: Callabl
     """Return approximate separations (n, m), divided by sigma, at which the summits of Gaussian surfaces carry given loads.
 
     load: (n, m), per asperity, divided by K R^(1/2) sigma^(3/2). density: N R sigma (n,) of the surfaces. shapes: function
-    that returns the load and area factors of a summit, as for `summits.curve`.
+    that returns the load and area factors of a summit, as for `summits.curve`. Raises InputError as `require_gaussian` does.
     """
     require_gaussian(density)
     return _of_shapes(shapes)(load, np.arcsin(np.minimum(LEAST_DENSITY / density, 1.0)))

@@ -38,7 +38,7 @@ def fitted(
     - fit_points: number of points of the fitted paraboloid, a key of FITS
 
     A summit counts only if all its fitted points have heights. The density is the number of summits divided by the area of the
-    positions where this holds.
+    positions where this holds. Raises InputError as `asperity_set.of_samples` does.
     """
     row, column = tops
     dy, dx = surface.pitch

@@ -14,7 +14,7 @@ def equally_spaced(x: np.ndarray, z: np.ndarray) -> tuple[np.ndarray, tuple[floa
     x, z: positions and heights (n,). The size has the unit of x. Positions count as equally spaced if they deviate only by the
     rounding of their last written digit, because interpolation between rounded positions would create false slopes. Other
     profiles are resampled to the same number of points by linear interpolation. Raises InputError for fewer than FEWEST_POINTS
-    points or positions that neither increase nor decrease throughout.
+    points, missing positions, or positions that neither increase nor decrease throughout.
     """
     count = len(x)
     if count < FEWEST_POINTS:
@@ -40,7 +40,8 @@ def gridded(x: np.ndarray, y: np.ndarray, z: np.ndarray) -> tuple[np.ndarray, tu
     """Arrange points on a regular grid; return heights (rows, columns), size (y, x), and notes for the history.
 
     x, y, z: positions and heights (n,), in any order. Grid points without a height get NaN. Points along one line, parallel to
-    x or y, are a profile. Raises InputError if the points are not on a grid, or fill less than a quarter of it.
+    x or y, are a profile. Raises InputError if a position is missing, if two points coincide, or if the points are not on a
+    grid or fill less than a quarter of it.
     """
     column, dx, columns, notes_x = _places(x, "x")
     row, dy, rows, notes_y = _places(y, "y")
@@ -65,8 +66,8 @@ def gridded(x: np.ndarray, y: np.ndarray, z: np.ndarray) -> tuple[np.ndarray, tu
 def _places(x: np.ndarray, name: str) -> tuple[np.ndarray, float, int, tuple[str, ...]]:
     """Return the grid index (n,) of each coordinate, the pitch, the number of grid points along the axis, and history notes.
 
-    x: coordinates (n,). name: "x" or "y", for errors. The pitch is 0 if all coordinates are equal. Raises InputError if the
-    coordinates are not equally spaced.
+    x: coordinates (n,). name: "x" or "y", for errors. The pitch is 0 if all coordinates are equal. Raises InputError if a
+    coordinate is missing or the coordinates are not equally spaced.
     """
     if not np.isfinite(x).all():
         raise InputError("scan", InWords(f"missing {name}"), "finite positions x y of all points")

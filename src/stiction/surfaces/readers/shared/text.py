@@ -22,7 +22,8 @@ def read_text(path: Path, channel, otherwise: Callable[[np.ndarray, tuple[str, .
     """Read a table of numbers from a text file; with two or three columns it holds positions and heights, x z or x y z.
 
     channel: must be None. otherwise: function (table, notes, file name) -> RawScan for any other number of columns. Returns
-    None for a file that begins with more than one line of words. Raises InputError for a table that cannot be read.
+    None for a file that begins with more than one line of words. Raises InputError for a channel, and for a table that cannot
+    be read.
     """
     layout = _layout(path)
     if layout is None:
@@ -95,8 +96,8 @@ class _Layout:
 def _layout(path: Path) -> _Layout | None:
     """Return the layout of the numbers in a text file: delimiter, decimal mark and heading.
 
-    None if the file does not begin with numbers after at most one line of words. Raises InputError for an empty file
-    and for a column of row numbers.
+    The result is None if the file does not begin with numbers after at most one line of words. Raises InputError for an empty
+    file, for a column of row numbers, and for numbers with decimal commas and decimal points.
     """
     first, second = [*islice(_lines(path), 2), "", ""][:2]
     if not first:
