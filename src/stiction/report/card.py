@@ -61,7 +61,7 @@ class Card(NamedTuple):
             ("Confidence", self.confidence),
             ("Lower mu by", self.lowered_by),
             ("Uncertainty from", self.decides),
-            ("Worn to clean metal", self.worn_through),
+            ("If worn through", self.worn_through),
             ("Warning", self.warning),
             ("Next", self.next_step),
         ]

@@ -28,6 +28,13 @@ _SHORT = (
     "value => value !== 0 && (Math.abs(value) < 1e-4 || Math.abs(value) >= 1e5) "
     "? value.toExponential(0) : String(+value.toPrecision(4))"
 )
+# JavaScript that writes the numbers of an axis as powers of ten, all of them if one is too long in plain digits.
+_POWERS = (
+    "value => { const [first, power] = value.toExponential(0).split('e');"
+    " const above = [...String(+power)].map(each => '⁰¹²³⁴⁵⁶⁷⁸⁹'[each] ?? '⁻');"
+    " return (first === '1' ? '' : first + '·') + '10' + above.join(''); }"
+)
+_PLAIN = 1e-4, 1e5  # range of values written in plain digits
 
 
 def numbers(values: Any) -> list[float | None]:
@@ -142,10 +149,11 @@ def _axis(variable: xarray.DataArray, values: list[np.ndarray], tight: bool = Fa
     low, high = (float(end) * factor for end in (known.min(), known.max()))
     ticks = log_ticks(low, high)
     ends = (low, high) if tight else (ticks[0], ticks[-1])
-    look: dict[str, Any] = {"customValues": ticks}
+    places = {"customValues": ticks}
+    look = places | ({} if _PLAIN[0] <= ticks[0] and ticks[-1] < _PLAIN[1] else {":formatter": _POWERS})
     if str(variable.name) == "friction_coefficient":
         name += LOG
-    return factor, {"name": name, "type": "log", "min": ends[0], "max": ends[1], "axisLabel": look, "axisTick": look}
+    return factor, {"name": name, "type": "log", "min": ends[0], "max": ends[1], "axisLabel": look, "axisTick": places}
 
 
 def _against(curve: xarray.Dataset, against: str) -> tuple[np.ndarray, dict[str, Any]]:

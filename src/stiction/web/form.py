@@ -38,7 +38,7 @@ from stiction.web.fields import (
 from stiction.web.number_fields import draw_load, draw_number, label_of
 from stiction.web.query import law_names, option_values, states_of
 
-_OWN = "numbers of its own"
+_OWN = "properties of its own"
 _STRENGTH = "a stated strength"
 _PREDICTION = "recommended"
 _NONE = "the model's own"
@@ -346,7 +346,7 @@ class Form:
         self._menu(f"material of the {label}", names, preset or _OWN, part.path, chosen, searched=True, named=False)
         known = material(preset) if preset in material_names() else None
         changed = any(value_at(tables, number.path) is not None for number in numbers_of(part))
-        with _folded("numbers" + (", changed" if preset and changed else ""), not preset, f"numbers of the {label}"):
+        with _folded("properties" + (", changed" if preset and changed else ""), not preset, f"properties of the {label}"):
             for number in numbers_of(part):
                 value = getattr(known, number.quantity.name, None)
                 self._number(number, "" if value is None else number.text(value))
@@ -356,7 +356,7 @@ class Form:
 def _group(title: str) -> Any:
     """Return a context manager that adds a titled group to the form; fields added within it belong to the group."""
     with ui.element("div").classes("group"):
-        with ui.element("div") as head:
+        with ui.element("div").classes("group-head") as head:
             ui.label(title).classes("font-bold text-sm")
         with ui.element("div"):
             yield head

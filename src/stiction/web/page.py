@@ -42,7 +42,8 @@ _STYLE = """
 .title { display: -webkit-box; -webkit-box-orient: vertical; -webkit-line-clamp: 3; overflow: hidden }
 .frame { display: grid; grid-template-columns: minmax(280px, 392px) minmax(0, 1fr); gap: 16px; width: 100% }
 .q-page { padding: 8px 12px }
-.group { display: grid; grid-template-columns: 74px minmax(0, 1fr); gap: 0 8px; width: 100%; padding: 3px 0 }
+.group { display: grid; grid-template-columns: 80px minmax(0, 1fr); gap: 0 8px; width: 100%; padding: 3px 0 }
+.group-head { display: flex; align-items: center; align-self: start; gap: 6px }
 .group > :last-child { display: flex; flex-direction: column; gap: 3px; min-width: 0 }
 .group + .group { border-top: 1px solid #8886 }
 .number { display: grid; grid-template-columns: 84px 106px minmax(0, 1fr); gap: 0 8px; align-items: center; width: 100% }
@@ -85,7 +86,7 @@ _STYLE = """
 .body--light .text-negative { --q-negative: #b00020 } .body--dark .text-negative { --q-negative: #ff8a80 }
 .body--light .q-field--error { --q-negative: #b00020 } .body--dark .q-field--error { --q-negative: #ff8a80 }
 .body--dark .text-primary { --q-primary: #90caf9 }
-.q-tabs { max-width: 100% } .q-tabs__content { flex-wrap: wrap }
+.q-tabs { max-width: 100% }
 :focus-visible { outline: 3px solid #E69F00; outline-offset: 1px }
 """
 _NARROW = 800  # largest width in pixels of a page of one column, as in _STYLE
