@@ -53,7 +53,10 @@ class ArealParameters:
 
 
 def areal_parameters(surface: HeightMap) -> ArealParameters:
-    """Return the ISO 25178-2 areal parameters of a levelled map; a profile has none, so `surface` must be a map."""
+    """Return the ISO 25178-2 areal parameters of a levelled map.
+
+    surface: a map, not a profile, because a profile has no areal parameters; this is not checked.
+    """
     depth = surface.heights - np.nanmean(surface.heights)
     shortest, longest = _decay(depth, surface.pitch)
     aspect = None if shortest is None or longest is None else shortest / longest

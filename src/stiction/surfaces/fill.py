@@ -39,6 +39,7 @@ def _harmonic(heights: np.ndarray, missing: np.ndarray, pitch: tuple[float, floa
 
     heights: (rows, columns) [m], NaN where missing. missing: mask of the missing points. pitch: (dy, dx) [m]. There is one
     equation per missing point; a point at the edge of the map has fewer neighbours. A profile is interpolated linearly.
+    Raises InputError if the conjugate gradients do not converge.
     """
     if heights.shape[0] == 1:
         place = np.arange(heights.shape[1])

@@ -206,7 +206,7 @@ class FinishedBodies(Input):
         ]
 
     def unusual_heights(self) -> list[str]:
-        """Return a warning for each body with a height far outside the range of its finish."""
+        """Return a warning for each body with a height far outside the range of its finish; equal warnings only once."""
         texts = [body.unusual_height() for body in self.bodies.values() if isinstance(body, Finished)]
         return [text for text in dict.fromkeys(texts) if text]
 

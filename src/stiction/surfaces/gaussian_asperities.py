@@ -1,4 +1,4 @@
-"""Compute the asperities of a Gaussian surface from its spectral moments, and those of the sum of two surfaces.
+"""Compute the asperities of a Gaussian surface from its spectral moments, and of the sum of two surfaces.
 
 McCool (1986) puts the spectral moments m0, m2, m4 (mean squares of height, slope and second derivative along a profile) into
 Nayak's statistics of summits (1971). The relations are in stiction.surfaces.theory.moments.

@@ -110,7 +110,8 @@ class _Periodic:
 
         waves: output of `rfft2`. The factor is sqrt(s C / (dx dy)) for a map and sqrt(C / dx) for a profile, with the stretch
         s, the power spectral density C at the wave number (s q_along, q_across), and the point spacings dx, dy. Unless
-        amplitudes are random, those of the noise are first set to their rms value. Raises InputError for an unusable spectrum.
+        amplitudes are random, the amplitudes of the noise are first set to their rms value. Raises InputError for an unusable
+        spectrum.
         """
         (rows, columns), size, spectrum = self.shape, self.size, self.spectrum
         cosine, sine = math.cos(self.angle), math.sin(self.angle)
@@ -202,10 +203,10 @@ def non_gaussian_surface(
     skewness, kurtosis : float
         Skewness and kurtosis of the heights; a Gaussian surface has 0 and 3. Allowed: skewness^2 + 1 < kurtosis <= 50.
     steps : int, optional
-        Largest number of iterations; 0 only replaces Gaussian heights by those of the distribution, rank by rank.
+        Largest number of iterations; 0 only replaces Gaussian heights by heights of the distribution, rank by rank.
     exact_spectrum : bool, optional
         True: meet the spectrum exactly and the distribution of heights nearly. False (default): the reverse. Choose True where
-        slopes and curvatures matter: False adds waves shorter than those of the spectrum, low in height but steep.
+        slopes and curvatures matter: False adds waves that are too short for the spectrum, low in height but steep.
     **lay : float or bool
         stretch, angle [rad] and random_amplitudes, as in `gaussian_surface`.
 
@@ -308,7 +309,7 @@ def _alternate(start, amplitudes, wanted, steps):
     - steps: largest number of iterations after the first one
 
     Returns four values: the heights with the exact distribution; the heights with the exact spectrum; the relative rms error of
-    the amplitudes of the former heights; and the number of steps.
+    the amplitudes of the first of these; and the number of steps.
     """
     spectral, last = start, math.inf
     size = math.sqrt(float(np.sum(amplitudes**2)))

@@ -79,7 +79,7 @@ class HeightMap:
 
     @property
     def coarsest_pitch(self) -> float:
-        """Return the larger of the point distances [m] along y and x; for a profile, the one along it."""
+        """Return the larger of the point distances [m] along y and x; for a profile, the distance along x."""
         return self.pitch[1] if self.is_profile else max(self.pitch)
 
     @property

@@ -31,7 +31,8 @@ def as_height_map(value: Any, field: str = "scan") -> HeightMap:
     - a pair (array, size). The array holds heights (rows, columns) or (columns,) in m. The size is the length along x,
       for square pixels, or (y, x), in metres or as text with a unit.
 
-    field: name of the input, for the error. Raises InputError for any other value.
+    field: name of the input, for the error. Raises InputError for any other value, and for heights that are too few, all
+    missing, all equal, or implausible for the size.
     """
     if isinstance(value, HeightMap):
         return value
@@ -61,7 +62,7 @@ def _made(heights: np.ndarray, size: tuple[float, float], what: str, history: tu
     """Build a HeightMap, after the same checks as for scan files.
 
     heights: (rows, columns) [m]. size: (y, x) [m]. what: origin of the heights, for the history. history: further lines for it.
-    name: name of the map, by default `what`.
+    name: name of the map, by default `what`. Raises InputError as `check_numbers` and `check_scale` do.
     """
     surface = HeightMap(heights, size, history=(f"taken from {what}", *history), name=name or what)
     check_numbers(surface.heights, surface.name)

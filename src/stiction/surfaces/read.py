@@ -54,7 +54,7 @@ def read_scan(
         Factor by which the heights are multiplied, not 0.
     channel : str or int, optional
         Name or position of a channel; by default the library's default channel if it contains heights, else the first channel
-        with heights.
+        with heights. For .npz, the name of an array, needed if there are two or more.
 
     Returns
     -------
@@ -173,7 +173,7 @@ def check_numbers(heights: np.ndarray, name: str) -> None:
 
 
 def check_scale(heights: np.ndarray, size: tuple[float, float], name: str) -> None:
-    """Raise InputError unless the heights [m] are finite and their range is plausible for the size (y, x) [m].
+    """Raise InputError unless the heights [m] are finite or NaN, and their range is plausible for the size (y, x) [m].
 
     The range must be 1e-10 to 10 times the longer side. name: name of the file, for the error.
     """

@@ -70,7 +70,7 @@ class PowerSpectrum:
 
     @property
     def pitch(self) -> float:
-        """Return the larger of the point distances [m] along y and x; for a profile, the one along it."""
+        """Return the larger of the point distances [m] along y and x; for a profile, the distance along x."""
         along_x = self.size[1] / self.columns
         return along_x if self.is_profile else max(along_x, self.size[0] / self.density.shape[0])
 
@@ -327,7 +327,7 @@ def _wavevectors(count: int, length: float, frequencies: Callable) -> np.ndarray
 def wave_power(heights: np.ndarray) -> np.ndarray:
     """Return |h|^2 of the Fourier waves of a map, of shape (rows, columns // 2 + 1), in the order of `rfft2`.
 
-    heights: (rows, columns) [m]. A wave and its conjugate, of which `rfft2` stores one, are added (see `waves_of`). The sum of
+    heights: (rows, columns) [m]. Where `rfft2` omits the conjugate of a wave, the entry is doubled (see `waves_of`). The sum of
     all entries is the mean square height times the squared number of points.
     """
     return np.square(np.abs(scipy.fft.rfft2(heights, workers=_WORKERS))) * waves_of(heights.shape[1])

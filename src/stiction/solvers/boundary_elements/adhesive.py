@@ -64,11 +64,11 @@ class AdhesiveContact:
     load [N], > 0 if pressed together. area: contact area, corrected for pixel size [m2]. area_pixels: contact area without this
     correction [m2]. points: number of points in contact. perimeter: length of the contact edge [m]. mean_gap: mean distance of
     the faces [m], infinite if they have separated. attraction: sum of the attractive forces at all points, also at those in
-    contact [N]. detached: whether there is no contact at this load; the area is then 0. residual: largest unbalanced pressure,
-    divided by the largest attraction, at points that are out of contact or should be. points_at_edge: number of points across
-    the zone at the contact edge where attraction acts on open faces (cohesive zone). validity_warnings: limits of the solver
-    that this solution exceeds. pressure: contact pressure minus attraction [Pa], (rows, columns) of the solved grid, which is
-    at least as fine as the map.
+    contact [N]. detached: whether there is no contact at this load; area, attraction and residual are then 0. residual: largest
+    unbalanced pressure, divided by the largest attraction, at points that are out of contact or should be. points_at_edge:
+    number of points across the zone at the contact edge where attraction acts on open faces (cohesive zone). validity_warnings:
+    limits of the solver that this solution exceeds. pressure: contact pressure minus attraction [Pa], (rows, columns) of the
+    solved grid, which is at least as fine as the map.
     """
 
     load: float

@@ -59,9 +59,9 @@ def adhesive_curve(surface: "HeightMap", bodies: Bodies, pressures: Sequence[flo
 def _as_contact(contact: AdhesiveContact, nominal: float) -> MapContact:
     """Convert an adhesive contact to a MapContact without a pressure map.
 
-    nominal: nominal area [m2]. The separation is infinite if the faces do not touch. The pressure map is omitted, because
-    tension also acts inside the contact, and other code counts every point with pressure as a contact point. Stiffness,
-    residual and error bounds are NaN, and the approach is None, because the adhesive solver does not compute them.
+    nominal: nominal area [m2]. The separation is the mean gap, infinite if the faces have separated. The pressure map is
+    omitted, because tension also acts inside the contact, and other code counts every point with pressure as a contact point.
+    The adhesive solver does not compute stiffness, residual and relative errors (NaN), or the approach (None).
     """
     return MapContact(
         load=contact.load, mean_pressure=contact.load / nominal, nominal_area=nominal, area=contact.area,

@@ -112,7 +112,7 @@ class MapArea:
 
     @property
     def finest_points(self) -> float:
-        """Return the number of points of the map at the finest sampling step with which it can be solved."""
+        """Return the number of points of the map at the finest sampling step in `solvable`, which must not be empty."""
         return self.heights.size / self.solvable[-1] ** 2
 
     def _may(self, every: int, in_wave: float, least: float) -> bool:

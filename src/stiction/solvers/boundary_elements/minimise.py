@@ -305,7 +305,7 @@ class _Search:
         return response
 
     def _turn(self) -> float:
-        """Compute the next search direction by conjugate gradients; return the slope of the energy along it.
+        """Compute the next search direction by conjugate gradients; return the energy's slope in this direction.
 
         The direction has zero sum over the points with a pressure between 0 and the hardness, and is zero elsewhere. The last
         direction is weighted by the rule of Polak & Ribiere, with a weight of at least 0.

@@ -151,8 +151,8 @@ def edged(u, *row):
 def plain_coordinate(w, *row):
     """Return the coordinate u of an asperity, without adhesion or with DMT's adhesion, at the displacement w; 0 for w <= 0.
 
-    w: divided by sigma. row: parameters of the asperity. Newton's method is applied to logarithms, because ln w rises with ln u
-    at a slope close to 4.
+    w: divided by sigma; u is infinite if w is. row: parameters of the asperity. Newton's method is applied to logarithms,
+    because ln w rises with ln u at a slope close to 4.
     """
     if not w > 0.0:
         return 0.0
@@ -221,8 +221,8 @@ _halve_off, _halve_short = halving(_comes_off), halving(_is_short)
 def edged_coordinate(w, *row):
     """Return the coordinate u of an asperity with JKR's adhesion at the displacement w, on the stable branch.
 
-    On this branch the displacement grows with u. w: divided by sigma; below its value at detachment, the result is the
-    coordinate of detachment. row: parameters of the asperity.
+    On this branch the displacement grows with u. w: divided by sigma; u is infinite if w is. Below the displacement of
+    detachment, the result is the coordinate of detachment. row: parameters of the asperity.
     """
     if w == math.inf:
         return math.inf

@@ -4,8 +4,8 @@ At this edge the square M of the von Mises stress is a quadratic form in the mea
 
     M = D (A s^2 + 2 B s q + q^2).
 
-A, B and D depend on the contact radius divided by the film thickness. For small contacts they are those of a half-space of film
-material. For wide contacts the film is stretched like the surface below it. `Stresses` supplies the values between these
+A, B and D depend on the contact radius divided by the film thickness. For small contacts they are the values of a half-space of
+film material. For wide contacts the film is stretched like the surface below it. `Stresses` supplies the values between these
 limits.
 """
 

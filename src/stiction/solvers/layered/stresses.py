@@ -141,7 +141,7 @@ def _amplitudes(F: np.ndarray, nu: float) -> dict[str, np.ndarray]:
 
 
 def _across_film(waves: Waves, depth: float) -> tuple[np.ndarray, np.ndarray]:
-    """Return the two antiplane shear stresses (waves,) that the film adds to those of a half-space at one depth.
+    """Return the two antiplane shear stresses (waves,) that the film adds to the half-space's at one depth.
 
     depth: divided by the film thickness. The first stress acts on planes of constant depth, the second on vertical planes along
     the wave.

@@ -58,9 +58,9 @@ class Waves:
     def surface_compliances(self, nu: float) -> np.ndarray:
         """Return two surface displacements of each of m waves under unit shear: (2, m).
 
-        The first is along the wave, under shear along it; the second is across it, under shear across it. They are multiplied
-        by the wavenumber and the shear modulus of the film. On a half-space they are 1 - nu and 1. nu: Poisson's ratio of the
-        film.
+        The first is the displacement along the wave under shear along the wave, the second the displacement across the wave
+        under shear across the wave. They are multiplied by the wavenumber and the shear modulus of the film. On a half-space
+        they are 1 - nu and 1. nu: Poisson's ratio of the film.
         """
         F, _, F2, _ = _film(0.0, self.x)
         along = ((1.0 - nu) * (2.0 + np.sum(F2 * self.added[:, 1], axis=0)) + nu * np.sum(F * self.added[:, 1], axis=0)) / 2.0

@@ -7,8 +7,8 @@ Two half-spaces with shear moduli G_i and Poisson's ratios nu_i, wavevector k, k
 
 The traction (q_x, q_y) displaces one face relative to the other by
 
-    u = [C_T I + (C_L - C_T) k k^T/k^2] q,    u_x = [S - N k_x^2/k^2] q_x/k - N k_x k_y q_y/k^3,  u_y alike               (2)
-    S = sum 1/G_i,  N = sum nu_i/G_i.
+    u = [C_T I + (C_L - C_T) k k^T/k^2] q,    u_x = [S - N k_x^2/k^2] q_x/k - N k_x k_y q_y/k^3                           (2)
+    S = sum 1/G_i,  N = sum nu_i/G_i;    for u_y exchange x and y.
 
 Sign: u is the motion of the upper body relative to the lower one. The traction q acts on the upper body, against u. For a film,
 C_L and C_T come from the layered half-space (see `layered.waves`). The model assumes that traction does not change the
