@@ -78,7 +78,7 @@ def finish(name: str, /) -> Finish:
 def surface_kind_of(word: Any) -> str:
     """Return the kind of surface, one of SURFACE_KINDS, from the name of a kind ("worn") or of a finish ("ground").
 
-    A text from `mixture_of_kinds` is returned unchanged. Raises InputError for any other name.
+    A text from `mixture_of_kinds`, which names more than one kind, is returned unchanged. Raises InputError for any other name.
     """
     if isinstance(word, str) and (word in SURFACE_KINDS or shares_of_kinds(word).keys() <= set(SURFACE_KINDS)):
         return word

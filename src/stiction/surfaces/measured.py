@@ -318,8 +318,8 @@ def standing_method(found: Mapping[str, "Asperities"], counts: Mapping[str, int]
     """Return the key of the asperity method that is used if the user specifies none.
 
     found: asperities by method. counts: number of separate asperities by method. The result is the first method that finds at
-    least FEW asperities or computes averages only; if there is none, the first in `found`, or "" if it is empty. Methods with
-    `of_summits` come first, because their moments can be added for two bodies.
+    least FEW asperities, or whose result has averages only (as always for two bodies); if there is none, the first in `found`,
+    or "" if it is empty. Methods with `of_summits` come first, because their moments can be added for two bodies.
     """
     from stiction.surfaces.asperity_set import FEW
     from stiction.surfaces.finding import methods

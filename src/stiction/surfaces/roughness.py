@@ -147,7 +147,7 @@ class Roughness(Input):
     def part(self, name: str) -> object:
         """Return the value of the field `name`; for "first" or "second", the finish and height specified for that body.
 
-        The result is None if there is no such field, or if no finish was specified.
+        The result is None if there is no such field, if no finish was specified, or if that body is smooth.
         """
         return getattr(self._finished, name, None) if name in ("first", "second") else super().part(name)
 
@@ -217,7 +217,8 @@ class Roughness(Input):
     def of_surface(self) -> "Roughness | None":
         """Return the asperities that have the spectral moments of the surface; None if they are unknown.
 
-        They are the field `surface`, with the kind of surface, skewness, kurtosis and texture aspect ratio of this roughness.
+        They are the field `surface`, with the kind of surface, skewness, kurtosis and texture aspect ratio that are specified
+        for this roughness.
         """
         more = self.shape | ({} if self.kind is None else {"kind": self.kind})
         return self.surface if self.surface is None or not more else self.surface.replace(**more)
@@ -229,14 +230,14 @@ class Roughness(Input):
 
     @property
     def surface_kind(self) -> str | None:
-        """Return the kind of surface, one of finishes.SURFACE_KINDS; None if the user specified none."""
+        """Return the kind of surface, one of finishes.SURFACE_KINDS or a text for a mixture of them; None if it is unknown."""
         return None if self.kind is None else surface_kind_of(self.kind)
 
     @property
     def measured(self) -> "Measured | None":
         """Return what all asperity methods found in the scans (surfaces.measured.Measured).
 
-        The result is None if the numbers do not come from scans.
+        The result is None if the numbers do not come from scans, or belong to one method in `Measured.by_method`.
         """
         return self._measured
 
@@ -248,7 +249,8 @@ class Roughness(Input):
     def map(self) -> "HeightMap | None":
         """Return the single height map that represents the roughness of both bodies.
 
-        The result is None if the numbers do not come from scans, or if the scans cannot be combined into one map.
+        Only the asperities with the spectral moments of the scans, the field `surface`, store this map. The result is None for
+        every other roughness, and if the scans cannot be combined into one map.
         """
         return self._map
 

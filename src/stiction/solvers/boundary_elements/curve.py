@@ -31,7 +31,10 @@ class MapCurve:
     more: Mapping[str, np.ndarray] = field(default_factory=dict)
 
     def array(self, name: str) -> np.ndarray:
-        """Return one attribute of all contacts, by its name, as an array (contacts,); NaN for a load not solved."""
+        """Return one attribute of all contacts as an array (contacts,); NaN if it is None or the load is not solved.
+
+        name: name of the attribute.
+        """
         return np.array([np.nan if contact is None else getattr(contact, name) for contact in self.contacts], dtype=float)
 
     @cached_property

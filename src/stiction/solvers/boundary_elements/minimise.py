@@ -88,9 +88,9 @@ class Problem:
 class Found:
     """Store the numerical solution of the contact of a map under a mean pressure.
 
-    pressure [Pa] and gap [m]: (rows, columns). offset: rigid displacement of the face [m]. residual: root of the summed squared
-    gap errors per point in contact, divided by the problem's length. steps: number of steps taken. converged: whether the
-    residual is at most the tolerance.
+    pressure [Pa] and gap [m]: (rows, columns). offset: rigid displacement of the face [m]. residual: root of the quotient of
+    the summed squared gap errors and the number of points in contact, divided by the problem's length. steps: number of steps
+    taken. converged: whether the residual is at most the tolerance.
     """
 
     pressure: np.ndarray
@@ -271,7 +271,7 @@ class _Search:
         return pressure, inside
 
     def _accept(self, pressure: np.ndarray, least: float = 0.0) -> bool:
-        """Adopt the pressure map `pressure` [Pa] if it lowers the energy; return whether it did.
+        """Adopt the pressure map `pressure` [Pa] if it lowers the energy enough; return whether it did.
 
         least: smallest accepted decrease of the energy, divided by the squared change of pressure.
         """

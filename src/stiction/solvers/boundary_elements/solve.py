@@ -101,7 +101,7 @@ class MapContacts:
         return iter(self.contacts)
 
     def array(self, name: str) -> np.ndarray:
-        """Return one attribute of all contacts, by its name, as an array (loads,)."""
+        """Return one attribute of all contacts, by its name, as an array (loads,); NaN where the attribute is None."""
         return np.array([getattr(contact, name) for contact in self.contacts], dtype=float)
 
 
