@@ -94,7 +94,7 @@ class Finished(Input):
     def moments(self, levels: Mapping[str, Any]) -> Moments:
         """Return the spectral moments of the surface, with its uncertain quantities at given quantile levels.
 
-        levels: quantile level between 0 and 1, by name in `unknowns`. A quantity without a level has its median.
+        levels: quantile level, above 0 and below 1, by name in `unknowns`. A quantity without a level has its median.
         """
         made = finish(self.finish)
         slope, density, *drawn = (made.quantile(name, levels.get(name, 0.5)) for name in self.unknowns)
@@ -169,8 +169,8 @@ class FinishedBodies(Input):
     def asperities(self, levels: Mapping[str, Any]) -> tuple[Any, Any, Any]:
         """Return sigma [m], R [m] and N [1/m^2] of the contact, with its uncertain roughness at given quantile levels.
 
-        levels: quantile levels between 0 and 1, numbers or arrays, by name in `unknowns`. A quantity without a level has its
-        median.
+        levels: quantile levels, above 0 and below 1, numbers or arrays, by name in `unknowns`. A quantity without a level has
+        its median.
         """
         each = [_moments(body, name, levels) for name, body in self.bodies.items()]
         both = each[0] if len(each) == 1 else combine(*each)

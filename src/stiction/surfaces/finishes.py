@@ -50,9 +50,10 @@ class Finish(Input):
         return self
 
     def quantile(self, name: str, level: Any) -> np.ndarray:
-        """Return a roughness quantity of this finish, in SI units, at quantile levels between 0 and 1.
+        """Return a roughness quantity of this finish, in SI units, at quantile levels above 0 and below 1.
 
-        name: "rms_height", "asperity_radius", "rms_slope" or "roughness_parameter". Raises InputError for another name.
+        name: "rms_height", "asperity_radius", "rms_slope" or "roughness_parameter". Raises InputError for another
+        name or level.
         """
         if name not in NUMBERS:
             raise InputError("quantity", name, ", ".join(NUMBERS))

@@ -51,7 +51,8 @@ def prepared(
     Returns
     -------
     HeightMap
-        Heights of the same shape [m], with every step in `history`.
+        Heights of the same shape [m], with every step in `history`. They are not periodic if form, spikes or wavelengths are
+        removed.
 
     Raises
     ------
@@ -216,9 +217,9 @@ def _gram(there: np.ndarray | None, along_x: np.ndarray, along_y: np.ndarray, te
 def crop(surface: HeightMap, *, y: tuple | None = None, x: tuple | None = None) -> HeightMap:
     """Return the part of the map between two positions along y and along x.
 
-    y, x: (start, stop), in metres or text with a unit ("2 um"), from the first row or column; None keeps all points. Point i
-    lies at i times the pitch and is kept if start <= i pitch < stop. The new size is count times pitch. Raises InputError if a
-    position is outside the map or no point is left.
+    y, x: (start, stop), in metres or text with a unit ("2 um"), from the first row or column; a start of 0 must be the number
+    0; None keeps all points. Point i lies at i times the pitch and is kept if start <= i pitch < stop. The new size is count
+    times pitch. Raises InputError if a position is outside the map or no point is left.
     """
     kept, sizes, words = [], [], []
     for name, given, count, pitch in zip("yx", (y, x), surface.heights.shape, surface.pitch, strict=True):

@@ -44,8 +44,9 @@ class MapContact:
     the mean plane of the undeformed heights to the flat counterface [m]. For a map without free edges, on a body that is
     elastic to any depth, it is the distance to the mean plane of the deformed counterface, and approach is None. mean_gap: mean
     distance of the faces [m], with 0 where they touch. approach: approach since first touch [m]. stiffness: derivative of the
-    load with respect to the approach [N/m]; NaN without elastic points, or if not requested. plastic_area: area where the
-    pressure equals the hardness [m2]. plastic_share: fraction of the load on this area [1].
+    load with respect to the approach [N/m]; NaN without elastic points, or if not requested, and infinite in full contact of
+    half-spaces. plastic_area: area where the pressure equals the hardness [m2]. plastic_share: fraction of the load on this
+    area [1].
 
     pressure: (rows, columns) [Pa]; None if not stored. residual: relative error of the contact conditions. steps: number of
     steps of the solver. pressure_error, area_error [1], overlap [m]: error bounds on this grid (see `certificate`). load_error:
