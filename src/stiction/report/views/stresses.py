@@ -21,9 +21,9 @@ if TYPE_CHECKING:
 # Meanings of the table columns.
 MEANINGS = (
     "mu: by this model alone; `stiction run CASE.toml` predicts mu",
-    "a/t: contact radius of the mean touching asperity over the thickness of a film",
-    "stress / Y, where: largest von Mises stress over the yield stress there, and its location",
-    "tension / Y_w, shear / k_w: largest at the interface, over yield and shear yield stress of the weaker of film and body",
+    "a/t: contact radius of the mean touching asperity divided by the film thickness",
+    "stress / Y, where: largest von Mises stress divided by the yield stress at the same point, and the location",
+    "tension / Y_w, shear / k_w: largest at the interface, divided by the (shear) yield stress of the weaker of film and body",
 )
 _HEADS = {
     "mean_separation": "separation", "load": "load", "friction_coefficient": "mu", "contact_over_thickness": "a/t",
