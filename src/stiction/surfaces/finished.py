@@ -211,7 +211,7 @@ class FinishedBodies(Input):
         return [text for text in dict.fromkeys(texts) if text]
 
     def _kind(self) -> str | None:
-        """Return the kind of surface of the contact, such as "worn", or a mixture of two kinds; None if it is unknown.
+        """Return the name of the kind or finish of the contact ("worn", "ground"), or a mixture of two kinds; None if unknown.
 
         A body that contributes at least 80 % of the summed mean square slope determines the kind alone. Between 20 and 80 %,
         the kinds of both bodies must be known; the fraction of each in the mixture rises linearly from 0 to 1, so that results
