@@ -45,9 +45,9 @@ def sums_of_each(scattered: Scattered, h: np.ndarray, threads: int = 1) -> np.nd
     """Return the sums (regimes, n, m, 5) of n laws (parameter sets), each at its own m separations h (n, m).
 
     h: in units of sigma. The five values are averages over all asperities: fraction touching, load, area, slip-limited and
-    yield-limited resistance. scattered: the regimes and the heights. All separations of a law share its nodes. Exceptions, with
-    new nodes at each separation, are a single law, one separation per law, heights that are not Gaussian, and laws with a
-    separation outside -8 to 10 sigma.
+    yield-limited resistance. scattered: the regimes and the heights. threads: largest number of threads. All separations of a
+    law share its nodes. Exceptions, with new nodes at each separation, are a single law, one separation per law, heights that
+    are not Gaussian, and laws with a separation outside -8 to 10 sigma.
     """
     laws, each = h.shape
     sums = np.empty((len(scattered.regimes), laws, each, len(QUANTITIES)))

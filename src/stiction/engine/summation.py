@@ -97,8 +97,8 @@ def scattered(
 
     regimes: smooth parts of an asperity's behaviour, each for n laws (parameter sets). h: array (m,) in units of sigma.
     heights: distribution of the heights. law: array (m,) of indices of laws; by default h[i] belongs to law i, and m = n.
-    Returns an array (regimes, m, 5) of averages over all asperities: fraction touching, load, area, slip-limited and
-    yield-limited resistance.
+    threads: largest number of threads. Returns an array (regimes, m, 5) of averages over all asperities: fraction touching,
+    load, area, slip-limited and yield-limited resistance.
     """
     return Scattered(regimes, heights)(h, np.arange(np.size(h)) if law is None else law, threads)
 
@@ -116,8 +116,8 @@ class Scattered:
     def __call__(self, h: np.ndarray, law: np.ndarray, threads: int = 1) -> np.ndarray:
         """Return m sums over asperity heights, (regimes, m, 5), each for parameter set law[i] at the separation h[i].
 
-        h: in units of sigma. The five values are averages over all asperities: fraction touching, load, area, slip-limited and
-        yield-limited resistance.
+        h: in units of sigma. threads: largest number of threads. The five values are averages over all asperities: fraction
+        touching, load, area, slip-limited and yield-limited resistance.
         """
         h, law = np.ascontiguousarray(h, dtype=float), np.ascontiguousarray(law)
         out = np.empty((len(self.regimes), h.size, len(QUANTITIES)))
@@ -220,9 +220,9 @@ _BLOCK = 128  # number of laws in a block; their nodes fit into the processor's 
 def on_grid(regimes: Sequence[Regime], h: np.ndarray, heights: Heights, threads: int = 1) -> np.ndarray:
     """Return the sums of every regime for n laws (parameter sets) at H mean separations that all laws share.
 
-    regimes: smooth parts of an asperity's behaviour, each for n laws. h: array (H,) in units of sigma. Returns an array
-    (regimes, n, 5, H) of averages over all asperities: fraction touching, load, area, slip-limited and yield-limited
-    resistance.
+    regimes: smooth parts of an asperity's behaviour, each for n laws. h: array (H,) in units of sigma. heights: distribution of
+    the heights. threads: largest number of threads. Returns an array (regimes, n, 5, H) of averages over all asperities:
+    fraction touching, load, area, slip-limited and yield-limited resistance.
     """
     sums = np.empty((len(regimes), len(regimes[0].edges), len(QUANTITIES), np.size(h)))
     for regime, out in zip(regimes, sums, strict=True):
@@ -236,7 +236,7 @@ def totals_on_grid(
     """Return load, area and resistance (n, 3, H) of n laws, summed over all regimes, at H mean separations that all laws share.
 
     regimes: smooth parts of an asperity's behaviour, each for n laws (parameter sets). h (H,): separations in units of sigma.
-    out: array (n, 3, H) for the result, if given.
+    heights: distribution of the heights. out: array (n, 3, H) for the result, if given. threads: largest number of threads.
     """
     sums = np.empty((len(regimes[0].edges), len(_TOTALS), np.size(h))) if out is None else out
     _on_grid(regimes, h, heights, sums, threads)

@@ -349,7 +349,7 @@ def _without_moments(why: str | None) -> tuple[str, ...]:
 def _validity_warnings(maps: "list[HeightMap]", numbers: bool, wanted: MeasuredRoughness) -> tuple[str, ...]:
     """Return warnings if the resolutions (shortest wavelengths) of two rough bodies differ, or if one of them is unknown.
 
-    maps: maps of the scanned bodies. numbers: whether one body is described by sigma, R and N.
+    maps: maps of the scanned bodies. numbers: whether one body is described by sigma, R and N. wanted: holds `shortest`.
     """
     if numbers:
         return ("the resolution of the body stated by numbers is unknown: it must equal the resolution of the scan",)

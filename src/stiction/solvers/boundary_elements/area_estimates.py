@@ -131,8 +131,9 @@ def _lay(xx, yy, xy):
 def _by_rank(heights, size, periodic):
     """Return the mean square gradient of points of about equal height, from the highest to the lowest: two arrays (bins,).
 
-    All points are sorted from highest to lowest and divided into bins. The first array is the fraction of all points that lie
-    in this bin or in a higher bin. The second is the mean square gradient in each bin, divided by its mean over the map.
+    heights: (rows, columns) [m]. size: (y, x) [m]. periodic: whether opposite edges are neighbours. All points are sorted from
+    highest to lowest and divided into bins. The first array is the fraction of all points that lie in this bin or in a higher
+    bin. The second is the mean square gradient in each bin, divided by its mean over the map.
     """
     square = np.zeros(heights.shape)
     for axis, length in enumerate(size):

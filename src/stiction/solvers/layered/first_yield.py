@@ -92,8 +92,9 @@ def at_interface(stresses: Stresses, traction: float) -> tuple[float, float]:
 def norms(stresses: Stresses, angles: np.ndarray) -> np.ndarray:
     """Return the largest von Mises stress in each of five regions of film and body: (PARTS, m).
 
-    angles (m,): arctan(q/s), with q the mean traction, s the mean pressure and s^2 + q^2 = 1. The regions are the film's
-    surface, the contact edge, the inside of the film, the film at its interface, and the body.
+    stresses: stresses in the body under a sphere. angles (m,): arctan(q/s), with q the mean traction, s the mean pressure and
+    s^2 + q^2 = 1. The regions are the film's surface, the contact edge, the inside of the film, the film at its interface, and
+    the body.
     """
     (film, _, _), (body, _, _) = _fields(stresses)
     return np.stack([*_of_film(forms_of(film), angles), _norm(forms_of(body), angles)])

@@ -97,7 +97,7 @@ def pressure(pair: Pair, radius: float) -> np.ndarray:
     """Return the coefficients (n,) of the pressure under a sphere on coated bodies, in orthonormal even polynomials.
 
     The sum g(s) of coefficients times polynomials gives the Hankel transform of the pressure, P(k) = Integral_0^1 g(s) cos(k s)
-    ds. Mean pressure and contact radius are 1. radius: contact radius divided by the thickness of one film.
+    ds. Mean pressure and contact radius are 1. pair: the coatings. radius: contact radius divided by the thickness of one film.
     """
     _, g_0, g_2, _, to_edge = _solve(pair, float(radius))
     g = (1.0 - to_edge @ g_2) / (1.0 - to_edge @ g_0) * g_0 - g_2

@@ -85,8 +85,9 @@ class Stresses:
         """Return a function (name, order) -> (n, m) that computes the Hankel transform of a stress amplitude.
 
         name: name of the amplitude f. The transform of order n is the integral of f k P(k) J_n(k r) over the wavenumber k, with
-        the pressure's transform P(k). r (m,), z (n,): radii and depths divided by the contact radius. function: returns
-        the stress function of all waves at a depth. across: returns their antiplane stresses at a depth.
+        the pressure's transform P(k). r (m,), z (n,): radii and depths divided by the contact radius. nu: Poisson's ratio at
+        these depths. function: returns the stress function of all waves at a depth. across: returns their antiplane stresses at
+        a depth.
         """
         F = np.stack([function(self._waves, depth / self.thickness) for depth in z], axis=2)  # (3, 2, n, waves)
         amplitudes = _amplitudes(F, nu)

@@ -237,8 +237,8 @@ def force_when_all_slide(
 ) -> tuple[float, bool]:  # fmt: skip
     """Return the strength summed over points [Pa] when every point slides along x, and whether the iteration converged.
 
-    Pressure and strength are computed alternately, because shear changes the pressure. strength: returns the shear strength for
-    a given pressure. pressure: first guess (rows, columns) [Pa].
+    Pressure and strength are computed alternately, because shear changes the pressure. coupling, pressing: as in
+    `slide_coupled`. strength: returns the shear strength for a given pressure. pressure: first guess (rows, columns) [Pa].
     """
     strengths, change = _Strengths(), math.inf
     for _ in range(_MOST_TURNS):

@@ -176,8 +176,9 @@ def stuck_stiffness(operator: ShearOperator, touching: np.ndarray) -> float:
 def weakening_length(operator: ShearOperator, strength: float, weakening: Weakening) -> float:
     """Return the length [m] of the zone behind the tip of slip in which the strength falls.
 
-    It is D_c/(S (tau_p - tau_r)) with the characteristic slip D_c, the strength tau_p = `strength` [Pa], the residual strength
-    tau_r, and S the sum of 1/G over the two surface materials (G: shear modulus). tau_r must be less than tau_p.
+    operator: tangential compliance. weakening: how strength falls with slip. The length is D_c/(S (tau_p - tau_r)) with the
+    characteristic slip D_c, the strength tau_p = `strength` [Pa], the residual strength tau_r, and S the sum of 1/G over the
+    two surface materials (G: shear modulus). tau_r must be less than tau_p.
     """
     return weakening.slip / (operator.near * strength * (1.0 - weakening.residual))
 

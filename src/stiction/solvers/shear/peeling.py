@@ -93,8 +93,8 @@ def _at_force(
 ) -> tuple[AdhesiveState, Peeled]:
     """Return the contact under a tangential force [N], as a state to continue from and as a result.
 
-    state: the contact under a smaller force, from which the iteration starts. work: work of adhesion [J/m2]. mode_mixity: a key
-    of MODE_MIXITIES, or None. zeta: fraction of the shear energy that opens the edge.
+    state: the contact under a smaller force, from which the iteration starts. operator: tangential compliance. work: work of
+    adhesion [J/m2]. mode_mixity: a key of MODE_MIXITIES, or None. zeta: fraction of the shear energy that opens the edge.
     """
     released, left = np.zeros(state.gap.shape), np.ones(state.gap.shape)
     converged, turn = mode_mixity is None or force == 0.0, 0
@@ -180,8 +180,8 @@ class _UnitRelease:
 def energy_released(operator: ShearOperator, touching: np.ndarray, total: float) -> np.ndarray:
     """Return the energy [J/m2] that shear releases at the contact edge, for every point (rows, columns).
 
-    Each point takes the value of the nearest edge point. touching: mask (rows, columns) of the points that touch and stick.
-    total: tangential force on them, divided by the area of a point [Pa].
+    Each point takes the value of the nearest edge point. operator: tangential compliance. touching: mask (rows, columns) of the
+    points that touch and stick. total: tangential force on them, divided by the area of a point [Pa].
     """
     shift = np.ones((1, *touching.shape))
     strength = np.where(touching, 1e6 / operator.of_point, 0.0)
