@@ -28,9 +28,9 @@ def with_written(content: Mapping, numbers: Mapping[Address, float]) -> dict[str
 
 
 def show_exactly(value: float, name: str) -> Any:
-    """Return an SI number as a case file writes it: text with ten digits and a unit, or a plain number if dimensionless.
+    """Return an SI number as a case file writes it: text with a unit, or a plain number if dimensionless.
 
-    name: name of the quantity. Angles are converted from radians to degrees.
+    Numbers are rounded to ten significant digits. name: name of the quantity. Angles are converted from radians to degrees.
     """
     value, unit = in_degrees(value, QUANTITIES[name].unit)
     return f"{value:.10g} {unit}" if unit else float(f"{value:.10g}")

@@ -63,7 +63,7 @@ def at_radius(body: Material, radius) -> Material:
 def size_notes(bodies: Iterable[Material], radius) -> list[str]:
     """Return a sentence for each body with a size effect: how much harder it is under asperities than in large imprints.
 
-    radius: radius of the asperities [m].
+    radius: radius of the asperities [m]. The factor is omitted if it is an array. Equal sentences are listed once.
     """
     notes = []
     for body in bodies:
