@@ -1,7 +1,7 @@
 """Predict the static friction of rough, adhesive, possibly soft-coated contacts, and name the source of every number.
 
-The public names are listed once, in `__init__.pyi`, and imported when they are first used, so that `import stiction` costs
-nothing.
+The public names are listed once, in `__init__.pyi`, and imported when they are first used, so that `import stiction` is
+fast.
 """
 
 import importlib

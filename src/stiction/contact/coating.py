@@ -62,6 +62,7 @@ def softer_in_words(film: Material, counterbody: Material, bare: Any) -> str:
     """Return a remark that the body opposite the film is softer than the film, and therefore yields first.
 
     film, counterbody: materials of the film and of the body opposite. bare: hardness of the contact without the film [Pa].
+    The hardness ratio n_H is given as a number unless it is an array.
     """
     ratio = counterbody.hardness / bare
     n_H = f"n_H = {float(ratio):.4g}" if np.ndim(ratio) == 0 else "n_H"

@@ -41,7 +41,7 @@ def available_memory() -> int | None:
 def require_memory(shape: tuple[int, int], *, free: bool = False, kept: int = 1) -> None:
     """Raise InputError if the contact of a map of this shape needs more memory to be solved than is available.
 
-    shape, free, kept: as in `needed_memory`. Call it before the map is generated or read.
+    Nothing is raised if the system does not report the available memory. shape, free, kept: as in `needed_memory`. Call this before the map is generated or read.
     """
     _require(shape, needed_memory(shape, free=free, kept=kept))
 

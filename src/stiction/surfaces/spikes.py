@@ -21,7 +21,8 @@ def spikes(surface: HeightMap, times: float = SUSPICIOUS) -> np.ndarray:
     """Return a mask (rows, columns) of points more than `times` robust standard deviations from the median height.
 
     The robust standard deviation is 1.4826 times the median distance from the median. Missing points are False. The mask is
-    all False if no height is measured, or if more than half of them are equal. Raises InputError unless times is finite and > 0.
+    all False if no height is measured, or if more than half of the heights are equal. Raises InputError unless times is finite
+    and > 0.
     """
     if not (isinstance(times, int | float) and 0.0 < times < math.inf):
         raise InputError("spikes", times, "> 0 robust deviations, e.g. 10")
