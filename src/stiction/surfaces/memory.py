@@ -41,7 +41,8 @@ def available_memory() -> int | None:
 def require_memory(shape: tuple[int, int], *, free: bool = False, kept: int = 1) -> None:
     """Raise InputError if the contact of a map of this shape needs more memory to be solved than is available.
 
-    Nothing is raised if the system does not report the available memory. shape, free, kept: as in `needed_memory`. Call this before the map is generated or read.
+    Nothing is raised if the system does not report the available memory. Call this function before the map is generated
+    or read. shape, free, kept: as in `needed_memory`.
     """
     _require(shape, needed_memory(shape, free=free, kept=kept))
 

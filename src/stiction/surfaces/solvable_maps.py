@@ -44,8 +44,8 @@ class SolvableMaps:
     def one(self) -> "HeightMap":
         """Return the single map that represents the roughness of both bodies: the sum of their heights.
 
-        Raises InputError if a rough body has no map, a map is a profile or has missing points, or two maps differ in shape,
-        size or periodicity.
+        Raises InputError if there is no map, a rough body has no map, a map is a profile or has missing points, or two maps
+        differ in shape, size or periodicity.
         """
         if self.some_numbers or not self.maps:
             raise InputError(

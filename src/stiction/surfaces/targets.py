@@ -63,7 +63,7 @@ class SelfAffine:
         Wavelength above which C is constant, and shortest wavelength; 0 < shortest <= rolloff <= longest, and
         shortest < longest.
     deviation : float [m] or str with a unit
-        Root mean square height.
+        Root mean square height, above 0.
     longest : float [m] or str with a unit, optional
         Wavelength above which C is zero, by default infinite.
     dimensions : int, optional
