@@ -10,9 +10,9 @@ This changes the spectrum, so an iteration alternately restores the amplitudes o
 (Schreiber & Schmitz 1996, for time series). A finite map cannot meet both exactly. The remaining error is written into the
 history of the map.
 
-Stretching an isotropic surface by a factor s along a direction gives h(x / s, y). Along this direction the mean square slope
-falls by s^2 and the mean square second derivative by s^4. Heights, and slopes across this direction, keep their statistics. The
-spectrum becomes s C(s q_along, q_across).
+Stretching an isotropic surface by a factor s along a direction gives h(x / s, y). Along this direction the mean square slope is
+divided by s^2 and the mean square second derivative by s^4. Heights, and slopes across this direction, keep their statistics.
+The spectrum becomes s C(s q_along, q_across).
 
 Save a generated surface to read it with `stiction surface made.npy --size "10 um" --unit m`:
 

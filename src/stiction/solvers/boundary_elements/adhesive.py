@@ -25,7 +25,7 @@ side of a pixel; see `measures`), with
 
     c = .100 + .085/m     (m >= 1)                                                                                        (2)
 
-It was measured on rough maps with 8 points in the shortest wave, compared with the same maps with 32: c = .11 (m = 8), .12 (4),
+c was measured on rough maps with 8 points in the shortest wave, compared with the same maps with 32: c = .11 (m = 8), .12 (4),
 .14 (2), .19 (1), each +- .015 (standard deviation), for contact on 3 to 80 % of the map.
 """
 

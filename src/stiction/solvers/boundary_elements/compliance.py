@@ -5,9 +5,9 @@ the sum):
 
     C(k) = 2 / (E* k)                                                                                                     (1)
 
-For a film of thickness t (1) bonded to a half-space (2), without shear on its face, let x = k t, and G = mu1/mu2 the ratio of
-the shear moduli. This is one wave of the layered half-space of O'Sullivan & King (1988, J. Tribology 110, 235), in the notation
-of Nogi & Kato (1997, J. Tribology 119, 493):
+For a film of thickness t (index 1) bonded to a half-space (index 2), without shear on its face, let x = k t, and G = mu1/mu2
+the ratio of the shear moduli. This is one wave of the layered half-space of O'Sullivan & King (1988, J. Tribology 110, 235), in
+the notation of Nogi & Kato (1997, J. Tribology 119, 493):
 
     C(k) = 2/(E1* k) [1 + 4 x K e^(-2x) - L K e^(-4x)] / [1 - (L + K + 4 K x^2) e^(-2x) + L K e^(-4x)]                    (2)
     L = 1 - 4 (1 - nu1) / (1 + G (3 - 4 nu2)),          K = (G - 1) / (G + 3 - 4 nu1)

@@ -7,7 +7,7 @@ and positive semidefinite. The energy
     1/2 <(g + h) K (g + h)> - <e^(-g)> + P <g>,      g >= 0                                                               (1)
 
 is reduced by conjugate gradients over the free points (Polonsky & Keer 1999, Wear 231, 206; Bugnicourt et al. 2018, Tribology
-Lett. 66, 29). Free are the points out of contact, and the points in contact at which separation lowers the energy. Three steps
+Lett. 66, 29). Free points are out of contact, or in contact where separation lowers the energy. Three steps
 are added to this method. First, directions are multiplied by 1/K and restricted to the free points; K grows with the
 wavevector, so long waves would otherwise converge slowly. Second, the step is Newton's along the direction. It is shortened
 where the attraction makes the energy concave, limited to twice the range where attraction acts, and halved until the energy

@@ -1,13 +1,13 @@
 """Define how shear lowers the work of adhesion at the edge of a contact (mode mixity).
 
 At the sheared edge of an adhesive contact, pressure releases the energy G_N per area and shear releases G_T. w is the work of
-adhesion. With x = G_T/w, y = G_N/w and the phase angle tan^2(psi) = x/y, the edge is in equilibrium where
+adhesion. With x = G_T/w, y = G_N/w and the phase angle psi, tan^2(psi) = x/y, the edge is in equilibrium where
 
     x + y = f(psi)                                                                                                        (1)
 
 y is the fraction of w that remains for the normal contact. The functions f are those of Hutchinson & Suo (1992, Adv. Appl.
-Mech. 29, 63, section III), written from memory and not compared with the printed equations (grade C). zeta is the fraction of
-G_T that opens the edge, 0 to 1:
+Mech. 29, 63, section III), written from memory and not compared with the printed equations (grade C, (2) grade B). zeta is the
+fraction of G_T that opens the edge, 0 to 1:
 
     savkoor_briggs_1977         1/[1 + (zeta - 1) sin^2 psi]        y = 1 - zeta x                                        (2)
     waters_guduru_2010          1 + tan^2[(1 - zeta) psi]           y = (cos psi/cos[(1 - zeta) psi])^2                   (3)
@@ -15,10 +15,10 @@ G_T that opens the edge, 0 to 1:
     menga_carbone_dini_2018     shear releases nothing              y = 1                                                 (5)
 
 (2) with zeta = 1 is Savkoor & Briggs (1977), a brittle edge. Papangelo & Ciavarella (2018, arXiv:1809.10676; abstract read)
-compare (2) to (4), which end in different ways: by a jump, at Hertz's contact, or never. (5): under a uniform shear stress the
-area does not change (Menga, Carbone & Dini 2018, J. Mech. Phys. Solids 112, 145, with the corrigendum of 2019, 133, 103744).
-The physics is disputed: Cricri & Ciavarella (2019, arXiv:1908.04490) find with the same energies that the area falls. Measured
-contacts shrink less than (2) with zeta = 1. No law is recommended.
+compare the laws (2), (3) and (4), under which contact ends by a jump, at Hertz's contact, or never. (5): under a uniform shear
+stress the area does not change (Menga, Carbone & Dini 2018, J. Mech. Phys. Solids 112, 145, with the corrigendum of 2019, 133,
+103744). The physics is disputed: Cricri & Ciavarella (2019, arXiv:1908.04490) find with the same energies that the area falls.
+Measured contacts shrink less than (2) with zeta = 1. No law is recommended.
 """
 
 import math

@@ -1,6 +1,6 @@
 r"""Find the peaks of profiles: points higher than both neighbours along a row or a column of a map.
 
-A profile hardly ever crosses a summit: it passes over its shoulders. Its peaks are therefore lower than the summits. On a
+A profile hardly ever passes over the top of a summit, so its peaks are lower than the summits. On a
 smooth Gaussian surface they are also blunter: the mean curvature of peaks is sqrt(pi m4/2), while the mean curvature of summits
 is (8/3) sqrt(m4/pi), 1.20 times as large (Nayak 1971). On a surface with waves of every size the peaks get ever smaller and
 sharper as the pitch shrinks. The peaks are then a fixed fraction of all points, regardless of which points carry load. This is

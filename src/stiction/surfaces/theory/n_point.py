@@ -5,7 +5,7 @@ closer the surfaces are, the more points an asperity has. Their abstract states 
 are defined and that their distributions are derived, with the exponential autocorrelation as an example. It states no formula.
 This module is a reconstruction:
 
-    asperity   a longest row of m = n - 2 neighbouring points above the level, and the neighbour below it on either side
+    asperity   a longest row of m = n - 2 neighbouring points above the level, and the points below the level beside it
     height t   the highest of the m points, above the level
     radius R   of the parabola of this height over the chord L = (m + 1) spacing between the two neighbours, L^2 / (8 t)
 
