@@ -13,10 +13,10 @@ from stiction.surfaces.heightmap import HeightMap
 def fill_missing(surface: HeightMap, way: str = "harmonic") -> HeightMap:
     """Return the map with its missing points replaced by interpolated heights.
 
-    way: "harmonic" makes each missing height the mean of its four neighbours, as a membrane spans a hole; a profile is
-    interpolated linearly. "nearest" copies the height of the nearest known point. Filled regions are smoother than the real
-    surface, so slopes and summits are inaccurate if many points are missing. Raises InputError if no height is known, `way` is
-    unknown, or the equations of "harmonic" do not converge.
+    way: "harmonic" makes each missing height the mean of its neighbours, weighted by 1/pitch^2, like a membrane. A
+    profile is interpolated linearly. "nearest" copies the height of the nearest known point. Filled regions are smoother than
+    the real surface, so slopes and summits are inaccurate if many points are missing. Raises InputError if no height is known,
+    `way` is unknown, or the equations of "harmonic" do not converge.
     """
     if not isinstance(way, str) or way not in FILLS:
         raise InputError("fill", way, " or ".join(FILLS))

@@ -63,7 +63,8 @@ def matrix(table: np.ndarray, notes: tuple[str, ...], name: str) -> RawScan:
 def _no_numbering(table: np.ndarray, name: str) -> None:
     """Raise InputError if the first row and the first column of a table hold row and column numbers.
 
-    Spreadsheets and data frames write such tables. name: name of the file, for the error.
+    Spreadsheets and data frames write such tables: the numbers start at 0, and the first cell is empty. name: name of the file,
+    for the error.
     """
     rows, columns = table.shape
     if (
