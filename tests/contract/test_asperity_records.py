@@ -16,7 +16,7 @@ from stiction.records.registry import AsperityMethod, Parameter
 from stiction.records.sources import Source
 from stiction.solving.choice import Choice
 from stiction.surfaces.asperity_set import Asperities, of_samples, over_mean_plane
-from stiction.surfaces.finding import SPOKEN_OF, asperities, method_of_moments, methods, methods_for
+from stiction.surfaces.finding import CHECKED_QUANTITIES, asperities, method_of_moments, methods, methods_for
 from stiction.surfaces.heightmap import HeightMap
 from stiction.surfaces.targets import GaussianCorrelation
 
@@ -160,7 +160,7 @@ def test_records_can_be_told_apart():
 def test_validity_is_of_what_is_found(key):
     """In quantities that every method has; what is outside has a warning in the note, here by a range that nothing is in."""
     record = methods()[key]
-    assert {rule.quantity for rule in record.validity} <= SPOKEN_OF.keys()
+    assert {rule.quantity for rule in record.validity} <= CHECKED_QUANTITIES.keys()
 
 
 def test_what_leaves_its_range_has_a_warning():
@@ -316,14 +316,14 @@ def test_a_method_from_outside_is_like_the_others(outside, tmp_path):
 
 def test_one_that_says_it_is_of_summits_comes_after_those_before_it(outside, monkeypatch):
     """The first in order that finds enough stands for the surface."""
-    from stiction.surfaces.measured import standing_method
+    from stiction.surfaces.measured import default_method
 
     first = replace(OUTSIDE, order=0, of_summits=True)
     monkeypatch.setattr(Entry, "load", lambda self: first)
     record_finding._from_plug_ins.cache_clear()
     found = dict.fromkeys(methods(), asperities(rough(), "eight_neighbour"))
-    assert standing_method(found, dict.fromkeys(found, 100)) == "every_point"
-    assert standing_method(found, dict.fromkeys(found, 100) | {"every_point": 3}) == "eight_neighbour"
+    assert default_method(found, dict.fromkeys(found, 100)) == "every_point"
+    assert default_method(found, dict.fromkeys(found, 100) | {"every_point": 3}) == "eight_neighbour"
 
 
 # ---- what it costs

@@ -92,7 +92,7 @@ def asperities(surface: HeightMap, method: str = "mccool", **options: "QuantityL
 
 
 # Quantities of the asperities found for which a method may claim a validity range: name -> function that returns the value.
-SPOKEN_OF: dict[str, Callable[[Asperities], float]] = {
+CHECKED_QUANTITIES: dict[str, Callable[[Asperities], float]] = {
     "asperity_height_deviation": lambda found: found.deviation,
     "asperity_radius": lambda found: found.radius,
     "asperity_density": lambda found: found.density,
@@ -105,7 +105,7 @@ def _outside(record: AsperityMethod, found: Asperities) -> list[str]:
 
     record: the method. found: the asperities that it found, whose properties are checked.
     """
-    values = {rule: SPOKEN_OF[rule.quantity](found) for rule in record.validity}
+    values = {rule: CHECKED_QUANTITIES[rule.quantity](found) for rule in record.validity}
     return [
         f"{QUANTITIES[rule.quantity].meaning} is {value:.3g}, valid range {rule.range}: {rule.why}"
         for rule, value in values.items()

@@ -253,7 +253,7 @@ def measure(wanted: MeasuredRoughness, folder: Path = Path()) -> Measured:
             together = [*each, *known]
             one = together[0] if alone else combine(*together)
             surfaces[method] = roughness(one, height_model(one, wanted.heights))
-            counts[method] = min(map(independent, each, maps.values()))
+            counts[method] = min(map(separate_count, each, maps.values()))
             found[method] = one
         except InputError as error:
             failures[method] = str(error)
@@ -268,7 +268,7 @@ def measure(wanted: MeasuredRoughness, folder: Path = Path()) -> Measured:
     if of_moments in surfaces:
         surfaces[of_moments] = surfaces[of_moments].attached(map=_one_map(solvable))
     surfaces = _with_the_surface(surfaces, surfaces.get(of_moments))
-    method = wanted.method or standing_method(found, counts)
+    method = wanted.method or default_method(found, counts)
     if method not in found:
         why = f"; nothing by {method}: {failures[method]}" if method in failures else ""
         raise InputError("roughness.method", method, ", ".join(found) + why)
@@ -304,7 +304,7 @@ def _one_map(solvable: SolvableMaps) -> "HeightMap | None":
         return None
 
 
-def independent(found: "Asperities", surface: "HeightMap") -> int:
+def separate_count(found: "Asperities", surface: "HeightMap") -> int:
     """Return the number of separate asperities: the number found, but on a map at most density times area.
 
     A method may find the same hill on two or more neighbouring profiles and count it each time.
@@ -314,7 +314,7 @@ def independent(found: "Asperities", surface: "HeightMap") -> int:
     return min(found.count, round(found.density * surface.size[0] * surface.size[1]))
 
 
-def standing_method(found: Mapping[str, "Asperities"], counts: Mapping[str, int]) -> str:
+def default_method(found: Mapping[str, "Asperities"], counts: Mapping[str, int]) -> str:
     """Return the key of the asperity method that is used if the user specifies none.
 
     found: asperities by method. counts: number of separate asperities by method. The result is the first method that finds at

@@ -16,7 +16,7 @@ class RawScan:
     """Store the content of a scan file before its units and size are determined.
 
     - heights: (rows, columns) in the unit of the file, NaN where missing, of any real type
-    - said: format of the file and channel, in words
+    - description: format of the file and channel, in words
     - size: (y, x) in the unit of the file, pitch times number of points; None if the file does not specify it
     - unit: unit of size and heights; None if the file does not specify it
     - notes: steps that brought the heights to a regular grid, in words
@@ -24,7 +24,7 @@ class RawScan:
     """
 
     heights: np.ndarray
-    said: str
+    description: str
     size: tuple[float, float] | None = None
     unit: str | None = None
     notes: tuple[str, ...] = ()

@@ -133,7 +133,7 @@ def _said(surface: HeightMap, raw: RawScan) -> str:
         points = f"profile of {columns} points, length {x}, pitch = length/count = {dx}"
     else:
         points = f"{columns} x {rows} points, size {x} x {y} (x, y), pitch = size/count = {dx} x {dy}"
-    return f"read {surface.name}, {raw.said}: {points}, {surface.missing} points missing" + (
+    return f"read {surface.name}, {raw.description}: {points}, {surface.missing} points missing" + (
         ", periodic" if raw.periodic else ""
     )
 

@@ -14,7 +14,7 @@ from stiction.surfaces.finding import Asperities, asperities, methods
 from stiction.surfaces.height_model import HeightModel, height_model
 from stiction.surfaces.heightmap import HeightMap, metres
 from stiction.surfaces.held import as_height_map
-from stiction.surfaces.measured import independent, standing_method
+from stiction.surfaces.measured import default_method, separate_count
 from stiction.surfaces.prepare import fill_missing
 from stiction.surfaces.spectrum import BinnedSpectrum, power_spectrum, radial_average
 from stiction.surfaces.spikes import spikes as spikes_of
@@ -106,7 +106,7 @@ def analyse(surface: HeightMap, progress: Steps = iter, tip_radius: "QuantityLik
         each,
         {method: height_model(one) for method, one in each.items()},
         failures,
-        standing_method(each, {method: independent(one, surface) for method, one in each.items()}),
+        default_method(each, {method: separate_count(one, surface) for method, one in each.items()}),
         kind_of_map(surface),
     )
 
