@@ -37,7 +37,7 @@ class Liquid(Input):
     contact_angle_first, contact_angle_second : float [rad] or str with a unit
         Contact angle on each body, or on the film that it carries; 0 for a liquid that spreads.
     surface_tension : float [N/m] or str with a unit, optional
-        By default the value of water at the temperature.
+        By default the value of water at the temperature, which must then be at least 248.15 K and below 647.096 K.
     molar_volume : float [m^3/mol] or str with a unit, optional
         By default the value of water at 20 C.
 

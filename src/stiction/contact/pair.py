@@ -69,7 +69,7 @@ def first_is_softer(first: Material, second: Material) -> Any:
     The softer body decides. Of two equally hard bodies, the one with the lower yield stress decides. If these are equal too,
     the one with the lower Poisson's ratio decides, because it yields at a lower pressure (Chang, Etsion & Bogy 1987). The last
     criterion is the lower ratio of tangent modulus to Young's modulus; a body without tangent modulus comes before one that has
-    it.
+    it. The result is True if all of these are equal.
     """
     keys = (
         (first.hardness, second.hardness),
