@@ -724,6 +724,23 @@ def test_an_interruption_of_the_command_keeps_what_is_done(tmp_path, more):
     assert 4 < len(list(out.glob("validity_warnings_by_block/c/*"))) < 5000
 
 
+@pytest.mark.skipif(not hasattr(os, "killpg"), reason="no groups of processes")
+def test_an_interruption_while_workers_import_their_modules_prints_no_traceback(tmp_path):
+    case, out = tmp_path / "case.toml", tmp_path / "store"
+    case.write_text(MANY_BLOCKS, encoding="utf-8")
+    words = [sys.executable, "-m", "stiction", "sweep", str(case), "--out", str(out), "--workers", "2"]
+    process = subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True)
+    try:
+        within(60.0, lambda: len(alive_of(process.pid)) > 1 and out.exists())
+        os.killpg(process.pid, signal.SIGINT)
+        _, said = process.communicate(timeout=60.0)
+    finally:
+        for one in alive_of(process.pid):
+            os.kill(one, signal.SIGKILL)
+    assert process.returncode == 130 and "Traceback" not in said
+    assert said.splitlines()[-1] == "stiction: interrupted"
+
+
 def test_workers_may_die_as_often_as_they_do_something_between(monkeypatch):
     from concurrent.futures.process import BrokenProcessPool
 

@@ -2,6 +2,7 @@
 
 import os
 import pickle
+import signal
 from collections.abc import Iterator
 from functools import lru_cache, partial
 from itertools import islice
@@ -30,11 +31,18 @@ def make_ready() -> Any:
 
     if "forkserver" not in multiprocessing.get_all_start_methods():
         return multiprocessing.get_context("spawn")
-    from multiprocessing import forkserver
+    from multiprocessing import forkserver, resource_tracker
 
     context = multiprocessing.get_context("forkserver")
     context.set_forkserver_preload(_NEEDED)
-    forkserver.ensure_running()
+    resource_tracker.ensure_running()  # now, because its start would unblock the signal
+    # Ctrl-C reaches all processes of a terminal. The server and the workers inherit the blocked signal, so that only this
+    # process is interrupted, even while the others still import their modules.
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    try:
+        forkserver.ensure_running()
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
     return context
 
 
@@ -85,11 +93,10 @@ _store: "Store | None" = None  # the store that this worker process writes to
 
 
 def _begin(store: "Store") -> None:
-    import signal
     from threading import Thread
 
     global _store
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C reaches all processes; the first of them ends the work
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # where workers are not made by a server, which blocks Ctrl-C
     Thread(target=_end_with_parent, daemon=True).start()
     _store = store
 
