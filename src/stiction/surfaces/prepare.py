@@ -14,7 +14,7 @@ from numpy.polynomial.legendre import legvander
 from stiction.quantities.errors import InputError, InWords
 from stiction.quantities.shown import show
 from stiction.surfaces.fill import fill_missing
-from stiction.surfaces.heightmap import HeightMap, metres
+from stiction.surfaces.heightmap import HeightMap, in_metres, metres
 from stiction.surfaces.held import as_height_map
 from stiction.surfaces.spikes import mask_spikes
 
@@ -217,9 +217,9 @@ def _gram(there: np.ndarray | None, along_x: np.ndarray, along_y: np.ndarray, te
 def crop(surface: HeightMap, *, y: tuple | None = None, x: tuple | None = None) -> HeightMap:
     """Return the part of the map between two positions along y and along x.
 
-    y, x: (start, stop), in metres or text with a unit ("2 um"), from the first row or column; a start of 0 must be the number
-    0; None keeps all points. Point i lies at i times the pitch and is kept if start <= i pitch < stop. The new size is count
-    times pitch. Raises InputError if a position is outside the map or no point is left.
+    y, x: (start, stop), in metres or text with a unit ("2 um"), from the first row or column; None keeps all points. Point
+    i lies at i times the pitch and is kept if start <= i pitch < stop. The new size is count times pitch. Raises InputError if
+    a position is outside the map or no point is left.
     """
     kept, sizes, words = [], [], []
     for name, given, count, pitch in zip("yx", (y, x), surface.heights.shape, surface.pitch, strict=True):
@@ -242,7 +242,9 @@ def _range(name: str, given, count: int, pitch: float) -> tuple[int, int]:
     allowed = f"(start, stop) with 0 m <= start < stop <= {largest}, and at least one map point between them"
     if not isinstance(given, tuple | list) or len(given) != 2:
         raise InputError(f"crop {name}", given, allowed)
-    start, stop = (0.0 if isinstance(place, int | float) and place == 0 else metres(place, f"crop {name}") for place in given)
+    start, stop = (in_metres(place, f"crop {name}") for place in given)
+    if not 0.0 <= start < stop < math.inf:
+        raise InputError(f"crop {name}", given, allowed)
     first, last = (math.ceil(place / pitch - 1e-6) for place in (start, stop))  # 1e-6: rounding of text and of the pitch
     if not first < last <= count:
         raise InputError(f"crop {name}", given, allowed)
