@@ -259,7 +259,7 @@ def answer_lines(data: "xarray.Dataset", terminal: bool = True) -> list[tuple[st
         ("uncertainty from", sources_in_words(attrs["shares"])),
         ("sliding", _sliding(point)),
         ("model", models_in_words(attrs["models"]) + beside_area(attrs)),
-        ("if worn through", f"{worn}; not in the interval" if worn else ""),
+        ("if worn through", f"{worn} (clean metals); not in the interval" if worn else ""),
         ("checked against", "" if "measured" in attrs else attrs["checked_against"]),
         ("warning", warnings[0] if warnings else ""),
         ("not used", "; ".join(attrs["inputs_not_used"])),
@@ -338,7 +338,7 @@ def worn_through(interval: list[float]) -> str:
     """Format the interval [low, high] of mu after film or oxide has worn through to the bare metals; "" for an empty list."""
     if not interval:
         return ""
-    return f"mu = {number(interval[0])} to {number(interval[1])} at most (clean metals)"
+    return f"mu = {number(interval[0])} to {number(interval[1])} at most"
 
 
 def next_in_words(data: "xarray.Dataset", terminal: bool = True) -> str:
