@@ -50,8 +50,9 @@ class Curves:
     def at(self, load: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Return contact area and friction force at the first separation on approach that carries a load; NaN if none does.
 
-        load: broadcasts to the leading dimensions of the curves. Curves are followed from their largest tension. Linear
-        interpolation between separations 0.05 sigma apart is accurate to about 1e-3.
+        load: broadcasts to the leading dimensions of the curves; the results are also NaN for a load that is not above 0.
+        Curves are followed from their largest tension. Linear interpolation between separations 0.05 sigma apart is accurate to
+        about 1e-3.
         """
         after_tension = np.arange(_H.size) > np.argmin(self.load, axis=-1, keepdims=True)
         reached = after_tension & (self.load >= load[..., None])
@@ -83,7 +84,8 @@ class Surfaces:
         """Return a result of the coated surface over the same result of the uncoated one at equal load, (n, n_E, n_H, tau).
 
         over_reference: ratio of the load to the reference load, which the uncoated surface carries at h = -4. quantity: 0 for
-        contact area, 1 for friction force, whose ratio is also the ratio of friction coefficients.
+        contact area, 1 for friction force, whose ratio is also the ratio of friction coefficients. The ratio is NaN if a
+        surface does not carry the load, or if the uncoated surface has no friction.
         """
         load = over_reference * self.bare.load[..., -1]
         bare, coated = self.bare.at(load)[quantity], self.films.at(np.broadcast_to(load, self.films.load.shape[:-1]))[quantity]
@@ -125,8 +127,9 @@ def _thin_film_area(surfaces: Surfaces) -> np.ndarray:
 class Claim:
     """Define one claim of the paper as a test: it holds for a case if a number lies on the right side of a bound.
 
-    key: letter. says: the claim. number, cases: texts on what is computed, and for which films. measure: function that computes
-    the numbers from the curves. below: whether the claim holds below the bound, or above it.
+    A case is one film, or the uncoated surface. key: letter. says: the claim. number, cases: texts on what is computed, and for
+    which films. measure: function that computes the numbers from the curves. below: whether the claim holds below the bound, or
+    above it.
     """
 
     key: str
@@ -135,7 +138,7 @@ class Claim:
     cases: str
     measure: Callable[[Surfaces], np.ndarray]
     bound: float
-    below: bool  # whether the claim holds below the bound, or above it
+    below: bool
 
     @property
     def definition(self) -> str:
@@ -210,8 +213,8 @@ CLAIMS = (
 class ClaimMap:
     """Hold the results of all claims over the plane of the indices theta and lambda (`lam`).
 
-    share, worst (claims, variants, theta, lam): fraction of cases for which a claim holds, and the number farthest on the wrong
-    side of the bound (see Claim.judge).
+    share, worst (claims, variants, theta, lam): fraction of the comparable cases for which a claim holds, and the number
+    farthest on the wrong side of the bound (see Claim.judge); NaN if no case is comparable.
     """
 
     theta: np.ndarray
@@ -286,7 +289,7 @@ def where(claims: ClaimMap, chosen: np.ndarray) -> str:
 def _bounds(claims: ClaimMap) -> tuple[list[str], np.ndarray]:
     """Return candidate bounds on theta, lambda and eta: their names, and an array (bounds, points) of 1 inside and 0 outside.
 
-    The bounds lie halfway between neighbouring points. The first bound has no name and includes all points.
+    The bounds lie halfway between the logarithms of neighbouring points. The first bound has no name and includes all points.
     """
     theta, lam = (grid.ravel() for grid in np.meshgrid(claims.theta, claims.lam, indexing="ij"))
     eta = np.sqrt(np.pi) * 18.0**0.25 * lam**0.25 * theta**-0.5  # theory.md, theory 1
@@ -303,8 +306,9 @@ def _bounds(claims: ClaimMap) -> tuple[list[str], np.ndarray]:
 def summary(claims: ClaimMap, theta: float, lam: float) -> list[dict]:
     """Return one dict of results for each claim and each variant of the paper's model.
 
-    It has the fractions of the plane where the claim holds for all, some or none of its cases or is not comparable; texts on
-    where it holds for all and for none; and its result at the given theta and lam.
+    The dict names the claim and the variant. It has the fractions of the plane where the claim holds for all, some or none of
+    its comparable cases, or no case is comparable; texts on where it holds for all and for none; and the results of
+    `Claim.judge` at the given theta and lam, None if no case is comparable there.
     """
     rows = []
     here = [surfaces_at(theta, np.array([lam]), variant) for variant in VARIANTS]

@@ -57,7 +57,7 @@ class PanelCurves:
 
     @property
     def caption(self) -> str:
-        """Return a caption of two lines: the parameters printed in the paper, and those chosen here."""
+        """Return a caption of two lines: figure, variant and fixed film groups; then theta, lambda and the range of h."""
         groups = self.bare.attrs
         fixed = ", ".join(f"{name} = {value:g}" for name, value in self.panel.fixed.items())
         chosen = f"theta = {groups['theta']:g}, lambda = {groups['lam']:g} (not printed in the paper)"

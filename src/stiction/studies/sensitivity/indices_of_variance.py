@@ -15,11 +15,11 @@ _LEVELS = 4
 
 
 def points_of_indices(columns: int, count: int, seed: int) -> np.ndarray:
-    """Return sample points for Sobol indices in the unit cube, (parts, columns + 2, count / parts, columns).
+    """Return sample points for Sobol indices in the unit cube, (PARTS, columns + 2, count / PARTS, columns).
 
-    columns: number of inputs. count: number of points, a power of two, divided among `parts` independently scrambled sequences.
-    Along the second dimension are sample A, sample B, and for each input a copy of A with this input from B. Source: Saltelli
-    et al. 2010, section 3: a sequence of twice the columns gives A and B.
+    columns: number of inputs. count: number of points, a power of two, divided among 8 (PARTS) independently scrambled
+    sequences. Along the second dimension are sample A, sample B, and for each input a copy of A with this input from B. Source:
+    Saltelli et al. 2010, section 3: a sequence of twice the columns gives A and B.
     """
     both = scrambled(2 * columns, count, seed, PARTS)
     first, second = both[..., :columns], both[..., columns:]
@@ -33,11 +33,12 @@ def sobol_indices(values: np.ndarray) -> dict[str, np.ndarray]:
     """Return Sobol indices of k inputs from values (parts, k + 2, n) of a function at the points of `points_of_indices`.
 
     The parts are independently scrambled sequences of n points. The result has arrays (k,) by name: first_order, total_order,
-    and the ends of their 95 % intervals with `_low` and `_high`. They are NaN if less than half of the values are finite.
-    `points` is the number of sample points used.
+    and the ends of their 95 % intervals with `_low` and `_high`. `points` is the number of sample points used. A point is valid
+    if all its k + 2 values are finite. The indices are NaN and `points` is 0 if less than half of the points are valid, or
+    fewer than two in any part.
 
     Source: Saltelli et al. 2010, table 2: (b) for the first-order and (f), Jansen 1999, for the total index. The interval is
-    Student's t interval over the parts. Points with NaN are excluded. Further points are then excluded until a power of two
+    Student's t interval over the parts. Invalid points are excluded. Further points are then excluded until a power of two
     remains.
     """
     columns = values.shape[1] - 2
@@ -56,9 +57,9 @@ def sobol_indices(values: np.ndarray) -> dict[str, np.ndarray]:
 
 
 def _estimated(values: np.ndarray) -> tuple[np.ndarray, int]:
-    """Return first-order and total Sobol indices (2, k) from values (k + 2, n), and the number of points used.
+    """Return first-order and total Sobol indices (2, k) from finite values (k + 2, n), and the number of points used.
 
-    Of the n points, the largest power of two is used. The indices are 0 if the values do not vary.
+    The first 2^m of the n points are used, with the largest possible m. The indices are 0 if the values do not vary.
     """
     from scipy.stats import sobol_indices as estimated
 
@@ -92,8 +93,9 @@ def effects(points: np.ndarray, values: np.ndarray) -> dict[str, np.ndarray]:
 
     points: trajectories (count, k + 1, k). values: values (count, k + 1) of a function at these points. An elementary effect is
     the change of the value by a step, divided by the step. The statistics are `effect` (mean absolute effect), `effect_error`
-    (its standard error), `mean`, and `effect_deviation` (standard deviation). They are NaN if fewer than half of the effects of
-    an input are finite. Source: Morris 1991, eq. 1; the mean of absolute effects Campolongo, Cariboni & Saltelli 2007, eq. 3.
+    (its standard error), `mean`, and `effect_deviation` (standard deviation), over the finite effects. They are NaN for an
+    input with fewer than two finite effects, or with finite effects in fewer than half of the trajectories (rounded down).
+    Source: Morris 1991, eq. 1; the mean of absolute effects Campolongo, Cariboni & Saltelli 2007, eq. 3.
     """
     from pandas import DataFrame
 

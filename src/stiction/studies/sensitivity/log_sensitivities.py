@@ -37,11 +37,11 @@ _LEFT_OUT = ("surface_energy",)
 
 @dataclass(frozen=True)
 class LogSensitivities:
-    """Hold logarithmic sensitivities d ln y/d ln x of results y to k input numbers x.
+    """Hold logarithmic sensitivities d ln y/d ln x of results y to k inputs x.
 
-    names: names of the inputs (k,). tables: sensitivities (k, *shape) of each result by its name, where `shape` is the shape
-    of the result; NaN unless y > 0. errors: their error bounds, in the same form. dims: names of the dimensions of each
-    result.
+    names: names of the inputs, k texts. An input is one number, or several that are changed by the same factor. tables:
+    sensitivities (k, *shape) of each result by its name, where `shape` is the shape of the result; NaN unless y > 0. errors:
+    their error bounds, in the same form. dims: names of the dimensions in `shape`, by name of the result.
     """
 
     names: list[str]
@@ -54,7 +54,7 @@ class LogSensitivities:
 class _Steps:
     """Replace the distribution of an uncertain number: `ppf` returns the nominal value times exp(step).
 
-    The code that samples uncertain numbers then computes the contact with the number changed by steps of its logarithm.
+    The code that samples uncertain numbers then changes the number by steps of its logarithm.
     """
 
     nominal: float
@@ -65,10 +65,11 @@ class _Steps:
 
 
 def numbers_of(case: Case) -> dict[str, list[Uncertain]]:
-    """Return, by name, every number above 0 of the contact as an uncertain number whose samples are steps of its logarithm.
+    """Return the numbers that `_numbers` yields for a contact, as uncertain numbers whose samples are steps of the logarithm.
 
-    Numbers that are sampled together in the case share one name and are changed together. Array parameters, and roughness
-    parameters measured from scans, are left out.
+    The result has a list of numbers for each input, by name of the input. Numbers that are sampled together in the case form
+    one input and are changed by the same factor. Array parameters, surface energies, and roughness parameters measured from
+    scans are left out.
     """
     together = {one.path: one for one in case.uncertain}
     found = []
@@ -87,9 +88,9 @@ def numbers_of(case: Case) -> dict[str, list[Uncertain]]:
 def _numbers(record: Input, path: Address) -> Iterator[tuple[Address, float]]:
     """Yield the address (tuple of keys) and the value of each quantity above 0 in a record and its nested records.
 
-    Fields of a contact or of indices that the user did not state are left out, and so are the records `surface` and
-    `interface`. For bodies with a finish, the heights replace sigma, R and N, which follow from them. path: address of the
-    record, with which all addresses begin.
+    A quantity is a float in a field whose name is in QUANTITIES. Fields of a contact or of indices that the user did not state
+    are left out, and so are the records `surface` and `interface`. For bodies with a finish, the heights of the finish replace
+    sigma, R and N, which follow from them. path: address of the record, with which all addresses begin.
     """
     given = record.model_fields_set if isinstance(record, Subject) else type(record).model_fields  # groups may have a default
     for name in [name for name in type(record).model_fields if name in given]:
@@ -111,10 +112,11 @@ def _bodies_with_finish(roughness: Roughness) -> Iterator[tuple[Address, Any]]:
 
 
 def log_sensitivities(case: Case, choice: Choice, names: Sequence[str] = OUTPUTS, progress: Any = iter) -> LogSensitivities:
-    """Return the logarithmic sensitivities of results to every number of the contact.
+    """Return the logarithmic sensitivities of results to every number of the contact that `numbers_of` returns.
 
-    choice: the model. names: names of the results. progress: receives the list of batches and returns an iterator over it.
-    Raises InputError.
+    choice: the model. names: names of the results. progress: receives the list of batches and returns an iterator over it. A
+    sensitivity is NaN unless the result is above 0 at all steps. Raises InputError or ArithmeticError if the model refuses the
+    nominal contact.
     """
     inputs, stepped, steps = _stepped_case(case, _STENCIL)
     found = draw(stepped, steps, [Variant(choice)], names=names, progress=progress)
@@ -126,7 +128,8 @@ def log_sensitivities(case: Case, choice: Choice, names: Sequence[str] = OUTPUTS
 def log_sensitivities_of_prediction(case: Case, load: float) -> dict[str, float]:
     """Return d ln mu/d ln x for the median mu of a prediction at a load [N], by name of the number x.
 
-    The derivative is the slope between ln x - 0.05 and ln x + 0.05. The numbers include the numbers of a named interface.
+    The derivative is the slope between ln x - 0.05 and ln x + 0.05, NaN if the prediction is refused at one of them. The
+    numbers are those of `numbers_of` and, as interface.NAME, those of the interface state of the contact.
     """
     inputs, stepped, steps = _stepped_case(case, _WIDE)
     numbers, mu = stepped.numbers_at(steps), np.full(len(steps), np.nan)
@@ -143,10 +146,11 @@ def log_sensitivities_of_prediction(case: Case, load: float) -> dict[str, float]
 
 
 def _of_interface(case: Case, load: float) -> dict[str, float]:
-    """Return d ln mu/d ln x for the strength and the pressure coefficient of the interface of a contact.
+    """Return d ln mu/d ln x for the strength and the pressure coefficient of the interface state of a contact.
 
-    load: in N. A number and its 5 and 95 % quantiles are changed by the same factor. Numbers that are uncertain in the case are
-    left out. The bodies still limit the shear strength.
+    load: in N. The names are interface.NAME; the result is {} without an interface state. A number and its 5 and 95 % quantiles
+    are changed by the same factor. Numbers that are arrays, or uncertain in the case, are left out. The shear strength is still
+    limited by the bodies.
     """
     contact = case.subject
     if not isinstance(contact, Contact) or contact.interface is None:
@@ -171,9 +175,9 @@ def _of_interface(case: Case, load: float) -> dict[str, float]:
 
 
 def _stepped_case(case: Case, stencil: np.ndarray) -> tuple[list[str], Case, np.ndarray]:
-    """Return the names of k numbers, a case in which they are uncertain, and the steps to take (k s, k).
+    """Return the names of k inputs, a case in which their numbers are uncertain, and the steps to take (k s, k).
 
-    stencil (s,): steps of ln x. Each row of steps is for one contact: it changes one number and leaves the others unchanged.
+    stencil (s,): steps of ln x. Each row of steps is for one contact: it changes one input and leaves the others unchanged.
     """
     inputs = numbers_of(case)
     steps = np.zeros((len(inputs), len(stencil), len(inputs)))

@@ -65,19 +65,20 @@ def sensitivity(
     xarray.Dataset
         In the names of the variables, y denotes friction_coefficient, contact_area, load (at separations) or pull_off_force.
         Over `input`, the uncertain inputs: y_first_order and y_total_order, Sobol indices of ln y with 95 % intervals (`_low`,
-        `_high`); y_effect, the mean elementary effect of Morris on ln y from the 2.5 to the 97.5 % quantile of the input, with
-        y_effect_error and y_effect_deviation. Over `number`, all numbers of the contact: y_log_sensitivity, d ln y/d ln x at
-        the nominal numbers. If no model is named, the results are those of the prediction: friction_coefficient_share over
-        `input`, the fraction of the variance of ln mu, and friction_coefficient_log_sensitivity over `number`.
+        `_high`); y_effect, the mean absolute elementary effect of Morris on ln y from the 2.5 to the 97.5 % quantile of the
+        input, with y_effect_error and y_effect_deviation. Over `number`, all numbers of the contact: y_log_sensitivity, d ln
+        y/d ln x at the nominal numbers, and its error bound y_elasticity_error. If neither `models` nor the case names a model
+        and a load is above 0, the results are those of the prediction: friction_coefficient_share over `input`, the fraction of
+        the variance of ln mu, and friction_coefficient_log_sensitivity over `number`.
 
     Raises
     ------
     InputError
-        A number of the contact is an array, or a model is not known.
+        A number of the contact is an array, or a model is not known or does not accept the contact.
 
     Notes
     -----
-    Methods: Sobol (2001), Morris (1991). Without uncertain inputs, only logarithmic sensitivities are returned.
+    Methods: Sobol (2001), Morris (1991). Without uncertain inputs, a model has no Sobol indices and no Morris effects.
 
     Examples
     --------
@@ -133,7 +134,10 @@ def _of_prediction(case: Case, load: float) -> "xarray.Dataset":
 
 
 def _at_few_loads(case: Case, working: float | None) -> Case:
-    """Return the case with at most nine of its loads, including the one nearest to the working load [N]."""
+    """Return the case with at most nine of its loads, spread over all of them.
+
+    working: working load [N]; the load nearest to it is included. None if there is none. A case without loads is unchanged.
+    """
     if case.load is None or case.load.size <= _LOADS:
         return case
     places = spread_rows(case.load.size, _LOADS)
@@ -251,8 +255,9 @@ def _of_result(
 ) -> Iterator[tuple[str, tuple[np.ndarray, dict[str, str]]]]:
     """Yield the Sobol indices and Morris effects of the logarithm of one result.
 
-    Each item is the ending of a variable name, and (array (inputs, *shape), attributes). name: name of the result. drawn,
-    screened: results at the sample points `points` (for Sobol indices) and `paths` (Morris trajectories).
+    Each item is the ending of a variable name, and (array (inputs, *shape), attributes). name: name of the result. points:
+    sample points for the Sobol indices. paths: Morris trajectories in the unit cube. drawn: results at `points`. screened:
+    results at `paths` rescaled to the quantile levels 0.025 to 0.975. The logarithm is NaN where the result is not above 0.
     """
     shape = drawn.tables[name].shape[1:]
     logs = [_log(one.tables[name]).reshape(*grid.shape[:-1], -1) for one, grid in ((drawn, points), (screened, paths))]

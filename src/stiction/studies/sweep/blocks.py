@@ -27,8 +27,9 @@ def solve_block(
     """Solve the contacts of one block of a sweep; return results by name, and validity warnings as an array of bits.
 
     choice: the model. block: number of the block, a part of the contacts that is stored at once. dims: dimensions of each
-    result to store, by name. sizes: number of loads or separations, by dimension. All arrays run over the contacts of the block
-    and the loads or separations. The results of a contact that the model refuses are NaN, and the reason is among its bits.
+    result to store, by name. sizes: number of loads or separations, by dimension. A result has the dimensions in `dims`; the
+    warnings have all dimensions of the contacts and `sizes`. The results of a contact that the model refuses are NaN, and the
+    reason is among its bits.
     """
     shape = {dim: some.stop - some.start for dim, some in plan.region(block).items()} | dict(sizes)
     results = {name: np.full([shape[dim] for dim in of], np.nan) for name, of in dims.items()}
@@ -60,8 +61,8 @@ def _solved(plan: Plan, choice: Choice, block: int, keep: list[str]) -> Iterator
 def solved_of(plan: Plan, choice: Choice, piece: Region, keep: list[str] | None) -> Iterator[tuple[Region, BatchResult | None]]:
     """Yield (region, results) for all parts of `piece`, a region of the sweep; results are None for refused contacts.
 
-    The results come from the model in `choice`, or from the prediction if it is "recommended". keep: names of the results, None
-    for all.
+    region: slices within the piece, by dimension. The results come from the model in `choice`, or from the prediction if it is
+    "recommended". keep: names of the results, None for all; a prediction ignores it.
     """
     try:
         case, arrays = plan.case_at(piece), plan.arrays(piece)
@@ -90,8 +91,9 @@ def _along_places(solved: BatchResult) -> BatchResult:
 def statistics_of(values: np.ndarray, contacts: int) -> np.ndarray:
     """Return statistics of the finite values over all contacts, at each load or separation, (5, points).
 
-    The rows are count, mean, sum of squared deviations, minimum and maximum. values: array over contacts and points (loads or
-    separations). contacts: how many of its leading dimensions run over contacts.
+    The rows are count, mean, sum of squared deviations, minimum and maximum; without finite values 0, 0, 0, inf and -inf.
+    values: array over contacts and points (loads or separations). contacts: how many of its leading dimensions run over
+    contacts.
     """
     rows = values.reshape(math.prod(values.shape[:contacts]), -1)
     there = np.isfinite(rows)
@@ -106,8 +108,9 @@ def statistics_of(values: np.ndarray, contacts: int) -> np.ndarray:
 def merged(parts: Iterable[np.ndarray]) -> dict[str, np.ndarray]:
     """Merge the statistics of blocks into count, mean, standard deviation, minimum and maximum, (points,) by name.
 
-    parts: arrays (5, points) as `statistics_of` returns them. Source: Chan, Golub & LeVeque 1983, eqs 2.1. The standard
-    deviation divides by n - 1.
+    parts: arrays (5, points) as `statistics_of` returns them, at least one. The names are those of MOMENTS. The standard
+    deviation divides by n - 1 and is NaN for fewer than two values; without values, all but the count are NaN. Source: Chan,
+    Golub & LeVeque 1983, eqs 2.1.
     """
     waiting = iter(parts)
     count, mean, squares, least, most = (row.copy() for row in next(waiting))

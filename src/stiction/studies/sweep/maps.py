@@ -37,8 +37,9 @@ class Realisations(Input):
     """Define periodic random maps with one self-affine spectrum, which differ by their seed.
 
     hurst: Hurst exponent. rolloff, shortest: wavelengths at which the spectrum levels off and ends, as text with units.
-    deviation: standard deviation of the heights, size: side of the map, both as text with units. points: number of points along
-    a side. realisations: number of maps. seed: seed of the first map. skewness, kurtosis: of the heights, both or neither.
+    deviation: standard deviation of the heights. size: side of the square map. Both are text with units. points: number of
+    points along a side. realisations: number of maps. seed: seed of the first map. skewness, kurtosis: of the heights, both or
+    neither; a Gaussian surface has 0 and 3.
     """
 
     hurst: float
@@ -53,7 +54,10 @@ class Realisations(Input):
     kurtosis: float | None = None
 
     def surface(self, index: int) -> HeightMap:
-        """Return the random map with the number `index`; its seed is `seed` + `index`."""
+        """Return the random map with the number `index`; its seed is `seed` + `index`.
+
+        Raises InputError for values that no map can have.
+        """
         from stiction.surfaces.generate import gaussian_surface, non_gaussian_surface
         from stiction.surfaces.targets import SelfAffine
 
@@ -88,7 +92,10 @@ class MapOfPlace:
         return self.entry.file if self.entry.patches == 1 else f"{self.entry.file}, row {row + 1}, column {column + 1}"
 
     def roughness(self) -> Roughness:
-        """Return the roughness measured on the map; raise InputError if it has none, e.g. no asperities."""
+        """Return the roughness measured on the map.
+
+        Raises InputError if the map cannot be read or made, or has no asperities.
+        """
         with field_below("sweep.roughness"):
             table: dict[str, Any] = {}
             if isinstance(self.entry, Realisations):

@@ -39,7 +39,7 @@ def opened_store(path: Path, plan: Plan, title: str, text: str) -> Store:
     """Return the store at a path for a sweep plan; it is created if the folder is new or empty.
 
     title, text: title and text of the case file, which a new store contains. Raises InputError if the path holds something
-    else, or the store of another case or another version of the program.
+    else, a damaged store, or the store of another case or another version of the program.
     """
     require_place(path, "a folder for the store, new, or of this case")
     if path.is_file():
@@ -60,7 +60,8 @@ def opened_store(path: Path, plan: Plan, title: str, text: str) -> Store:
 def _check_whole(store: Store, path: Path) -> None:
     """Raise InputError if a store is damaged.
 
-    It is damaged if an array is absent, the list of finished blocks cannot be read, or a coordinate was changed.
+    It is damaged if an array is absent, the list of finished blocks cannot be read, or a coordinate was changed. Arrays of
+    results are not looked for if the sweep stores statistics.
     """
     try:
         absent = ({DONE, CHECKSUMS} | (set() if store.plan.sweep.statistics else set(store._results))) - store._arrays.keys()
@@ -91,7 +92,7 @@ def _attributes(store: Store, path: Path) -> Mapping[str, Any]:
 
 
 def _difference(one: Any, other: Any, path: str = "") -> str:
-    """Return the dotted key at which two nested tables first differ.
+    """Return the dotted key at which two nested tables first differ; `path` if they are equal.
 
     path: dotted key of both tables themselves, "" for the outermost ones.
     """
@@ -106,8 +107,9 @@ def create(path: Path, plan: Plan, title: str, text: str) -> None:
     """Create an empty store for a sweep plan at a path.
 
     title, text: title and text of the case file. The store is written to a neighbouring folder and moved to the path at the
-    end. If another process has created the store meanwhile, that store is kept. Raises InputError if the first contacts cannot
-    be solved, or if the path cannot be written.
+    end. If another process has created the store meanwhile, that store is kept. Raises InputError if `keep` names an unknown
+    result, the model has too many validity ranges, or the path cannot be written. Raises the error of `_first` if the first
+    contacts cannot be solved.
     """
     choice, first = _first(plan)
     beside = path.resolve().parent / f".{path.resolve().name}.{uuid4().hex}.begun"
@@ -127,7 +129,8 @@ def create(path: Path, plan: Plan, title: str, text: str) -> None:
 def _first(plan: Plan) -> tuple[Choice, Any]:
     """Return the model of a sweep, and (case, results) of the first of its contacts that can be solved.
 
-    Raises the last error if the model refuses the first five contacts of each of the first three blocks.
+    Raises the last error, InputError or ArithmeticError, if the first five contacts of each of the first three blocks are
+    refused.
     """
     from stiction.studies.case_results import choice_of_case
 
@@ -267,7 +270,8 @@ def _coordinates(group: Any, plan: Plan, case: Any, points: Mapping[str, int]) -
     """Return the coordinates of the dimensions of a store, as (dimension, values, attributes) by name.
 
     group: the zarr group of the store. points: number of loads or separations, by dimension. For listed or sampled contacts,
-    the values of array parameters are written later, with each block; their empty arrays are created here.
+    the values of array parameters are written later, with each block; their empty arrays are created here. If the sweep stores
+    statistics, contacts have no coordinates.
     """
     found: dict[str, tuple] = {}
     if plan.sweep.statistics:

@@ -85,7 +85,7 @@ class Plan:
         return self.case.at({("contact", "roughness"): self.maps[region[PLACE].start].roughness()})
 
     def arrays(self, region: Mapping[str, slice]) -> dict[Address, Any]:
-        """Return the array parameters of a region of contacts, in SI units by address (tuple of keys).
+        """Return the array parameters of a region of contacts, in SI units by address (tuple of keys); {} in a sweep over maps.
 
         Each is a labelled array (xarray). region: slice by dimension.
         """
@@ -198,7 +198,8 @@ def _plan_of_maps(content: Mapping[str, Any], folder: Path, sweep: Sweep) -> Pla
 def _without_scans(case: Case) -> tuple[Case, dict[str, str]]:
     """Return the case with roughness parameters instead of scans, and attributes that describe the scans.
 
-    The parameters are those that the asperity method of the case finds. Worker processes then need no scan files.
+    The parameters are those that the asperity method of the case finds. Worker processes then need no scan files. A case
+    without scans is returned unchanged, with {}.
     """
     if case.measured is None:
         return case, {}

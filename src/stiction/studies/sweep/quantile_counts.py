@@ -1,10 +1,10 @@
 """Approximate quantiles of any number of values in bounded memory, by histograms that can be merged.
 
-A bin has one sign, one exponent and the first seven binary digits of the fraction, so its width is at most 1/128 of its lower
-end. All histograms have the same bins, so the counts of parts add up exactly, in any order. A quantile is the centre of its
-bin, within 1/256 of the true value. Source: Masson, Rim & Lee 2019 (DDSketch), section 2. Bins of constant relative width bound
-the relative error of quantiles and can be merged. The authors' package processes one value after another in Python and is
-thirty times slower.
+A bin has one sign, one exponent and the first seven binary digits of the fraction, so its width is at most 1/128 of its end
+nearer to 0. All histograms have the same bins, so the counts of parts add up exactly, in any order. A quantile is the centre of
+its bin, with a relative error of at most 1/256. Source: Masson, Rim & Lee 2019 (DDSketch), section 2. Bins of constant relative
+width bound the relative error of quantiles and can be merged. The authors' package processes one value after another in Python
+and is thirty times slower.
 """
 
 from collections.abc import Iterable, Mapping
@@ -35,7 +35,7 @@ def bin_numbers(values: np.ndarray) -> np.ndarray:
 
 
 def bin_centres(sizes: np.ndarray) -> np.ndarray:
-    """Return the centre value of each histogram bin, given by its number; 0 for the bins next to 0."""
+    """Return the centre value of each histogram bin, given by its number; 0 for bins of subnormal numbers."""
     first = (sizes.astype(np.int64) - _MIDDLE) << _CUT
     ends = (first, first + ((1 << _CUT) - 1))
     low, high = ((end ^ ((end >> 63) & _FLIPPED)).view(np.float64) for end in ends)
@@ -47,7 +47,7 @@ def histogram(values: np.ndarray) -> np.ndarray:
     """Return the histogram of n values at each of several points, as bin numbers and their counts, (2, points, m).
 
     values: array (n, points). Non-finite values are excluded. The bin numbers of a point ascend. m is the largest number of
-    occupied bins of a point; shorter rows are filled up with bin 0, which no value has.
+    occupied bins of a point, at least 1 if n > 0; shorter rows are filled up with bin 0, which no value has.
     """
     there = np.isfinite(values)
     sizes = np.where(there, bin_numbers(np.where(there, values, 0.0)), np.uint32(0)).T.copy()
@@ -69,11 +69,11 @@ def histogram(values: np.ndarray) -> np.ndarray:
 
 
 def quantiles_of(parts: Iterable[np.ndarray], points: int, shares: Iterable[float]) -> np.ndarray:
-    """Return quantiles (shares, points) of all values that are counted in several histograms.
+    """Return quantiles (levels, points) of all values that are counted in several histograms.
 
     parts: histograms (2, points, m) as `histogram` returns them. points: number of points, each with values of its own. shares:
-    quantile levels, 0 to 1. A quantile is the centre of the lowest bin at which the cumulative count reaches the level. It is
-    NaN for a point without values.
+    quantile levels, 0 to 1. A quantile is the centre of the lowest bin up to which the fraction of the values reaches the
+    level. It is NaN for a point without values.
     """
     keys, counts = _together(parts)
     shares = list(shares)
@@ -108,9 +108,9 @@ def _together(parts: Iterable[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _added(keys: list[np.ndarray], counts: list[np.ndarray]) -> tuple[list[np.ndarray], list[np.ndarray]]:
-    """Merge lists of keys and counts into one list of each: every key once, ascending, with its total count.
+    """Merge arrays of keys and of counts: return one array of each, in a list; every key once, ascending, with its total count.
 
-    A key is one integer that encodes a point and a bin number. The keys of each list ascend, which makes a stable sort fast.
+    A key is one integer that encodes a point and a bin number. The keys of each array ascend, which makes a stable sort fast.
     """
     every = np.concatenate(keys)
     order = np.argsort(every, kind="stable")

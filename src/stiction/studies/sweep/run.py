@@ -44,20 +44,23 @@ def sweep(
     scheduler : str, optional
         Address of a dask.distributed scheduler, in place of workers; its workers need the store under the same path.
     progress : callable, optional
-        Receives the number of finished points (contacts at a load), the number of all points, and an iterator over steps;
-        returns an iterator over the same steps, e.g. one that displays the progress.
+        Receives the number of finished points (contacts at a load or separation), the number of all points, and an iterator
+        over the number of points of each block; returns an iterator over the same, e.g. one that displays the progress.
 
     Returns
     -------
     xarray.Dataset
         The store, read from disk when needed. It has the results of `solve` over the dimensions of the array parameters (or
-        over `sample`) and the loads or separations; and `validity_warnings`, bit flags whose meaning is in the attributes
-        flag_masks and flag_meanings.
+        over `sample`) and the loads or separations, or the results of `predict` if the case names no model; and
+        `validity_warnings`, bit flags whose meaning is in the attributes flag_masks and flag_meanings. If [sweep] requests
+        statistics, it has these over `statistic` and the loads or separations, and no warnings.
 
     Raises
     ------
     InputError
         The case is wrong, the store is of another case, or it cannot be written.
+    InputError, ArithmeticError
+        The first contacts cannot be solved.
 
     Notes
     -----
@@ -85,7 +88,7 @@ def sweep(
 def run_sweep(case: Any, out: Any, workers: int, scheduler: str | None, progress: Progress | None) -> "Store":
     """Run a sweep into the store folder `out` and return the completed store.
 
-    The arguments are those of `sweep`; progress: None displays nothing. Raises InputError.
+    The arguments are those of `sweep`, and so are the errors raised. progress: None displays nothing.
     """
     require("sweep", *(("distributed",) if scheduler else ()), "zarr")
     if isinstance(workers, bool) or not isinstance(workers, int) or not 1 <= workers <= _MOST_WORKERS:
@@ -129,7 +132,7 @@ def _done(store: "Store", left: list[int], workers: int, scheduler: str | None) 
 
 @contextmanager
 def _refused_where_not_writable(store: "Store") -> Iterator[None]:
-    """Return a context manager that turns an OSError, raised if the store cannot be written, into an InputError of one line."""
+    """Return a context manager that turns an OSError, as raised by a full disk, into an InputError of one line."""
     try:
         yield
     except OSError as error:

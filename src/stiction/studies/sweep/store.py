@@ -1,8 +1,8 @@
 """Read and write the store of a sweep: a zarr 3 folder of chunked, labelled arrays, which xarray.open_zarr opens.
 
-Each block is one chunk of every array and is written separately. Its row in `validity_warnings_by_block` is written last and
-marks the block as done. zarr moves complete files into place, so that no file is half written. An interrupted block is computed
-again, with the same bits.
+Each block is written separately: one chunk of every array, of histograms one or more. Its row in `validity_warnings_by_block`
+is written last and marks the block as done. zarr moves complete files into place, so that no file is half written. An
+interrupted block is computed again, with the same bits.
 """
 
 import json
@@ -39,7 +39,7 @@ _ROWS_AT_ONCE = 1_000_000  # numbers that are read from disk together
 
 @dataclass(frozen=True)
 class Store:
-    """Read and write the store of a sweep plan at a path; processes may open one store and compute different blocks."""
+    """Read and write the store of a sweep plan at a path; several processes may open it and compute different blocks."""
 
     path: str
     plan: Plan
@@ -130,7 +130,7 @@ class Store:
         return places | ({one.name: (region[SAMPLE],) for one in self.plan.swept.values()} if SAMPLE in region else {})
 
     def _drawn(self, block: int) -> dict[str, np.ndarray]:
-        """Return the values of the sampled array parameters of a block, in SI units by name; {} if the contacts are a grid."""
+        """Return the array parameters of a block of listed or sampled contacts, in SI units by name; otherwise {}."""
         region = self.plan.region(block)
         if SAMPLE not in region:
             return {}
@@ -151,7 +151,7 @@ class Store:
         return values
 
     def finish(self) -> None:
-        """Complete a store whose blocks are all done: merge their statistics and delete partial files."""
+        """Complete a store whose blocks are all done: merge their statistics, if requested, and delete partial files."""
         assert not self.left(), "blocks that nobody has done"
         for name in self._results if self.plan.sweep.statistics else ():
             whole = merged(_each_row(self.group[PARTS][name]))
@@ -167,9 +167,9 @@ class Store:
             file.unlink(missing_ok=True)
 
     def validity_warnings(self) -> dict[str, int]:
-        """Return the number of points with each validity warning, by text of the warning, over the finished blocks.
+        """Return the number of points with each validity warning or reason for a missing result, by its text.
 
-        Warnings without points are omitted.
+        A point is a contact at a load or separation. Only finished blocks are counted. Texts without points are omitted.
         """
         counts = np.zeros(self.group[DONE].shape[1], dtype=np.int64)
         for row in _each_row(self.group[DONE]):

@@ -47,9 +47,10 @@ class Sweep(Input):
     """Define the table [sweep] of a case file: which contacts are computed and which results are stored.
 
     roughness: height maps, each the roughness of one contact (see `maps`). sample: how contacts are selected. keep: names of
-    the results to store, all by default. statistics: names of statistics over all contacts at each load, stored instead of
-    single results. precision: number type of stored results. block: number of points (contacts at a load) that are stored at
-    once. By default it is the number of points that are solved at once, or up to 8 times this number for statistics.
+    the results to store, all by default. statistics: names of statistics over all contacts at each load or separation, stored
+    instead of single results. precision: number type of stored results. block: number of points (contacts at a load or
+    separation) that are stored at once. By default it is the number of points that are solved at once, or up to 8 times this
+    number for statistics.
     """
 
     roughness: list[str | dict[str, Any]] = Field(

@@ -26,7 +26,10 @@ _NEEDED = ["stiction.studies.sweep.store", "stiction.studies.case_results", "sci
 
 
 def make_ready() -> Any:
-    """Return the multiprocessing context for workers, and begin to import their modules in the background."""
+    """Return the multiprocessing context for workers, and begin to import their modules in the background.
+
+    Without the start method forkserver (on Windows), the context is "spawn" and nothing is imported yet.
+    """
     import multiprocessing
 
     if "forkserver" not in multiprocessing.get_all_start_methods():
@@ -123,7 +126,7 @@ def done_on_cluster(store: "Store", blocks: list[int], address: str) -> Iterator
     """Compute blocks on a dask.distributed cluster; yield the number of points of each finished block.
 
     blocks: numbers of the blocks. address: address of the scheduler, whose workers must reach the store under the same path.
-    Raises InputError if the scheduler does not answer, or if workers die repeatedly.
+    Raises InputError if the scheduler does not answer, or if workers die repeatedly. An error of a block is raised again.
     """
     bring_back("dask")
     from distributed import Client, as_completed
@@ -159,9 +162,9 @@ def done_on_cluster(store: "Store", blocks: list[int], address: str) -> Iterator
 
 
 class _Room:
-    """Limit how many blocks are submitted to a cluster at once, by the number of its threads.
+    """Compute how many blocks may be submitted to a cluster at once: three for each of its threads, at least 256.
 
-    The threads are counted every five seconds.
+    The threads are counted at most every five seconds.
     """
 
     def __init__(self, client: Any) -> None:

@@ -41,7 +41,8 @@ def quantiles(values: np.ndarray, shares: np.ndarray) -> tuple[np.ndarray, np.nd
     """Return quantiles (levels, ...) of values (parts, n, ...), and their standard errors of the same shape.
 
     shares: quantile levels (levels,). The first axis of `values` is over independently scrambled Sobol sequences (Owen 1997);
-    the scatter between them gives the standard error. A quantile is NaN if less than half of the values are finite.
+    the scatter between them gives the standard error. A quantile is NaN if less than half of the values are finite; its error
+    is NaN if this holds for any part.
     """
     parts, count = values.shape[:2]
     overall = _quantile(values.reshape(parts * count, *values.shape[2:]), shares)
@@ -61,9 +62,10 @@ def _quantile(values: np.ndarray, shares: np.ndarray) -> np.ndarray:
 def with_bands(data: "xarray.Dataset", case: Case, choice: Choice, progress: Steps = iter) -> "xarray.Dataset":
     """Return the results of a case with quantiles over its uncertain numbers added.
 
-    data: results of the nominal contact. choice: the model. The function adds NAME_quantile (quantile, ...) and
-    NAME_quantile_error, its standard error due to sampling. Without uncertain numbers the results are returned unchanged. For a
-    model that solves height maps, only a warning is added.
+    data: results of the nominal contact. choice: the model. For each result of OUTPUTS in `data`, the function adds
+    NAME_quantile (quantile, ...) and NAME_quantile_error, its standard error due to sampling. Without uncertain numbers the
+    results are returned unchanged. For a model that solves height maps, only a warning is added. Raises InputError if there are
+    too many samples.
     """
     if not case.uncertain:
         return data
@@ -108,7 +110,10 @@ def _as_variables(name: str, draws: Draws, shares: np.ndarray) -> dict[str, tupl
 
 
 def _with_notes(data: "xarray.Dataset", case: Case, draws: Draws) -> "xarray.Dataset":
-    """Return the dataset with attributes on the uncertain inputs, and with warnings of missing or impossible samples."""
+    """Return the dataset with attributes on the uncertain inputs, and with warnings of missing or impossible samples.
+
+    A warning of impossible samples is added if they are more than 5 % of all points (samples at a load or separation).
+    """
     lost = sum(draws.shares().get(why, 0.0) for why in WHY_NOT[:2])
     impossible = draws.impossible_share
     if lost:
@@ -134,5 +139,8 @@ def sampling_attributes(case: Case) -> dict[str, str]:
 
 
 def warning_shares(draws: Draws) -> str:
-    """Return JSON text: for each validity warning, the fraction of all points (samples at a load) at which it applies."""
+    """Return JSON text: the fraction of all points with each validity warning or reason for a missing result.
+
+    A point is a sample at a load or separation.
+    """
     return json.dumps(draws.shares(), ensure_ascii=False)

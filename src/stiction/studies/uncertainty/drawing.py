@@ -49,10 +49,11 @@ class Variant:
 class Draws:
     """Store the results of n samples of a contact.
 
-    points: number of loads or separations of one contact. tables: arrays (n, *shape) by name, NaN where a result is missing or
-    impossible. dims: dimensions of `shape`, by name. attributes: meaning and unit, by name. validity_warnings: number of points
-    (samples at a load or separation) by the text of a violated validity range, or of the reason for a missing result.
-    impossible: number of points whose results are excluded: physically impossible, or with a mean pressure above the hardness.
+    A point is a sample at a load or separation. points: number of loads or separations of one contact. tables: arrays (n,
+    *shape) by name, NaN where a result is missing or, for results at a point, impossible. dims: dimensions of `shape`, by name.
+    attributes: meaning and unit, by name. validity_warnings: number of points by the text of a violated validity range, or of
+    the reason for a missing result. impossible: number of points whose results are excluded: physically impossible, or with a
+    mean pressure above the hardness.
     """
 
     points: int = 0
@@ -89,7 +90,7 @@ def scrambled(columns: int, count: int, seed: int, parts: int = 1) -> np.ndarray
 
 
 def _steps(variants: Sequence[Variant], rows: np.ndarray, points: int) -> list[tuple[int, np.ndarray]]:
-    """Return the batches to solve: (index of a variant, indices of samples).
+    """Return the batches to solve: (index of a variant, indices of samples), each of at most 65,536 points if possible.
 
     rows: index of the variant that solves each sample. points: number of loads or separations of one contact.
     """
@@ -113,8 +114,9 @@ def draw(
 
     shares: quantile levels (n, k) of the n samples, one column for each of the k entries in the case's `unknowns`. variants:
     models that may be used. rows: index of the variant that solves each sample, by default the first. names: results to return.
-    progress: receives the list of batches and returns an iterator over it. Raises InputError if the first variant refuses the
-    nominal contact, if a variant solves height maps, or if there are too many points.
+    progress: receives the list of batches and returns an iterator over it. Raises InputError if a variant solves height maps,
+    or if there are too many points. Raises InputError or ArithmeticError if the first variant refuses the nominal contact,
+    which is not solved if one batch has all samples.
     """
     for variant in variants:
         if solves_maps(variant.choice):
@@ -170,8 +172,7 @@ def _are_possible(case: Case, numbers: Mapping[Address, Any], choice: Choice, co
     """Return a mask (count,) of the samples in which every dimensionless group is within its bounds.
 
     Impossible samples are removed before a batch is solved, because bisecting a refused batch would take longer. The mask is
-    True everywhere if the contact cannot be built from the numbers, or if no group that varies between samples is out of
-    bounds.
+    True everywhere if the contact cannot be built from the numbers, or if no group varies between samples.
     """
     try:
         impossible: Any = with_surface_moments(case.at(numbers).subject, choice.model_key).impossible
@@ -196,10 +197,10 @@ def solves_maps(choice: Choice) -> bool:
 
 
 def _layout(case: Case, variants: Sequence[Variant], names: Sequence[str]) -> Draws:
-    """Return Draws with the shapes and meanings of all results, from the nominal contact, but without samples.
+    """Return Draws with the shapes and meanings of the results `names`, from the nominal contact, but without samples.
 
-    names: names of the results. Variants that refuse the nominal contact are ignored, except for the first. Raises InputError
-    or ArithmeticError if the first variant refuses it.
+    The tables have the nominal values. Variants that refuse the nominal contact are ignored, except for the first. Raises
+    InputError or ArithmeticError if the first variant refuses it.
     """
     draws = Draws()
     for index, variant in enumerate(variants):
