@@ -27,8 +27,8 @@ LOG_UNIFORM = " (log-uniform)"  # end of the description of a range whose logari
 class _Values:
     """Represent the empirical distribution of n samples, `values` (n,), all equally likely.
 
-    The quantile function `ppf` keeps the order of the samples: level i/n returns sample i. Two unsorted columns of one file,
-    read at the same quantile level, therefore return values of the same row.
+    The quantile function `ppf` keeps the order of the samples: levels from i/n to (i + 1)/n return sample i, counted from 0.
+    Two unsorted columns of one file, read at the same quantile level, therefore return values of the same row.
     """
 
     values: np.ndarray
@@ -111,7 +111,10 @@ class Distribution:
 
     @cached_property
     def _ends(self) -> tuple[float, float]:
-        """Return the probabilities of values below the lower and below the upper bound of the quantity, before the cut-off."""
+        """Return the probabilities of values below the lower and below the upper bound of the quantity, before the cut-off.
+
+        They are 0 and 1 for uniform distributions and samples, whose ends are within the bounds.
+        """
         quantity = QUANTITIES[self.quantity]
         if self.kind in ("uniform", "log-uniform", "values"):
             return 0.0, 1.0  # both ends were already checked as values of the quantity
@@ -124,7 +127,10 @@ class Distribution:
         return low + 1.0 - high
 
     def ppf(self, level: Any) -> np.ndarray:
-        """Return the quantiles of the input, in SI units, at quantile levels from 0 to 1, both of shape (n,)."""
+        """Return the quantiles of the input, in SI units, at quantile levels from 0 to 1, both of shape (n,).
+
+        Levels closer to 0 or 1 than 1e-12 are moved to this distance.
+        """
         low, high = self._ends
         inside = np.clip(np.asarray(level, dtype=float), _LEAST_SHARE, 1.0 - _LEAST_SHARE)
         return np.asarray(self._law.ppf(low + inside * (high - low)), dtype=float)
@@ -135,7 +141,7 @@ class Distribution:
 
 
 def normal(quantity: str, mean: float, deviation: float, field: str, given: Any) -> Distribution:
-    """Return a normal distribution with this mean and standard deviation, both in SI units.
+    """Return a normal distribution with this mean and standard deviation, both in SI units; the mean is the nominal value.
 
     quantity: name of the quantity. field, given: address and value of the input, which the error message shows. Raises
     InputError if more than 2.5 % of the distribution is outside the bounds of the quantity.
@@ -147,8 +153,9 @@ def normal(quantity: str, mean: float, deviation: float, field: str, given: Any)
 def within_factor(quantity: str, median: float, factor: float, field: str, given: Any) -> Distribution:
     """Return a log-normal distribution with this median [SI unit] and geometric standard deviation `factor`.
 
-    factor: exp of the standard deviation of the natural logarithm. field, given: address and value of the input, which the
-    error message shows. Raises InputError if more than 2.5 % of the distribution is outside the bounds of the quantity.
+    The median is the nominal value. factor: exp of the standard deviation of the natural logarithm. quantity: name of the
+    quantity. field, given: address and value of the input, which the error message shows. Raises InputError if more than 2.5 %
+    of the distribution is outside the bounds of the quantity.
     """
     words = f"{show(median, quantity)}, within a factor {factor:g}"
     return _checked(Distribution(quantity, median, "log-normal", (median, factor), words), field, given)

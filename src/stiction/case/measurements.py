@@ -39,9 +39,9 @@ class Measurements:
     """Store n measured values in SI units, with their loads, standard errors and samples.
 
     Each field has n entries. quantity: name of the measured result, e.g. "friction_force". value: measured value. sample: name
-    of the series, "" if missing. load: in N, or dimensionless for [indices]; NaN if missing. error: standard error of the
-    value, NaN if missing. known: numbers of the contact in the same row, by address (tuple of keys). line: line number in the
-    file.
+    of the series, "" if missing. load: in N; NaN if missing. error: standard error of the value, NaN if missing. known: numbers
+    of the contact in the same row, by address (tuple of keys). line: line number in the file. For [indices], value, load and
+    error are dimensionless.
     """
 
     quantity: tuple[str, ...]
@@ -90,17 +90,18 @@ def read_measurements(path: Any, content: Mapping) -> Measurements:
     """Read measured values, with their loads and standard errors, from a CSV file, in SI units.
 
     path: path of the file. content: tables of the case to which the values belong. The first line that is not a comment (#)
-    holds the column names:
+    holds the column names, each with its unit in brackets if it has one:
 
-    - `load [mN]`
     - one or more of MEASURABLE, e.g. `friction_coefficient`
-    - `friction_coefficient_error`: standard error
+    - `load [mN]`, needed for every measured value except `pull_off_force`
+    - standard errors, e.g. `friction_coefficient_error`: for all values of a quantity or for none
     - `sample`: name of the series
     - numbers of the contact that change from row to row, e.g. `coating.thickness [nm]`
     - `note` and `source`, which are ignored
 
-    A cell may be empty. Commas separate cells. If semicolons separate the column names, they separate all cells, and numbers
-    may have decimal commas. Raises InputError, which states line and column, for an invalid file.
+    Other cells may be empty. Commas separate cells. If the line of column names has a semicolon, semicolons separate all cells,
+    and numbers may have decimal commas. For [indices], results and loads are dimensionless. Raises InputError, which states the
+    line or column, for an invalid file.
     """
     if not isinstance(path, str | PathLike):
         raise InputError("--data", path, "the path of a CSV file")
@@ -205,8 +206,9 @@ def _entries(line_number: int, cells: Mapping[str, str], columns: Mapping[str, _
     """Return one tuple for each measured value in a line of the file.
 
     cells: text of each cell by column name. columns: description of each column by column name. A tuple is (quantity, sample,
-    load, value, standard error, numbers of the contact by address (tuple of keys), line number), in SI units. Raises InputError
-    for a cell that is not allowed.
+    load, value, standard error, numbers of the contact by address (tuple of keys), line number), in SI units; a missing load or
+    error is NaN, a missing sample "". Raises InputError for a cell that is not allowed, and for a value without the load that
+    it needs.
     """
     sample, load, known = "", float("nan"), {}
     values: dict[str, float] = {}

@@ -138,7 +138,7 @@ class Case:
         return self.measured.contacts(self.subject)
 
     def at_load(self, load: Any) -> "Case":
-        """Return a copy of the case with one load, in SI units or as text with a unit, as its only point.
+        """Return a copy of the case with one load as its only point: in N, text with a unit, or dimensionless for Indices.
 
         Raises InputError, with the field --load, if this is not a single valid load.
         """
@@ -201,7 +201,7 @@ def as_case(given: Any, ranges: bool | None = None) -> Case:
     """Return a Case from a Case, the path of a case file, or a dict of its tables.
 
     ranges: whether material presets vary within their stated ranges; None uses the setting in the case. The argument is ignored
-    for a Case. Raises the InputErrors of `read_case`.
+    for a Case. Relative paths in a dict start at the current folder. Raises the InputErrors of `read_case`.
     """
     if isinstance(given, Case):
         return given
@@ -240,7 +240,7 @@ def tables_of(given: Any) -> tuple[Mapping[str, Any], Path]:
 
 
 def _tables(path) -> Mapping:
-    """Return the tables of the TOML file at this path; raise InputError if a number lacks its unit."""
+    """Return the tables of the TOML file at this path; raise InputError if it is unreadable or a number lacks its unit."""
     content = read_content(path)
     refuse_bare_numbers(content, "")
     return content
@@ -249,8 +249,8 @@ def _tables(path) -> Mapping:
 def refuse_bare_numbers(table: Mapping, path: str) -> None:
     """Raise InputError if a number in a table, or in a nested table, needs a unit and has none.
 
-    path: dotted name of the table, e.g. "contact.coating"; "" for all tables of a case. `solve.load` and lists are checked
-    later, when they are read.
+    path: dotted name of the table, e.g. "contact.coating"; "" for all tables of a case. `solve.load`, and lists outside tables
+    named `range`, are checked later, when they are read.
     """
     for key, value in table.items():
         where = f"{path}.{key}" if path else key

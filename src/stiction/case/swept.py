@@ -147,7 +147,8 @@ class SweptNumber:
     def at(self, share: np.ndarray) -> np.ndarray:
         """Return the values (n,), in SI units, at positions `share` (n,) along the list or range.
 
-        Position 0 is the first value or the start of a range. Positions are below 1, the end of a list or range.
+        Position 0 is the first value or the start of a range. Positions are below 1, the end of a list or range. A list of m
+        values has value i, counted from 0, at positions from i/m to (i + 1)/m.
         """
         start, stop = self.values[0], self.values[-1]
         if not self.is_range:

@@ -134,8 +134,8 @@ class Uncertain(SweptNumber):
 def uncertain_numbers(content: Mapping, folder: Path = Path(), of_materials: Path | None = None) -> dict[Address, Uncertain]:
     """Return the uncertain numbers of the tables [contact], [indices] and [materials] by address (tuple of keys).
 
-    content: tables of a case. folder: folder at which relative paths of sample files start. of_materials: the same folder for
-    [materials]; None if both are equal. Raises InputError for an invalid entry.
+    content: tables of a case. folder: folder at which relative paths of sample files start. of_materials: folder at which those
+    of [materials] start; None if it is `folder` too. Raises InputError for an invalid entry.
     """
     entries = {path: entry for path, entry in numbers_in(content, ("contact", "indices", "materials")) if with_error(entry)}
     read = {}
@@ -225,8 +225,8 @@ def _values(table: _Samples, quantity: str, where: str, folder: Path) -> np.ndar
     """Read the samples (n,) of an uncertain number from a file, in SI units.
 
     table: entry of the case that names file, column and unit. where: address of the entry for errors. folder: folder at which
-    relative paths start. Raises InputError for a missing unit, and for a file that cannot be read or holds fewer than two
-    numbers.
+    relative paths start. Raises InputError for a missing unit, an unknown column, and a file that cannot be read or does not
+    hold 2 to 1,000,000 valid numbers.
     """
     rows = _table(folder / table.samples, f"{where}.samples", table.samples)
     heads = None if _is_number(rows[0][0]) else [head.strip() for head in rows[0]]
@@ -285,7 +285,8 @@ def at_bodies(numbers: Mapping[Address, Uncertain], content: Mapping) -> Iterato
     """Yield the uncertain numbers of a case, each at the address of the body to which it belongs.
 
     numbers: uncertain numbers by address (tuple of keys). content: tables of the case. A number of a user-defined material is
-    yielded once for every body of this material that does not have its own value. All other numbers are yielded unchanged.
+    yielded once for every body or film of this material that does not have its own value. All other numbers are yielded
+    unchanged.
     """
     for path, number in numbers.items():
         if path[0] != "materials":
@@ -302,8 +303,8 @@ def with_ranges(content: Mapping, taken: Sequence[Address]) -> Iterator[Uncertai
     """Yield an uncertain number for every material property that has a stated range, for both bodies and the film.
 
     content: tables of a case. taken: addresses (tuples of keys) of numbers to skip. Surface energies are left out. A property
-    with positive values has a log-uniform distribution over its range, other properties a uniform one. The same property of two
-    bodies of one material is sampled at the same quantile levels.
+    whose range is above 0 has a log-uniform distribution over the range, other properties a uniform one. The same property of
+    two bodies of one material is sampled at the same quantile levels.
     """
     for body in BODIES:
         material = _material_of(entry_at(content, body))
@@ -319,7 +320,7 @@ def with_ranges(content: Mapping, taken: Sequence[Address]) -> Iterator[Uncertai
 def _material_of(body: Any) -> Material | None:
     """Return the material of a body that is given as a name, table or Material; None for anything else.
 
-    An invalid material also gives None, because the contact raises the error later.
+    An invalid name or table also gives None, because the contact raises the error later.
     """
     try:
         material = as_material(body)

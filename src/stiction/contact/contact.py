@@ -247,7 +247,7 @@ class Contact(Subject):
 
     @property
     def softer_counterbody(self) -> tuple[Material, Material] | None:
-        """Return (film, counterbody) if the body opposite the film is softer than the film anywhere in a sweep; else None."""
+        """Return (film, counterbody) if only one body is coated and the other is softer than the film anywhere; else None."""
         if self.coating is None or self.coating.bodies == "both":
             return None
         film, other = (at_radius(body, self._radius) for body in (self.coating.material, self._against_film(self.coating)))
@@ -291,7 +291,7 @@ class Contact(Subject):
         """Convert an entry of a case file to a load [N] or mean separation [m].
 
         entry: text with a unit, or for a mean separation also a number, in units of sigma. name: "load" or "mean_separation".
-        where: place in the file, for errors.
+        where: place in the file, for errors. Raises InputError for any other entry.
         """
         if not isinstance(entry, str):
             if name == "mean_separation":
@@ -328,15 +328,15 @@ class Contact(Subject):
 
     @property
     def touching(self) -> tuple[Material, Material]:
-        """Return the materials of the two surfaces that meet: the film of a coated body, otherwise the body itself."""
+        """Return the materials of the two surfaces that meet: those of both bodies, or the film and what it touches."""
         return (self.first, self.second) if self.coating is None else (self.coating.material, self._against_film(self.coating))
 
     def interface_at(self, level: "ArrayLike" = 0.5) -> tuple["Values | None", "Values | None"]:
         """Return the shear strength tau_0 [Pa] and the pressure coefficient of the interface; each is None if unknown.
 
-        level: quantile levels between 0 and 1 at which the distributions of the interface state are evaluated; without a state
-        the level has no effect. The strength is not capped at the strength of the bodies. A strength relative to hardness or
-        shear modulus refers to the softer touching body. Raises InputError for a level outside 0 to 1.
+        level: quantile levels at which the distributions of the interface state are evaluated; without a state the level has no
+        effect. The strength is not capped at the strength of the bodies. A strength relative to hardness or shear modulus
+        refers to the softer touching body. Raises InputError for a level that is not above 0 and below 1.
         """
         if self.interface is None:
             return self.interfacial_shear_strength, self.pressure_coefficient

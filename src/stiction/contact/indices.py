@@ -85,7 +85,7 @@ class Indices(Subject):
     Raises
     ------
     InputError
-        A number is out of its bounds, or a group is missing.
+        A number is out of its bounds, a group is missing, or groups contradict each other.
 
     Notes
     -----
@@ -238,8 +238,8 @@ class Indices(Subject):
     def film_modulus(self) -> "NumberOrArray":
         """Return E_f/(1 - nu_f^2) of the film divided by the contact modulus E* of the bodies without a film.
 
-        It is computed from n_E by subtracting the compliance of the opposite surface. n_E is the contact modulus of the film
-        paired with this surface, divided by E*.
+        The groups must have a film. The result is computed from n_E by subtracting the compliance of the opposite surface. n_E
+        is the contact modulus of the film paired with this surface, divided by E*.
         """
         whole: Any = self.resolved()
         rest = np.where(np.asarray(whole.films) == 2.0, 0.5, (1.0 - whole.coated_share) * whole.n_E)
@@ -262,7 +262,7 @@ class Indices(Subject):
         return None if self.shear_strength is None else np.minimum(*strengths)
 
     def knows(self, group: str) -> bool:
-        """Return whether the group of this name has a value or a default; theta and lambda have neither without adhesion."""
+        """Return whether the group of this name has a value or is one of _FOLLOWS, which follow from other groups."""
         return group in _FOLLOWS or getattr(self, group) is not None
 
     def indices(self) -> "Indices":
@@ -272,7 +272,7 @@ class Indices(Subject):
         return Scales()
 
     def resolved(self) -> Self:
-        """Return the indices with defaults for K_beta and, with a film, for all groups of film and bodies that are unknown."""
+        """Return the indices with defaults for K_beta and, with a film, for film_nu, film_K_beta, and films to counter_nu."""
         K_beta = stiffness_group(self.nu) if self.K_beta is None else self.K_beta
         if not self.has_film:
             return self._unchecked(K_beta=K_beta)

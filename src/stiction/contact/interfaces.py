@@ -76,11 +76,11 @@ class Interface(Input):
         return next(name for name in STRENGTHS if getattr(self, name) is not None)
 
     def strength_at(self, level: Any, hardness: Any = None, shear_modulus: Any = None, median: Any = None) -> Any:
-        """Return the shear strength tau_0 [Pa] of this interface state at quantile levels between 0 and 1; arrays broadcast.
+        """Return the shear strength tau_0 [Pa] of this interface state at quantile levels; arrays broadcast.
 
         hardness, shear_modulus: properties of the softer body [Pa]; needed only if the strength is relative to one of them.
         median: numbers that replace the specified strength; its 5 and 95 % quantiles are unchanged. Raises InputError for a
-        level that is not between 0 and 1, and if a needed hardness or shear modulus is missing.
+        level that is not above 0 and below 1, and if a needed hardness or shear modulus is missing.
         """
         scale: Any = 1.0
         if self.strength != "interfacial_shear_strength":
@@ -93,17 +93,18 @@ class Interface(Input):
         return scale * self._quantile(self.strength, level, median)
 
     def pressure_coefficient_at(self, level: Any, median: Any = None) -> np.ndarray:
-        """Return the pressure coefficient alpha of this interface state at quantile levels between 0 and 1; 0 if it has none.
+        """Return the pressure coefficient alpha of this interface state at quantile levels; 0 if it has none.
 
-        median: numbers that replace the specified coefficient. Raises InputError for a level that is not between 0 and 1.
+        median: numbers that replace the specified coefficient. Raises InputError, if there is a coefficient, for a level that
+        is not above 0 and below 1.
         """
         return self._quantile("pressure_coefficient", level, median)
 
     def at(self, level: Any, first: Material, second: Material) -> tuple[Any, Any]:
         """Return shear strength [Pa] and pressure coefficient of this state between two bodies at quantile levels.
 
-        level: between 0 and 1. first, second: the two touching materials. The pressure coefficient is None if the state has
-        none. Raises InputError for a level that is not between 0 and 1.
+        first, second: the two touching materials. The pressure coefficient is None if the state has none. Raises InputError for
+        a level that is not above 0 and below 1.
         """
         softer = first_is_softer(first, second)
         hardness = choose(softer, first.hardness, second.hardness)
@@ -122,7 +123,10 @@ class Interface(Input):
         return not self.pairs or (weight is not None and (weight > 0.0 or coated or not self.of_film))
 
     def notes(self) -> list[str]:
-        """Return the source and grade of each number, and uses of this interface state that must be avoided, one text each."""
+        """Return the source and grade of each number, and uses of this interface state that must be avoided, one text each.
+
+        The grade is C where none is stated.
+        """
         texts = [f"{name}: {text} (grade {self.grade.get(name, 'C')})" for name, text in self.source.items()]
         return [*texts, *([f"not for: {self.not_for}"] if self.not_for else [])]
 
@@ -206,8 +210,8 @@ def check_interface(contact: Input, state: Interface, first: Material, second: M
 def interface_weights(first: Material, second: Material) -> dict[str, float]:
     """Return the prior weight of each interface state that is possible between two bodies, by name; the weights sum to 1.
 
-    The weights apply if the user specifies no interface. They depend on the classes of the two materials. first, second:
-    materials of the touching surfaces; for a coated body, the material of its film.
+    States of weight 0 are left out. The weights apply if the user specifies no interface. They depend on the classes of the two
+    materials. first, second: materials of the touching surfaces; for a coated body, the material of its film.
     """
     prior = {name: state.weight_of(first, second) for name, state in _states().items()}
     weights = {name: weight for name, weight in prior.items() if weight}
@@ -216,7 +220,7 @@ def interface_weights(first: Material, second: Material) -> dict[str, float]:
 
 
 class InterfaceNumber(TypedDict):
-    """Describe one number of an interface state: median, unit, 5 and 95 % quantiles, source and grade."""
+    """Describe one number of an interface state: quantity, median, unit, 5 and 95 % quantiles, source and grade."""
 
     quantity: str
     value: float
@@ -260,9 +264,9 @@ def interfaces(names: Iterable[str] | None = None) -> list[InterfaceRow]:
     Returns
     -------
     list of dict
-        Fields name, strength, pressure_coefficient, pressure_limit, pairs, only_with, of_film and not_for. The first two
-        numbers are dicts of quantity, value (median), unit, range (5 and 95 % quantiles), source and grade. The pressure limit
-        is a dict of value, unit, source and grade, or None.
+        Fields name, strength, pressure_coefficient, pressure_limit, pairs, only_with, of_film and not_for. The strength and the
+        pressure coefficient are dicts of quantity, value (median), unit, range (5 and 95 % quantiles), range_in_words, source
+        and grade. The pressure limit is a dict of value, unit, source and grade. Coefficient and limit may be None.
 
     Raises
     ------

@@ -265,7 +265,10 @@ def remaining_notes(source: Any, ranges: Mapping[str, Any], changes: Mapping[str
 
 
 def as_material(value):
-    """Return a Material from the name of a preset or from a table that changes a preset; return other values unchanged."""
+    """Return a Material from the name of a preset or from a table that changes a preset; return other values unchanged.
+
+    Raises InputError for an unknown preset or a bad change.
+    """
     if isinstance(value, str):
         value = {"preset": value}
     if isinstance(value, dict) and "preset" in value:
@@ -279,7 +282,7 @@ def class_of(body: Material) -> str:
     """Return the specified material class of a body, or guess it from Young's modulus E and hardness H.
 
     Below E = 0.1 GPa the class is "elastomer", below 10 GPa "polymer". Otherwise it is "ceramic" if H/E is 0.038 or more, else
-    "metal".
+    "metal". Of arrays, the means decide.
     """
     if body.material_class is not None:
         return body.material_class

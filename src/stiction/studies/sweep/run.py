@@ -58,9 +58,9 @@ def sweep(
     Raises
     ------
     InputError
-        The case is wrong, the store is of another case, or it cannot be written.
-    InputError, ArithmeticError
-        The first contacts cannot be solved.
+        The case is wrong, the first contacts are refused, or the store is of another case, damaged, or cannot be written.
+    ArithmeticError
+        The model does not converge for the first contacts.
 
     Notes
     -----
