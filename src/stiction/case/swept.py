@@ -194,7 +194,10 @@ def numbers_in(content: Mapping, tables: Sequence[str]) -> Iterator[tuple[Addres
 
 
 def with_error(entry: Any) -> bool:
-    """Return whether an entry of a case describes an uncertain number, such as "0.5 +/- 0.1 GPa" or { low, high }."""
+    """Return whether an entry of a case describes an uncertain number.
+
+    Such entries are text such as "0.5 +/- 0.1 GPa", tables such as { low, high }, and distributions, also of scipy.stats.
+    """
     if isinstance(entry, str):
         return any(sign in entry for sign in _ERROR_SIGNS)
     return (

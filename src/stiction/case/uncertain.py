@@ -46,8 +46,8 @@ def _power_of_two(value: Any) -> Any:
 class Uncertainty(Input):
     """Define the table [uncertainty] of a case file: how uncertain numbers are sampled.
 
-    count: number of samples. seed: seed of the scrambled Sobol sequence. coverage: coverage probability of the prediction
-    interval. ranges: whether material presets vary within their stated ranges.
+    count: number of samples, a power of two. seed: seed of the scrambled Sobol sequence. coverage: coverage probability of the
+    prediction interval. ranges: whether material presets vary within their stated ranges. Defaults: 1024, 0, 0.9 and False.
     """
 
     count: Annotated[int, BeforeValidator(_power_of_two)] = Field(

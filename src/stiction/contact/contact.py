@@ -368,8 +368,8 @@ class Contact(Subject):
     def tabor_parameter(self, equilibrium_distance: "QuantityLike" = EQUILIBRIUM_DISTANCE) -> "NumberOrArray":
         """Return Tabor's parameter (R gamma^2/(E*^2 epsilon^3))^(1/3) of the bodies without a film (Tabor 1977).
 
-        equilibrium_distance: epsilon, in m or text with a unit. The parameter is 0 without adhesion. JKR adhesion holds well
-        above about 5, DMT well below about 0.1.
+        equilibrium_distance: epsilon, in m or text with a unit; by default 0.3 nm. The parameter is 0 without adhesion. JKR
+        adhesion holds well above about 5, DMT well below about 0.1.
         """
         distance = to_si(equilibrium_distance, "equilibrium_distance")
         if (gamma := self.work_of_adhesion) is None or not self.adheres:

@@ -67,7 +67,7 @@ class Indices(Subject):
     theta, lam : float or array, optional
         Elastic and plastic adhesion index; without adhesion, specify hardness_group instead of both.
     hardness_group, nu, K_beta, hardness_to_yield, tabor_parameter, sharpness, roughness_parameter : float or array, optional
-        Groups of the bodies without a film; K_beta is by default (8/3)(2 - nu)/(1 - nu), the value of two equal bodies.
+        Groups of the bodies without a film. Defaults: nu 0.3, hardness_to_yield 2.8, K_beta as for two equal bodies.
     n_E, n_H, tau : float or array, optional
         Modulus and hardness of a film relative to the bodies, and thickness divided by sigma: all three, or none without a
         film.

@@ -39,8 +39,8 @@ class Interface(Input):
     interface fails; None if unknown. range: 5 and 95 % quantiles of a number, by name; a number without a range is exact.
     source, grade: source and grade (a key of data_files.GRADES) of each number, by name. pairs: prior weight of the state for a
     pair of material classes, such as "metal, ceramic" or "polymer, any"; with weight 0 only the user can choose it. only_with:
-    names of materials; at least one body must be one of them. of_film: whether pairs of weight 0 require a film. not_for: uses
-    that must be avoided, as text.
+    names of materials, at least one of which must be a body; empty if any bodies are allowed. of_film: whether pairs of weight
+    0 require a film. not_for: uses that must be avoided, as text.
 
     These values are not capped at the strength of the bodies. Raises InputError for contradictory numbers.
     """

@@ -6,8 +6,8 @@ and a bound on this number. Coated and uncoated surfaces are compared at the sam
 
 - The reference load is the load that the uncoated surface carries at h = -4. *Light load* is 1/1000 of it (h about 2, where
   under 3 % of the asperities touch), *moderate load* 1/100 (h about 1).
-- A curve is followed on approach, from its largest tension. Results at a load belong to the first separation that carries this
-load.
+- A curve is followed on approach, from its largest tension. Results at a load belong to the first separation that carries
+  this load.
 - A film is not comparable if a surface does not carry that load within the range of h, or if the uncoated surface has no
   friction.
 
@@ -127,9 +127,9 @@ def _thin_film_area(surfaces: Surfaces) -> np.ndarray:
 class Claim:
     """Define one claim of the paper as a test: it holds for a case if a number lies on the right side of a bound.
 
-    A case is one film, or the uncoated surface. key: letter. says: the claim. number, cases: texts on what is computed, and for
-    which films. measure: function that computes the numbers from the curves. below: whether the claim holds below the bound, or
-    above it.
+    A case is one film, all films with one n_E, or the uncoated surface. key: letter. says: the claim. number, cases: texts on
+    what is computed, and for which cases. measure: function that computes the numbers from the curves. below: whether the claim
+    holds below the bound, or above it.
     """
 
     key: str
@@ -265,8 +265,8 @@ def where(claims: ClaimMap, chosen: np.ndarray) -> str:
 
     chosen: mask (theta, lam). The text names one or two bounds on theta, lambda or the hardness group eta that best separate
     the chosen points from the others, and the fraction of points that these bounds classify correctly. It is "everywhere" or
-    "nowhere" if all points or none are chosen, "almost everywhere" or "almost nowhere" if this holds except for up to 3 % of
-    the points, and "scattered" if no bounds separate them well.
+    "nowhere" if all points or none are chosen, and "almost everywhere" or "almost nowhere" if this holds except for less than 3
+    % of the points. It is "scattered" if the bounds correct less than a third of the errors made without bounds.
     """
     share = float(np.mean(chosen))
     if share in (0.0, 1.0):

@@ -25,8 +25,8 @@ PLASTICITY = (0.6, 1.0)
 class Place:
     """Store the position of a contact in the plane of the adhesion indices, and its plasticity index.
 
-    bodies: (theta, lambda) of the two bodies. film: (theta, lambda) of bodies made of the film material; None without a film.
-    plasticity_index: psi of the bodies.
+    bodies: (theta, lambda) of the two bodies without a film. film: (theta, lambda) of the contact with an infinitely thick
+    film; None without a film. plasticity_index: psi of the bodies without a film.
     """
 
     bodies: tuple[float, float]

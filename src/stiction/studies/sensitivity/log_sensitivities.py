@@ -112,11 +112,11 @@ def _bodies_with_finish(roughness: Roughness) -> Iterator[tuple[Address, Any]]:
 
 
 def log_sensitivities(case: Case, choice: Choice, names: Sequence[str] = OUTPUTS, progress: Any = iter) -> LogSensitivities:
-    """Return the logarithmic sensitivities of results to every number of the contact that `numbers_of` returns.
+    """Return the logarithmic sensitivities of the results of a model to the inputs that `numbers_of` returns.
 
     choice: the model. names: names of the results. progress: receives the list of batches and returns an iterator over it. A
     sensitivity is NaN unless the result is above 0 at all steps. Raises InputError or ArithmeticError if the model refuses the
-    nominal contact.
+    nominal contact, which is not solved if one batch has all steps.
     """
     inputs, stepped, steps = _stepped_case(case, _STENCIL)
     found = draw(stepped, steps, [Variant(choice)], names=names, progress=progress)
@@ -129,7 +129,8 @@ def log_sensitivities_of_prediction(case: Case, load: float) -> dict[str, float]
     """Return d ln mu/d ln x for the median mu of a prediction at a load [N], by name of the number x.
 
     The derivative is the slope between ln x - 0.05 and ln x + 0.05, NaN if the prediction is refused at one of them. The
-    numbers are those of `numbers_of` and, as interface.NAME, those of the interface state of the contact.
+    numbers are those of `numbers_of` and, as interface.NAME, those of the interface state of the contact. Raises InputError or
+    ArithmeticError if all predictions are refused.
     """
     inputs, stepped, steps = _stepped_case(case, _WIDE)
     numbers, mu = stepped.numbers_at(steps), np.full(len(steps), np.nan)

@@ -114,8 +114,8 @@ def sensitivity(
 def _of_prediction(case: Case, load: float) -> "xarray.Dataset":
     """Return the sensitivities of a prediction at a load [N] as a dataset.
 
-    The dataset has the fraction of the variance of ln mu that each input causes, and d ln mu/d ln x for every number x of the
-    contact.
+    The dataset has the fraction of the variance of ln mu that each input causes, d ln mu/d ln x for every number x of the
+    contact, and those results of `predict` that are single numbers.
     """
     import xarray
 

@@ -33,7 +33,7 @@ class Plan:
     Any process can compute any block, in any order, and gets the same bits. case: the case with the first value of each array
     parameter. swept: array parameters by address (tuple of keys). sweep: the table [sweep]. dims: number of contacts along each
     dimension. tile: number of contacts in one block along each dimension. points: number of loads or separations of each
-    contact. load: loads [N], None if the case states separations. uncertain: numbers that a prediction samples for every
+    contact. load: loads, None if the case states separations. uncertain: numbers that a prediction samples for every
     contact. scans: attributes that describe measured roughness. maps: one map for each contact, in a sweep over maps. Use
     `make_plan` to build a plan.
     """
