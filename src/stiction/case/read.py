@@ -341,7 +341,7 @@ def without_studies(content: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def wants_ranges(content: Mapping) -> bool:
-    """Return whether the tables of a case ask to vary material presets within their published ranges."""
+    """Return whether the tables of a case set `uncertainty.ranges`, so that presets vary within their stated ranges."""
     table = content.get("uncertainty", {})
     return isinstance(table, Mapping) and table.get("ranges") is True
 
