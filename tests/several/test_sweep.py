@@ -777,3 +777,12 @@ def test_the_first_contact_may_be_refused(tmp_path):
     data = sweep({"contact": contact, "solve": {"load": "1 N", "model": "hariri_zu_ben_mrad_2006"}}, tmp_path / "store")
     mu = data["friction_coefficient"].values.ravel()
     assert np.isnan(mu[0]) and mu[1] > 0.0
+
+
+@pytest.mark.parametrize("block", [1, 2])
+def test_a_block_whose_contacts_are_all_refused_is_no_number_and_the_others_are_predicted(tmp_path, block):
+    rough = {"asperity_height_deviation": "48 nm", "asperity_radius": "50 um", "asperity_density": "1.7e10 1/m^2"}
+    area = ["1 mm^2", "1e-12 mm^2"]
+    contact = {"first": "copper", "second": "copper", "roughness": rough, "nominal_area": area}
+    data = sweep({"contact": contact, "solve": {"load": ["0.1 N"]}, "sweep": {"block": block}}, tmp_path / "store")
+    assert np.isfinite(data["friction_coefficient"].values).ravel().tolist() == [True, False]
