@@ -18,7 +18,7 @@ def surface(
     size: str | None = option('Size along x, e.g. "10 um"; by default as the file states.'),
     unit: str | None = option("Length unit of the numbers in the file, e.g. nm."),
     height_unit: str | None = option("Length unit of the heights, if it differs."),
-    height_scale: float | None = option("Factor on the heights, not 0."),
+    height_scale: float | None = option("Factor by which heights are multiplied, not 0."),
     channel: str | None = option("Name or number of the channel to read."),
     form: int = option("Order of the polynomial to remove: 1 for a plane, 0 for nothing.", 1, min=0, max=4),
     spikes: float | None = option("Mask points further than this many robust deviations from the median, e.g. 10."),

@@ -191,7 +191,7 @@ class Contact(Subject):
         return groups if self.coating is None else groups | self._film_groups(self.coating, bare)
 
     def _adhesion(self, bare: "Pair") -> dict[str, Any]:
-        """Return theta, lambda and Tabor's parameter without the film, by name; without adhesion, the hardness group."""
+        """Return theta, lam and Tabor's parameter of the bare bodies, by name; only the hardness group if nothing adheres."""
         sigma, radius, gamma = self._sigma, self._radius, self.work_of_adhesion
         if gamma is None or not self.adheres:
             return {"hardness_group": pi * bare.hardness * (radius / sigma) ** 0.5 / bare.K}

@@ -297,9 +297,9 @@ class Starts:
     """Store starting values of the separation for n laws (parameter sets) at m loads each; NaN if no value was found.
 
     tension (n,): largest tension, 0 without tension. where (n,): separation of the largest tension. h (n, m): separations at
-    the loads. All separations are in units of sigma. slope, size (n, m): at h, derivative of the load with respect to h, and
-    sum of the absolute values of the terms of the load. plain (n,): True if the grid of separations covers the whole approach,
-    from zero load to a compressive load at least as large as the largest tension.
+    the loads. All separations are in units of sigma. slope (n, m): derivative of the load with respect to h, at h. size (n, m):
+    sum of the absolute values of the terms of the load, at h. plain (n,): True if the grid of separations covers the whole
+    approach, from zero load to a compressive load at least as large as the largest tension.
     """
 
     tension: np.ndarray

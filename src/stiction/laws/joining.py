@@ -59,9 +59,9 @@ def _joined(normal: Callable, coordinate: Callable, resistance: Callable, interf
     `along` computes the response at a coordinate u, `coordinate` computes u at a displacement.
 
     normal, coordinate: formulas of a `NormalSegment`. resistance: formula of a `TangentialResistance`. interfacial: whether the
-    tangential law describes the interface. It then receives load and area after they are multiplied by the factors `load` and
-    `area` of `Weights`, otherwise before. parameters, own: number of parameters of the asperity law and of the tangential law.
-    The function is cached, so that the same laws give the same formulas and kernels are compiled once.
+    tangential law describes the interface. If True, it receives load and area multiplied by the factors `load` and `area` of
+    `Weights`; if False, without these factors. parameters, own: number of parameters of the asperity law and of the tangential
+    law. The function is cached, so that the same laws give the same formulas and kernels are compiled once.
     """
     joined = parameters + own
 

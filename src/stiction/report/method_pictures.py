@@ -146,7 +146,7 @@ def _apart(places: np.ndarray) -> list[float]:
 
 
 def _without_value(resolution_study: "xarray.Dataset", variables: list[str]) -> list[str]:
-    """Return one line for each reason why points are missing, with the asperity methods and cutoffs that it concerns.
+    """Return one line for each reason why points are missing, with the affected asperity methods and cutoffs.
 
     variables: names of the results; a point is missing if any of them is NaN or not positive.
     """

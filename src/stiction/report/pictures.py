@@ -350,7 +350,7 @@ def canvas(width: float, height: float, rows: int = 1, columns: int = 1, **more:
 
 
 def say(axes: Axes, text: str) -> None:
-    """Write a text into empty axes and remove the tick labels."""
+    """Write text in the middle of empty axes and remove the ticks."""
     axes.set(xticks=[], yticks=[])
     axes.text(0.5, 0.5, text, transform=axes.transAxes, ha="center", va="center", color=GREY)
 

@@ -1,4 +1,4 @@
-"""Draw a prediction: mu against load with its interval, or the distribution of mu at one load."""
+"""Draw a prediction (mu against load, or its distribution at one load), its sources of uncertainty and its validation."""
 
 from typing import TYPE_CHECKING, Any
 

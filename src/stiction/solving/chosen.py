@@ -52,9 +52,9 @@ class ResolvedLaws:
 
     @property
     def yielded(self) -> str:
-        """Return the limit of the friction of yielded junctions, as one of registry.YIELDED.
+        """Return the assumption on the resistance of yielded junctions, a key of `records.claims.YIELDED`, such as "none".
 
-        The result is "" if there is no friction or the tangential law does not state the limit.
+        The result is "" without a tangential law, or if the law states no assumption.
         """
         if self.tangential is None:
             return ""

@@ -102,7 +102,7 @@ def solved_at(problem: Problem, targets: np.ndarray, refuse: bool = True) -> tup
     """Find the separations at which contacts carry normalised loads `targets` (n, m), and the results (n, m) there.
 
     A load that cannot be carried raises Unreachable. With refuse=False its separation is NaN and its results are those at
-    separation 0. The last sums of the search are reused.
+    separation 0. The results use the sums that the search computed last at these separations, if it did.
     """
     parts, tables = [], []
     for inversion, sums, some in _by_blocks(problem, targets, refuse):

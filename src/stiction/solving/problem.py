@@ -198,7 +198,7 @@ class AsperitySum(Problem):
         return Scattered(self.regimes, self.heights)
 
     def _on_grid(self, h: np.ndarray) -> np.ndarray:
-        """Return the sums over asperities (regimes, n, H, 5), all at the same separations h (H,), in units of sigma."""
+        """Return the sums over asperities (regimes, n, H, 5) at the separations h (H,) of all contacts, in units of sigma."""
         sums = np.moveaxis(on_grid(self.regimes, h, self.heights, self.threads), 2, -1)
         return sums if self.most_pull is None else bounded(sums, self.regimes, self.most_pull[..., None])
 

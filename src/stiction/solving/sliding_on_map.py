@@ -124,10 +124,10 @@ def _contacts(problem: MapProblem, loads: np.ndarray) -> "tuple[MapContact, ...]
 
 
 def _uncoupled(problem: MapProblem, moving: MovingMap, loads: np.ndarray, why: str) -> MovingMap:
-    """Add to the map a remark that the coupling of pressure and shear is neglected, with the resulting error of friction.
+    """Return the moving map with a remark that the coupling of pressure and shear is neglected, and the error of friction.
 
-    The error is computed for the dry contact without adhesion at the normalised loads (m,); it is omitted unless all are
-    positive. why: reason why the coupling is neglected.
+    The error is computed for the dry contact without adhesion at the normalised loads (m,); the error is omitted unless all
+    loads are positive. why: reason why the coupling is neglected.
     """
     remark = f"pressure and shear are not coupled, because {why}"
     if (loads > 0.0).all():

@@ -113,9 +113,9 @@ class Entry:
         return np.array([[band.low for band in bands], [band.high for band in bands]] if bands else [self.values.value] * 2)
 
     def cases(self) -> list[tuple[Case, np.ndarray]]:
-        """Return one case for each contact of the series, with the indices of its measured values.
+        """Return (case, row indices of its measured values) for each contact of the series.
 
-        There is one contact, unless the file has columns with numbers of the contact.
+        A series has one contact, unless columns of its file state numbers of the contact, such as a roughness, row by row.
         """
         known = [tuple(sorted(numbers.items())) for numbers in self.values.known]
         cases = []

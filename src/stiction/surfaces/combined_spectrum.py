@@ -1,4 +1,4 @@
-"""Combine the power spectra of scans of one surface, each in the wavelengths for which it is reliable."""
+"""Combine the power spectra of scans of one surface, using each scan only at wavelengths where it is reliable."""
 
 import math
 from collections.abc import Iterable

@@ -36,8 +36,8 @@ class Scan(Input):
     """Describe a scan file of one body and how to read it.
 
     file: path, relative to the folder of the case file. size: length of the scan along x, text with a unit, in place of the
-    size in the file. unit: unit of the file's numbers. height_unit: unit of its heights, if different. height_scale: factor of
-    the heights. channel: channel to read, if the file has more than one. periodic: whether the scan is one period of a surface.
+    size in the file. unit: unit of the file's numbers. height_unit: unit of its heights, if different. height_scale: factor by
+    which heights are multiplied. channel: channel to read, if the file has several. periodic: whether the scan is one period.
     """
 
     file: str

@@ -41,7 +41,7 @@ def typeset(text: str) -> str:
 def _picture(tex: str, scale: float = _INLINE) -> str:
     """Return the HTML image of a LaTeX formula; "" if matplotlib lacks one of its symbols.
 
-    scale: factor on the size of 10 points.
+    scale: factor by which a font size of 10 points is enlarged.
     """
     import matplotlib
     from matplotlib.font_manager import FontProperties

@@ -33,11 +33,11 @@ def draw_line(
     moved: Callable[[float], Awaitable[None]],
     otherwise: str = "",
 ) -> tuple[ui.input, Any, Any]:
-    """Add a label, a text field and, if there is a value, a slider, and return (text field, slider, range of the slider).
+    """Add a label, a text field and, if there is a value, a slider, and return (text field, slider, its Knob).
 
     written: content of the text field. value: number in SI units, or None. typed: receives the text of the field. moved:
-    receives the value of the slider in SI units. otherwise: placeholder of the empty text field. Slider and range are None
-    without a value.
+    receives the value of the slider in SI units. otherwise: placeholder of the empty text field. Slider and Knob are None if
+    `value` is None.
     """
     with ui.element("div").classes("number"):
         attributes(ui.label(label_of(number.path)).classes("text-xs one-line").props("aria-hidden=true"), title=number.help)

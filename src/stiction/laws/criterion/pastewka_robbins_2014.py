@@ -55,7 +55,8 @@ def range_over_gap(groups: Groups) -> np.ndarray:
     """Return the ratio (n,) of the attraction's range to the gap next to a contact spot, (16/3) h'^2/h''.
 
     h' is the root mean square gradient, h'' the root mean square of half the Laplacian. The theory requires a short range, so
-    this ratio must be small. sqrt(sigma/R) cancels. Source: Monti, Sanner & Pastewka 2021, as restated by the authors' group.
+    this ratio must be small. It does not depend on sqrt(sigma/R). Source: Monti, Sanner & Pastewka 2021, as restated by the
+    authors' group.
     """
     slope = slope_over_sharpness(groups.roughness_parameter)
     return interaction_range(groups) / (16.0 / 3.0 * slope * slope / _CURVATURE)
@@ -67,7 +68,7 @@ def stickiness(groups: Groups) -> np.ndarray:
     The surfaces are isotropic and Gaussian and have the summits (sigma, R, N) of `groups`. The range of the attraction is the
     equilibrium distance. In units of sigma and with s = sqrt(sigma/R), w/E* = (4/3) s / theta and h'' = sqrt(3 pi/32) s^2,
     where w is the work of adhesion, E* the contact modulus, theta the elastic adhesion index and h'' the root mean square of
-    half the Laplacian; s cancels.
+    half the Laplacian. The ratio does not depend on s.
     """
     slope = slope_over_sharpness(groups.roughness_parameter)  # h'/s; below also h''/s^2 and (w/E*)/s, so that s cancels
     return stickiness_ratio(slope, _CURVATURE, interaction_range(groups), 4.0 / (3.0 * groups.theta))

@@ -115,7 +115,7 @@ FLOWING = (
         "tau",
         0.1,
         math.inf,
-        "in this law the film around substrate contacts bears too much load, even at zero thickness",
+        "in this law the film around contacts with the substrate carries too much load, even at zero film thickness",
     ),
     Validity("film_plasticity_index", 8.0, math.inf, "the film is modelled as plastic from first touch"),
     Validity(

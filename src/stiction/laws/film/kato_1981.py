@@ -100,9 +100,9 @@ def squeezed(u, *row):
 def bounded(u, *row):
     """Return displacement w, dw/du, load and contact area while the substrate limits the pressure in the centre.
 
-    The coordinate u gives w = tau sin(u)^2. Within the radius c = b tan(u - m b) the pressure is the substrate's hardness, with
-    b = sqrt(2 tau) cos(u) and lengths in units of sqrt(R sigma). row: `tau`, `hill`, `bound` (m), `edge` and `more`, as in
-    `squeezed`.
+    The coordinate u gives w = tau sin(u)^2. With b = sqrt(2 tau) cos(u), the pressure equals the substrate's hardness within
+    the radius c = b tan(u - m b); b and c are in units of sqrt(R sigma). row: `tau`, `hill`, `bound` (m), `edge` and `more`, as
+    in `squeezed`.
     """
     tau, hill, bound, edge, _ = row
     width, sine, cosine = math.sqrt(2.0 * tau), math.sin(u), math.cos(u)

@@ -57,10 +57,10 @@ def regimes(groups: Groups, law: Law, film_shear: str) -> list[Regime]:
 
     A regime is a segment of an asperity law together with the tangential force on it. Forces are in units of K R^(1/2)
     sigma^(3/2), with K = (4/3) E* of the substrate. groups: dimensionless groups of n coated contacts. law: asperity law and
-    tangential law of film and substrate. The area is the film's at the full displacement, because the outer contact is always
-    on the film. A tangential law of the interface uses this area and the total load. With any other tangential
-    law, the film's resistance stays constant beyond the film thickness. It is added to the substrate's (film_shear "added"), or
-    the smaller of the two acts ("in_series").
+    tangential law of film and substrate. The contact area is computed for the film at the full displacement, because the outer
+    contact is always on the film. A tangential law of the interface uses this area and the total load. With any other
+    tangential law, the film's resistance stays constant beyond the film thickness. It is added to the substrate's (film_shear
+    "added"), or the smaller of the two acts ("in_series").
     """
     tau, n_E = groups.tau, groups.n_E
     before, after = Weights(unit=n_E), Weights(unit=n_E, load=0.0, friction=0.0)
@@ -116,7 +116,7 @@ RECORD = FilmLaw(
             "load_share_substrate",
             0.0,
             0.1,
-            "asperities that reach the substrate still get the contact area of the film; area and mu are inaccurate",
+            "the contact area of the film is used even for asperities that reach the substrate; area and mu are inaccurate",
         ),
     ),
     load_falls=False,

@@ -147,7 +147,7 @@ RECORD = Meniscus(
             "penetration_over_meniscus",
             0.0,
             0.1,
-            "menisci pull such elastic asperities with as little as half the computed force, and enlarge their contact area",
+            "the meniscus force on elastic asperities is up to twice too large; the law neglects that menisci widen contacts",
         ),
     ),
     notes="The force of a touching asperity is constant. This holds for plastic asperities, which are treated as truncated; "

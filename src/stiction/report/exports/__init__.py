@@ -1,8 +1,8 @@
 """Write friction tables in the file formats of other programs, with one module for each format.
 
 Each module has a function `content(table)` that returns the content of the file. Its argument is a friction table: the dataset
-of `stiction.export`, with mu against the nominal pressure in the units that the user chose. The docstring of the module cites
-the manual of the program.
+of `stiction.export`, with mu against the nominal pressure in the units that the user chose. The docstring of a module cites the
+manual of the program or the standard of the format, if there is one.
 """
 
 import pkgutil

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 def surface_behavior(table: "xarray.Dataset") -> list[str]:
     """Return the *SURFACE BEHAVIOR lines of a friction table: contact pressure against overclosure.
 
-    table: dataset of `export`, of bodies without a film. The overclosure is the approach of the mean planes from the separation
+    table: dataset of `export` for bodies without a film. The overclosure is the approach of the mean planes from the separation
     at which the pressure, extrapolated linearly from the first two rows, is 0.
     """
     pressure, gap = table["nominal_pressure"].values, table["mean_separation"].values

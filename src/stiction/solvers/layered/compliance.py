@@ -35,10 +35,10 @@ class Layer:
 
     @classmethod
     def of(cls, share: float, ratio: float, nu: float, nu_below: float) -> "Layer":
-        """Return a layer with Poisson's ratios nu of the film and nu_below of the body below, each 0 to 0.5.
+        """Return the Layer of a film with Poisson's ratio nu on a body with Poisson's ratio nu_below, each 0 to 0.5.
 
-        share: the film's fraction of the compliance of the two surface materials. ratio: ratio of the plane-strain moduli of
-        film and body.
+        share: compliance of the film material divided by the sum of the compliances of both surface materials. ratio: ratio of
+        the plane-strain moduli of film and body.
         """
         return cls(share, ratio, float(poisson_excess(ratio, nu, nu_below)))
 

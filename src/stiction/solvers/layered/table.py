@@ -29,8 +29,8 @@ _FILE = "curves.npz"
 def curves_of_films(share: np.ndarray, ratio: np.ndarray, excess: np.ndarray) -> np.ndarray:
     """Return the response curves of n films, each on one body, as coefficients (n, CURVES, TERMS) of `curves`.
 
-    share, ratio, excess (n,): the film's fraction of the compliance, the ratio of its modulus to the modulus of the body below,
-    and 4 beta - alpha with Dundurs' parameters, as in `compliance.Layer`.
+    share, ratio, excess (n,): compliance of the film material divided by the sum of the compliances of both surface materials,
+    ratio of the moduli of film and body below, and 4 beta - alpha with Dundurs' parameters, as in `compliance.Layer`.
     """
     places = np.stack([np.log(ratio) / _RANGE, excess, 2.0 * _together(share, ratio) - 1.0], axis=1)
     tabled = np.abs(places[:, 0]) <= 1.0

@@ -2,8 +2,9 @@
 
 `python truth/film_laws.py` makes two tables. The first compares each law on a sphere with the exact solution of a sphere on a
 film. The second compares sums over asperities, and the area law of a film, with layered boundary elements on rough surfaces.
-Both tables hold ratios of a result to the reference. The first table is interpolated on double-logarithmic scales, the second
-is looked up by ranges of the parameters. Films that flow plastically are not included.
+The first table holds ratios of a result to the reference, and is interpolated on double-logarithmic scales. The second holds
+the geometric mean of such ratios and the rms of their logarithm, for ranges of the parameters. Films that flow plastically are
+not included.
 """
 
 import csv
@@ -53,11 +54,11 @@ class MapFilmErrors(NamedTuple):
 def on_a_sphere(
     law: str, options: Mapping[str, str], n_E: np.ndarray, a_over_t: np.ndarray, thickness_over_radius: np.ndarray
 ) -> SphereFilmErrors | None:
-    """Return the errors of a film law with its options on a sphere; None if the law was not measured.
+    """Return the ratios of area and load by a film law to the exact values on a sphere; None if the law was not measured.
 
     law: key of the film law. n_E, a_over_t, thickness_over_radius: film modulus divided by substrate modulus, contact radius
     divided by film thickness, and film thickness divided by sphere radius, as arrays of the same shape. A film thickness
-    outside the measured range is replaced by the end of the range.
+    outside the measured range is replaced by the end of the range. The ratios are NaN where n_E or a_over_t is outside it.
     """
     table = _of(_sphere(), law, options)
     if table is None:
@@ -71,7 +72,7 @@ def on_a_sphere(
 
 
 def on_maps(law: str, options: Mapping[str, str], n_E: np.ndarray, thickness: np.ndarray) -> MapFilmErrors | None:
-    """Return the errors of a film law with its options on rough surfaces; None if the law was not measured.
+    """Return mean and rms of the area errors of a film law on rough surfaces; None if the law was not measured.
 
     law: key of the film law. n_E, thickness: film modulus divided by substrate modulus, and film thickness divided by the
     shortest wavelength, as arrays of the same shape.

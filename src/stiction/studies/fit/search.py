@@ -93,11 +93,11 @@ def finite(values: np.ndarray) -> np.ndarray:
 
 
 def jacobian(residuals: Residuals, shares: np.ndarray, columns: Sequence[int] | None = None) -> tuple[np.ndarray, np.ndarray]:
-    """Return residuals (sets, n) and their derivatives by the free parameters, (sets, n, columns), by central differences.
+    """Return residuals (sets, n) and their derivatives (sets, n, columns) with respect to the free parameters.
 
-    residuals: function from shares (sets, k) to residuals (sets, n). shares: for each set, the positions of the k free
-    parameters between their ends, 0 to 1; differences do not step beyond the ends. columns: indices of the parameters by which
-    the residuals are differentiated, by default all.
+    Derivatives are central differences, which do not step beyond the ends of a parameter. residuals: function from shares
+    (sets, k) to residuals (sets, n). shares: for each set, the positions of the k free parameters between their ends, 0 to 1.
+    columns: indices of the parameters with respect to which derivatives are computed, by default all.
     """
     sets, k = shares.shape
     columns = range(k) if columns is None else columns

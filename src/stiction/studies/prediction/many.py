@@ -161,7 +161,7 @@ def _together(
 
 
 def _one_finish(case: Case, numbers: Mapping) -> dict[tuple[str, ...], Any]:
-    """Return the numbers; for a surface with a finish, roughness arrays of length one are replaced by floats.
+    """Replace roughness arrays of length one by floats if the surface has a finish; return the numbers.
 
     numbers: number or labelled array (xarray) by address (tuple of keys). `with_finish` raises InputError for an array of
     height deviations; `predict_many` then bisects the batch until each part has a single value.

@@ -122,7 +122,7 @@ def _by_adhesion(sampled: SampledCase) -> list[np.ndarray]:
 
 
 def _merging(sampled: SampledCase) -> np.ndarray:
-    """Return the factor c (n or 1, m or 1) that multiplies the increase g - 1 of an asperity sum.
+    """Return the factor c (n or 1, m or 1) of g - 1, the relative increase of contact area by adhesion in an asperity sum.
 
     c is 1 for weak adhesion, and larger for strong adhesion, which makes contact spots merge.
     """

@@ -243,8 +243,8 @@ def _warning_attributes(meanings: list[str]) -> dict[str, Any]:
 def _statistics(group: Any, plan: Plan, layout: Mapping[str, tuple], points: Mapping[str, int], solved: Any) -> None:
     """Create the stored arrays of statistics over all contacts, and of the block statistics that are merged into them.
 
-    group: the zarr group of the store. layout: dimensions of each result, by name. points: number of loads or separations, by
-    dimension. solved: results of the first contact, which give the attributes.
+    group: the zarr group of the store. layout: dimensions of each result, by name. points: length of each dimension (loads or
+    separations), by name. solved: results of the first contact, for units and names.
     """
     parts = group.create_group(PARTS)
     kinds = plan.sweep.statistics

@@ -41,7 +41,7 @@ class Variant:
     roughness: Any = None
 
     def case(self, case: Case) -> Case:
-        """Return the case with the roughness of this variant."""
+        """Return the case with the roughness of this variant; unchanged if the variant has none."""
         return case if self.roughness is None else case.at({("contact", "roughness"): self.roughness})
 
 

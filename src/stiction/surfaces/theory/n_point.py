@@ -148,10 +148,11 @@ def _table() -> np.ndarray:
 
 
 def make() -> np.ndarray:
-    """Compute Chebyshev coefficients (*_DEGREES) of the logarithm of the mean height of n-point asperities above a level.
+    """Compute Chebyshev coefficients of the logarithm of the mean height of n-point asperities above a level.
 
-    The two variables of the series are the level and the correlation of neighbouring heights, both mapped to -1 to 1. The
-    command `python -m stiction.surfaces.theory.n_point` (a second) writes the coefficients to the file `_FILE`.
+    The result has the shape `_DEGREES`. The two variables of the series are the level and the correlation of neighbouring
+    heights, both mapped to -1 to 1. The command `python -m stiction.surfaces.theory.n_point` (takes about a second) writes the
+    coefficients to the file `_FILE`.
     """
     x, y = (np.cos(math.pi * (np.arange(n) + 0.5) / n) for n in _DEGREES)
     share = (x + 1.0) / 2.0 * (_HIGHEST - _LOWEST) / (_HIGHEST - _LOWEST + _FOLD)

@@ -173,7 +173,7 @@ def _curves(segment: NormalSegment, groups: Groups) -> tuple[tuple[np.ndarray, .
 
 
 def _sign_change(first: np.ndarray, values: np.ndarray) -> np.ndarray:
-    """Return the coordinate (n,) at which the values at the knots change sign, by linear interpolation in the knot number.
+    """Return the coordinate (n,) at which values given at knots change sign, if they are linear in the knot number.
 
     values (n, SEGMENTS + 1): at the knots, negative before the sign change. first (n,): coordinate u at the first knot, which
     is returned if the first value is not negative.
