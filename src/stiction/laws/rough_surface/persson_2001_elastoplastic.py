@@ -65,8 +65,8 @@ def area_shares(share: np.ndarray, hardness: np.ndarray) -> tuple[np.ndarray, np
 def hardness_over_slope(groups: Groups) -> np.ndarray:
     """Return the reduced hardness H / (E* h') (n,), with the contact modulus E* and the root mean square gradient h'.
 
-    H/E* is (4/3) eta sqrt(sigma/R) / pi (docs/explanation/theory.md, section 1), with the hardness group eta; sqrt(sigma/R)
-    cancels.
+    H/E* is (4/3) eta sqrt(sigma/R) / pi (docs/explanation/theory.md, section 1), with the hardness group eta. The ratio
+    does not depend on sqrt(sigma/R).
     """
     eta = groups.eta
     return 4.0 / 3.0 * eta / math.pi / slope_over_sharpness(groups.roughness_parameter)

@@ -7,10 +7,10 @@ r/(R + zeta), the stresses are sums of the integrals
     H_mn = Integral_0^infinity k^m exp(-k z) J_n(k r) P(k) dk = Re Integral_0^1 g(s) K_mn(r, zeta) ds,
     K_1n = w^n (n R + zeta)/R^3,    K_2n = w^n [(n^2 - 1) R^2 + 3 n R zeta + 3 zeta^2]/R^5
 
-(Lipschitz's integral of J_n, differentiated by zeta). On the real axis the integrand is singular at s = r if z = 0. Because g
-is a polynomial, the path of integration may leave the real axis. It starts at s = -i T, where T decreases with the order of
-g, and follows a quarter of an ellipse to s = 1, where nodes are dense. The part on the imaginary axis contributes nothing,
-because g is even. The integrand is equally smooth at the surface and at any depth.
+(derivatives of Lipschitz's integral of J_n with respect to zeta). On the real axis the integrand is singular at s = r if z = 0.
+Because g is a polynomial, the path of integration may leave the real axis. It starts at s = -i T, where T decreases with the
+order of g, and follows a quarter of an ellipse to s = 1, where nodes are dense. The part on the imaginary axis contributes
+nothing, because g is even. The integrand is equally smooth at the surface and at any depth.
 """
 
 from functools import lru_cache
