@@ -274,8 +274,9 @@ def squared_distance(parts: Iterable[Difference]) -> np.ndarray:
 def nearest_in_words(parts: Sequence[Difference], point: int, at: int) -> str:
     """Describe the features in which a point differs most from one benchmark surface.
 
-    For example "the nearest has Nayak's alpha 5 instead of 24". parts: differences in all features. point: index of the point.
-    at: flat index of the surface.
+    For example "the nearest has Nayak's alpha 5 instead of 24". The text names the feature with the largest squared difference,
+    and every other feature that contributes at least 25 % of the squared distance. parts: differences in all features. point:
+    index of the point. at: flat index of the surface.
     """
     shape = np.broadcast_shapes(*(one.squared.shape[1:] for one in parts))
 
@@ -283,9 +284,9 @@ def nearest_in_words(parts: Sequence[Difference], point: int, at: int) -> str:
         return table[point % len(table)]
 
     squared = [float(np.broadcast_to(of_point(one.squared), shape).flat[at]) for one in parts]
-    said = []
+    said: list[str] = []
     for part, one in sorted(zip(squared, parts, strict=True), key=lambda row: -row[0]):
-        if part >= _SAID * sum(squared):
+        if not said or part >= _SAID * sum(squared):
             their = np.broadcast_to(of_point(one.theirs), shape).flat[at]
             said.append(f"{of_point(one.names)} {their:.2g} instead of {of_point(one.ours):.2g}")
     return "the nearest has " + " and ".join(said)

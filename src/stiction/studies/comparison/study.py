@@ -1,7 +1,7 @@
 """Compare all models that apply to one contact, below its prediction.
 
 Models that agree share a row. "Area error" is the mean error of the model's area on benchmark surfaces near this contact. The
-last column states whether the contact is in the range that the authors claim, or which quantities are outside; The notes
+last column states whether the contact is in the range that the authors claim, or which quantities are outside. The notes
 "without the interface" and "without alpha" mean that the model ignores this input. The note "load without friction" states the
 fraction of the load on asperities for which the model predicts no friction. If an interfacial_shear_strength is specified,
 models of contact area give friction too. --out writes compare.csv (the curves), compare_at_load.csv, compare.nc (netCDF4) and

@@ -68,7 +68,8 @@ def fitted_case(given: Any, case: Case, found: "xarray.Dataset", out: Path) -> s
     """Return the text of a case file in which the uncertain numbers have their fitted intervals.
 
     given: path of the original case file. case, found: the case and the prediction that `fit_prediction` returned. out: folder
-    of the new case file, to which the file paths in the text are relative. Nothing is written.
+    of the new case file, to which the file paths in the text are relative. Nothing is written. An interval has logarithmic
+    spacing if its lower end is above 0, otherwise linear spacing.
     """
     numbers = {}
     for one in case.uncertain:

@@ -29,11 +29,11 @@ _MOST_SCATTER = 1.0  # largest standard deviation of ln(area), for contacts with
 class Samples:
     """Store the results of n samples at m loads, arrays (n, m); NaN for an impossible sample.
 
-    force: friction force [N]. area: real contact area [m2]. pull: factor by which adhesion and menisci enlarge the area.
-    growth: factor by which junctions grow under shear. strength, coefficient: shear strength of the interface at zero pressure
-    [Pa], and its pressure coefficient, (n, m or 1). pressure: ratio of the mean pressure of contact spots to the hardness,
-    before shear. efficiency: ratio of the friction force to the summed strength of all spots, 1 unless strength falls with
-    slip.
+    force: friction force [N], NaN also at loads above hardness times nominal area. area: real contact area [m2]. pull: factor
+    by which adhesion and menisci enlarge the area. growth: factor by which junctions grow under shear. strength, coefficient:
+    shear strength of the interface at zero pressure [Pa], and its pressure coefficient, (n, m or 1). pressure: ratio of the
+    mean pressure of contact spots to the hardness, before shear. efficiency: ratio of the friction force to the summed
+    strength of all spots, 1 unless strength falls with slip.
     """
 
     force: np.ndarray
@@ -206,8 +206,8 @@ class Mixture:
         """Return the random deviation of ln(area) of each sample, (n, m).
 
         pressure: mean pressure over hardness (n, m). The variance is the sum of three parts: the small number of contact spots,
-        the scatter of the junction strength (applied to the area), and the sampling error of a scan. The first part is 0 for
-        plastic spots and for a height map.
+        the scatter of the junction strength (treated as scatter of the area), and the sampling error of a scan. The first part
+        is 0 for plastic spots and for a height map. The standard deviation is limited to _MOST_SCATTER.
         """
         from scipy.special import ndtri
 
@@ -224,7 +224,7 @@ class Mixture:
 def _most_load(sampled: SampledCase) -> np.ndarray:
     """Return the largest load [N] that the hardness bears on the nominal area, at each of m points, (m,) or (1,).
 
-    A point is a contact at a load.
+    A point is a contact at a load. The hardness is the median of the samples; the nominal area is their mean.
     """
     most: np.ndarray = np.median(sampled.bodies.hardest, axis=0) * np.mean(sampled.column(sampled.drawn.nominal_area), axis=0)
     return most

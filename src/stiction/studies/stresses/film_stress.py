@@ -136,7 +136,8 @@ def part_that_yields(subject: Subject, where: str) -> str:
 def middle_point(data: "xarray.Dataset") -> "xarray.Dataset":
     """Return a `film_stresses` result at the middle one of the loads or separations at which asperities are pressed.
 
-    If no asperities are pressed, all loads or separations are considered.
+    An even number has two middle ones; the first of them is used. If no asperities are pressed, all loads or separations are
+    considered. A result at a single number is returned unchanged.
     """
     if not data["load"].dims:
         return data
