@@ -42,6 +42,8 @@ def answer_figure(data: "xarray.Dataset", prediction: "xarray.Dataset") -> Figur
     """
     figure, (axes,) = canvas(5.0, 3.4)
     _draw_mu(axes, data, prediction)
+    for legend in figure.legends:
+        legend.set_loc("outside upper center")  # the x axis is then as high as that of `sources_figure` beside it
     return figure
 
 
