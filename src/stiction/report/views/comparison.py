@@ -206,7 +206,7 @@ def _ends(result: "xarray.Dataset", mu: float) -> list[float]:
 def group_row(group: Group) -> tuple[str, str, str, str]:
     """Return the table cells of a group, in the order of GROUP_HEADS."""
     mu = " to ".join(dict.fromkeys((number(group.low), number(group.high))))
-    ends = dict.fromkeys(f"{end:+.0%}" for end in (min(group.errors), max(group.errors))) if group.errors else ["-"]
+    ends = dict.fromkeys(f"{end:+z.0%}" for end in (min(group.errors), max(group.errors))) if group.errors else ["-"]
     status = group.status.replace("does not fit", "no", 1)
     return group.title, mu, " to ".join(ends), f"yes{status[4:]}" if group.fits else status
 
