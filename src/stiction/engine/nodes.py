@@ -101,9 +101,9 @@ def evaluating(along: Callable, parameters: int, values: int = 6) -> Any:
     def evaluate(u, law, count, table, out):
         """Store in out[i] the values of the parameter set law[i] at the coordinates u[i, :count[i]].
 
-        law (r,): index of the parameter set, a row of `table`. count (r,): number of coordinates, rounded down to a multiple of
-        eight. Each value has LONGEST elements in the row out[i]. With this fixed distance the compiler can prove that the
-        stores do not overlap, and vectorises the loop.
+        law (r,): index of the parameter set, a row of `table`. count (r,): number of coordinates; it is rounded down here to a
+        multiple of eight. Each quantity of the law fills LONGEST elements of the row out[i]. With this fixed distance the
+        compiler can prove that the stores do not overlap, and vectorises the loop.
         """
         for i in range(law.size):
             places, row, filled = u[i], unpack(table[law[i]], parameters), out[i]

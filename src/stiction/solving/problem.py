@@ -273,9 +273,9 @@ def _wanted(name: str) -> str:
 
 
 def _others(model: str) -> str:
-    """Return advice to name another model, if `model` is the default model and lacks an input; "" for any other model.
+    """Return advice to name another model if `model` is the default model; "" for any other model.
 
-    The user may not be aware of the default model.
+    For errors about a missing input: the user may not know that the default model needs it.
     """
     if model != DEFAULT_MODEL:
         return ""

@@ -59,7 +59,7 @@ def variables_of(
     keep: Collection[str] | None = None,
     refused: np.ndarray | None = None,
 ) -> dict[str, tuple]:
-    """Return the results at points as variables, including the load residual and the largest tension.
+    """Return the results at points as variables, with the load residual and the pull-off results if there are any.
 
     tables: normalised results by name. keep: names of the requested results, by default all. refused: mask (n,) of contacts
     without results. A variable is (dimensions, values in the units of the contact, attributes).

@@ -138,9 +138,10 @@ def _uncoupled(problem: MapProblem, moving: MovingMap, loads: np.ndarray, why: s
 
 
 def _displacements(problem: MapProblem, moving: MovingMap, weakening: "Weakening | None", move: Move) -> Any:
-    """Return the displacements to solve: given displacements, those at given forces, or by default a range up to full sliding.
+    """Return the displacements to solve: given ones, those at given forces, or a default range.
 
-    Raises InputError for forces that the map does not support.
+    The default range ends where all points slide or, with `weakening`, where all points have weakened. Raises InputError for
+    forces that the map does not support.
     """
     from stiction.solvers.shear.path import full_shift
 

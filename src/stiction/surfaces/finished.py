@@ -177,7 +177,7 @@ class FinishedBodies(Input):
         return both.asperities()
 
     def roughness(self) -> Roughness:
-        """Return the roughness of the contact, with uncertain quantities at their medians; the result keeps this object."""
+        """Return the roughness of the contact, uncertain quantities at their medians; it refers to these bodies."""
         numbers = dict(zip(_ASPERITIES, self.asperities({}), strict=True))
         shape = {} if len(self.bodies) > 1 else {number: getattr(self._only, number) for number in SHAPE}
         return Roughness(**numbers, **shape, kind=self._kind()).attached(finished=self)

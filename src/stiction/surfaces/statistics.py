@@ -129,9 +129,10 @@ def moments_by_differences(surface: HeightMap, cutoff: float | None = None) -> P
     """Compute the spectral moments m0, m2, m4 of a map or profile by finite differences.
 
     cutoff: wavelength [m], > 0. The points used for a difference are half a cutoff apart, rounded to whole pitches. By default
-    the cutoff is twice the larger pitch, so that neighbours are used. Shorter waves are not removed: the map is sampled as by
-    an instrument with half a cutoff as its pitch, and m0 includes all points. Raises InputError if all heights are missing or
-    equal, if no three points at this distance along a direction have heights, and for a cutoff that is not > 0 or too long.
+    the cutoff is twice the larger pitch: the points are neighbours where both pitches are equal. Shorter waves are not removed:
+    the map is sampled as by an instrument with half a cutoff as its pitch, and m0 includes all points. Raises InputError if all
+    heights are missing or equal, if no three points at this distance along a direction have heights, and for a cutoff that is
+    not > 0 or too long.
     """
     cutoff = None if cutoff is None else in_metres(cutoff, "cutoff")
     if cutoff is not None and not (cutoff > 0.0 and math.isfinite(cutoff)):
@@ -319,10 +320,10 @@ _EVEN = [0, 2, 3]  # indices of the powers 0, 2 and 4
 
 
 def _powers(spectrum: "PowerSpectrum", highest: float) -> np.ndarray:
-    """Return the sums (4, 4) of C q_y^i q_x^j over the waves with 0 < |q| <= highest, divided by the area of the map.
+    """Return the sums (4, 4) of C q_y^i q_x^j over the waves with 0 < |q| <= highest, divided by the size of the map.
 
-    C: power spectral density. q_y, q_x: components of the wavevector [rad/m]. i, j: row and column of the result, each 0, 1, 2,
-    4.
+    The size is the area of a map or the length of a profile. C: power spectral density. q_y, q_x: components of the wavevector
+    [rad/m]. i, j: row and column of the result, each 0, 1, 2, 4.
     """
     qy, qx = spectrum.wavevectors
     columns = spectrum.waves[:, None] * qx[:, None] ** _POWERS

@@ -115,7 +115,7 @@ FLOWING = (
         "tau",
         0.1,
         math.inf,
-        "in this law the film around contacts with the substrate carries too much load, even at zero film thickness",
+        "the law gives too much load to the film around contacts with the substrate, and some even to a film of zero thickness",
     ),
     Validity("film_plasticity_index", 8.0, math.inf, "the film is modelled as plastic from first touch"),
     Validity(

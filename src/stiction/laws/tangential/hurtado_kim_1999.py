@@ -106,7 +106,7 @@ RECORD = TangentialLaw(
             "size_over_burgers",
             1.0,
             np.inf,
-            "asperities smaller than a Burgers vector cannot be treated as a continuum",
+            "contacts smaller than a Burgers vector cannot be treated as a continuum",
             "assumption",
         ),
     ),

@@ -36,7 +36,7 @@ def stresses_view(case: "Case", data: "xarray.Dataset", all_rows: bool = False, 
     """Return the view (texts, tables, files and pictures) of the film stresses of a case.
 
     data: result of `film_stresses` for the case. all_rows: whether to show every point of the curve. with_section: whether to
-    compute the stresses in a cross-section too, for the files.
+    compute the stresses in a cross-section too, for a file and a picture.
     """
 
     def parts() -> Iterator[Any]:

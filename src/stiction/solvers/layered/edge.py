@@ -34,11 +34,11 @@ _PLACE = np.array([1.0]), np.array([0.0])
 @lru_cache(maxsize=256)
 @on_one_thread
 def edge_curves(bodies: Bodies) -> np.ndarray:
-    """Return curves of the coefficients ln D, A and B of the edge stress against contact size: (FORMS, 2 + EDGE_TERMS).
+    """Return ln D, A and B of the edge stress as curves over the contact size: (FORMS, 2 + EDGE_TERMS), one row each.
 
     A row holds the limits f (a half-space of film material) and g (a film of zero thickness), then the c_k of the curve (1 -
-    z)/2 f + (1 + z)/2 g + (1 - z^2) Sum c_k z^k. z = (q - 1)/(q + 1), where q is the square root of contact radius divided by
-    film thickness. If two coated bodies differ, the values at each contact radius are those of the body whose film has the
+    z)/2 f + (1 + z)/2 g + (1 - z^2) Sum c_k z^k. z = (q - 1)/(q + 1), q = sqrt(contact radius / film
+    thickness). If two coated bodies differ, the values at each contact radius are those of the body whose film has the
     higher stress under traction.
     """
     each = [_of_body(bodies, body) for body in dict.fromkeys(bodies.coated)]

@@ -94,7 +94,7 @@ def _matrix(weights: np.ndarray, even: np.ndarray, compliances: np.ndarray) -> n
     """Return Galerkin's matrix of the sticking contact for tangential compliances (2, m) at m wavenumbers.
 
     weights (m,): integration weights of the waves. even (n, m): transforms of the traction functions at these waves.
-    compliances: along and across a wave.
+    compliances: along and across a wave. The result is (2 n - 2, 2 n - 2).
     """
     along, across = compliances
     first, second = even[:-1], even[1:]

@@ -30,13 +30,13 @@ _FLOWS = "unknown for films that flow plastically: no reference solution include
 
 
 def film_errors(problem: Problem, results: Mapping[str, np.ndarray]) -> list[dict[str, Any]]:
-    """Return the measured errors of the film law at normalised results, as a list of dictionaries.
+    """Return the measured errors of the film law for these results, as a list of dictionaries.
 
-    results: arrays by name, with the dimensions of the contacts first. Keys of a dictionary: law; against: the reference
-    solution; error: lowest and highest relative error of the area at a given load; load_error: lowest and highest relative
-    error of the load at a given approach; rms: root mean square of the error of ln(area) on rough surfaces; near: range of each
-    parameter by which the error was looked up; outside: parameters beyond the measured range; why_not: the reason if no error
-    is known. Keys that do not apply are absent. The list is empty for a contact without a film law.
+    results: normalised arrays by name, with the dimensions of the contacts first. Keys of a dictionary: law; against: the
+    reference solution; error: lowest and highest relative error of the area at a given load; load_error: lowest and highest
+    relative error of the load at a given approach; rms: root mean square of the error of ln(area) on rough surfaces; near:
+    range of each parameter used to look up the error; outside: parameters beyond the measured range; why_not: the reason if no
+    error is known. Keys that do not apply are absent. The list is empty for a contact without a film law.
     """
     law = problem.chosen.film or (problem.record if problem.record.on_film else None)
     if law is None:

@@ -150,8 +150,8 @@ class Difference:
 def _difference(name: str, ours: float | np.ndarray, theirs: np.ndarray, squared: np.ndarray) -> Difference:
     """Build the `Difference` between k points of a contact and s benchmark surfaces in the feature `name`.
 
-    ours: value at the points. theirs, squared: values of the surfaces and squared distances, (k, s), or (s,) if they are the
-    same for all points.
+    ours: value at the points. theirs: values of the surfaces. squared: contributions of this feature to the squared
+    distances. Both (k, s), or (s,) if they are the same for all points.
     """
     return Difference(np.array([name]), np.atleast_1d(ours), np.atleast_2d(theirs), np.atleast_2d(squared))
 

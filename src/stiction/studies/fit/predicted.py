@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 def fit_prediction(
     given: Any, data: Any, folder: Path | None = None, load: str | None = None
 ) -> "tuple[Case, xarray.Dataset] | None":
-    """Return a case and its prediction updated by measured values; None if the case names a model and has a table [fit].
+    """Return a case and its prediction updated by measured values; None for a fit of a named model.
 
     Each free parameter of [fit.free] becomes uncertain, uniformly distributed between its ends. given: path of a case file, or
     its tables. data: path of the CSV file of measured values. folder: folder to which paths in the tables are relative; None

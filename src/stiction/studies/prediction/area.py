@@ -55,7 +55,7 @@ _OF_FEW, _OF_FEW_SHAPED = 2.0, 6.0
 def grown_to(area: np.ndarray, factor: np.ndarray, nominal: np.ndarray) -> np.ndarray:
     """Return an area [m2] multiplied by a factor, with saturation: the result never exceeds the nominal area [m2].
 
-    An area much smaller than the nominal area is multiplied by the factor exactly.
+    If the product is much smaller than the nominal area, it is hardly reduced.
     """
     share = area / nominal
     # log1p, because 1 - share loses a share of 1e-16 in round-off. A closed contact stays closed, and NaN stays NaN.

@@ -46,8 +46,8 @@ def grown(
     strength, hardness, shear_strength : numpy.ndarray, shape (n, 1)
         Shear strength of the interface, and hardness and shear strength of the weaker body [Pa].
     hardens : numpy.ndarray, shape (n, 1), or float
-        Mean degree, 0 to 1, to which the interface hardens with the body: 1 for a named state of the interface, 0 for a stated
-        strength well below the strength of the body.
+        Mean of the sampled degrees, 0 to 1, to which the interface hardens with the body: 1 for a named state of the interface,
+        0 for a stated strength well below the strength of the body.
     """
     ratio = np.minimum(strength / shear_strength, _MOST) ** 2
     most = np.maximum((hardness / shear_strength) ** 2 / _TABOR, 1.0)

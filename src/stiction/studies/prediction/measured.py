@@ -134,5 +134,5 @@ def _weights(deviance: np.ndarray, larger: float) -> np.ndarray:
 
 
 def _counting(weights: np.ndarray) -> float:
-    """Return the effective number of samples for these weights (Kish 1965)."""
+    """Return the effective number of samples for weights whose sum is 1 (Kish 1965)."""
     return float(1.0 / np.sum(weights**2))

@@ -12,8 +12,8 @@ from stiction.studies.prediction.mixture import Mixture
 def sources_of(mixture: Mixture) -> str:
     """Return the bibliography keys of a prediction as one text, separated by spaces.
 
-    They are the sources of the area models with a weight, of the possible states of the interface, of junction growth, and of
-    the laws of adhesion, menisci, contamination and ageing whose inputs are specified for the contact.
+    They are the sources of the area models with a weight, of the possible states of the interface, of junction growth (for
+    metals), and of the laws of adhesion, menisci, contamination and ageing whose inputs are specified for the contact.
     """
     keys = [key for law in mixture.laws if law.weight.any() for key in law.sources]
     keys += [source.key for record in _more_laws(mixture.sampled.contact) for source in record.sources]
