@@ -47,6 +47,7 @@ def predict_many(
     level: float = 0.9,
     count: int = COUNT,
     along: Sequence[str] | None = None,
+    refuse: bool = True,
 ) -> Iterator[tuple[Region, Case | None, BatchResult | None]]:
     """Predict many variants of a case, and yield (region, case, results) in batches, as `evaluate_many` does.
 
@@ -67,6 +68,8 @@ def predict_many(
         Number of samples, the same for every contact.
     along : sequence of str, optional
         Dimensions along which batches may be split; by default all, including the loads.
+    refuse : bool
+        Whether the iterator raises the InputError or ArithmeticError of the last refused contact at its end if it refused all.
 
     Returns
     -------
@@ -96,7 +99,7 @@ def predict_many(
             else:
                 taken = True
                 yield region, outcome[0], _named_back(outcome[1])
-    if refusal is not None and not taken:
+    if refuse and refusal is not None and not taken:
         raise refusal
 
 

@@ -5,7 +5,6 @@ A block is a part of the contacts whose results are stored at once.
 
 import math
 from collections.abc import Iterable, Iterator, Mapping
-from contextlib import nullcontext, suppress
 from dataclasses import replace
 
 import numpy as np
@@ -71,12 +70,10 @@ def solved_of(plan: Plan, choice: Choice, piece: Region, keep: list[str] | None)
         yield piece, None
         return
     if choice.model == RECOMMENDED:
-        found = predict_many(case, arrays, plan.load, plan.uncertain, count=count_of(plan.size))
+        found = predict_many(case, arrays, plan.load, plan.uncertain, count=count_of(plan.size), refuse=False)
     else:
         found = evaluate_many(case, arrays, None, choice, keep, along=tuple(piece))
-    # A prediction raises an error after the last contact if it refused all of them.
-    with suppress(InputError, ArithmeticError) if choice.model == RECOMMENDED else nullcontext():
-        yield from ((region, _along_places(solved) if plan.maps and solved else solved) for region, _, solved in found)
+    yield from ((region, _along_places(solved) if plan.maps and solved else solved) for region, _, solved in found)
 
 
 def _along_places(solved: BatchResult) -> BatchResult:
