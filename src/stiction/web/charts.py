@@ -23,9 +23,10 @@ _MAIN = {False: BLUE, True: SKY}  # colour of a result and its band, on a light 
 _HATCHES = ("none", "rect", "triangle", "circle", "diamond", "pin")
 _BANDED = ("friction_coefficient", "friction_force", "contact_area")  # results that may have a band
 _OPACITY = 0.3  # opacity of a band
+_PLAIN = 1e-4, 1e5  # range of values written in plain digits
 # JavaScript that formats the numbers of an axis.
 _SHORT = (
-    "value => value !== 0 && (Math.abs(value) < 1e-4 || Math.abs(value) >= 1e5) "
+    f"value => value !== 0 && (Math.abs(value) < {_PLAIN[0]} || Math.abs(value) >= {_PLAIN[1]}) "
     "? value.toExponential(0) : String(+value.toPrecision(4))"
 )
 # JavaScript that writes the numbers of an axis as powers of ten, all of them if one is too long in plain digits.
@@ -34,7 +35,6 @@ _POWERS = (
     " const above = [...String(+power)].map(each => '⁰¹²³⁴⁵⁶⁷⁸⁹'[each] ?? '⁻');"
     " return (first === '1' ? '' : first + '·') + '10' + above.join(''); }"
 )
-_PLAIN = 1e-4, 1e5  # range of values written in plain digits
 
 
 def numbers(values: Any) -> list[float | None]:
