@@ -9,6 +9,7 @@ import signal
 import subprocess
 import sys
 import time
+from contextlib import contextmanager
 from pathlib import Path
 
 import numpy as np
@@ -618,19 +619,27 @@ def test_every_contact_is_in_one_block():
 @pytest.mark.parametrize("how", [signal.SIGKILL, signal.SIGTERM])
 def test_workers_end_with_the_process_that_shares_out_the_work(tmp_path, how):
     """A batch system ends a job so: workers that wait for more would wait for ever, and hold its memory."""
-    case, out = tmp_path / "case.toml", tmp_path / "store"
-    case.write_text(MANY_BLOCKS, encoding="utf-8")
-    words = [sys.executable, "-m", "stiction", "sweep", str(case), "--out", str(out), "--workers", "2"]
-    process = subprocess.Popen(words, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True)
-    try:
+    out = tmp_path / "store"
+    with sweeping(tmp_path, "--workers", "2", stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as process:
         within(60.0, lambda: len(list(out.glob("validity_warnings_by_block/c/*"))) > 4)
         process.send_signal(how)
         process.wait(10.0)
         within(60.0, lambda: not alive_of(process.pid))  # as long as a busy machine takes: they would wait for ever
+    assert len(list(out.glob("validity_warnings_by_block/c/*"))) > 4
+
+
+@contextmanager
+def sweeping(folder, *more, **streams):
+    """The command that sweeps many blocks into `store` of the folder, in a session whose processes are killed at the end."""
+    case = folder / "case.toml"
+    case.write_text(MANY_BLOCKS, encoding="utf-8")
+    words = [sys.executable, "-m", "stiction", "sweep", str(case), "--out", str(folder / "store"), *more]
+    process = subprocess.Popen(words, text=True, start_new_session=True, **streams)
+    try:
+        yield process
     finally:
         for one in alive_of(process.pid):
             os.kill(one, signal.SIGKILL)
-    assert len(list(out.glob("validity_warnings_by_block/c/*"))) > 4
 
 
 def within(seconds, so):
@@ -706,17 +715,11 @@ def test_an_interruption_waits_until_a_block_is_written(tmp_path, monkeypatch):
 @pytest.mark.parametrize("more", [[], ["--workers", "2"]])
 def test_an_interruption_of_the_command_keeps_what_is_done(tmp_path, more):
     """Ctrl-C reaches all processes of a terminal at once."""
-    case, out = tmp_path / "case.toml", tmp_path / "store"
-    case.write_text(MANY_BLOCKS, encoding="utf-8")
-    words = [sys.executable, "-m", "stiction", "sweep", str(case), "--out", str(out), *more]
-    process = subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True)
-    try:
+    out = tmp_path / "store"
+    with sweeping(tmp_path, *more, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
         within(60.0, lambda: len(list(out.glob("validity_warnings_by_block/c/*"))) > 4)
         os.killpg(process.pid, signal.SIGINT)
         printed, said = process.communicate(timeout=30.0)
-    finally:
-        for one in alive_of(process.pid):
-            os.kill(one, signal.SIGKILL)
     lines = said.splitlines()
     assert (process.returncode, printed) == (130, "") and "Traceback" not in said
     assert lines[-2].startswith("stopped: ") and lines[-2].endswith("run the command again to continue")
@@ -726,17 +729,11 @@ def test_an_interruption_of_the_command_keeps_what_is_done(tmp_path, more):
 
 @pytest.mark.skipif(not hasattr(os, "killpg"), reason="no groups of processes")
 def test_an_interruption_while_workers_import_their_modules_prints_no_traceback(tmp_path):
-    case, out = tmp_path / "case.toml", tmp_path / "store"
-    case.write_text(MANY_BLOCKS, encoding="utf-8")
-    words = [sys.executable, "-m", "stiction", "sweep", str(case), "--out", str(out), "--workers", "2"]
-    process = subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True)
-    try:
+    out = tmp_path / "store"
+    with sweeping(tmp_path, "--workers", "2", stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
         within(60.0, lambda: len(alive_of(process.pid)) > 1 and out.exists())
         os.killpg(process.pid, signal.SIGINT)
         _, said = process.communicate(timeout=60.0)
-    finally:
-        for one in alive_of(process.pid):
-            os.kill(one, signal.SIGKILL)
     assert process.returncode == 130 and "Traceback" not in said
     assert said.splitlines()[-1] == "stiction: interrupted"
 
