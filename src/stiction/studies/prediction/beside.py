@@ -103,9 +103,9 @@ def _half_width(mixture: Mixture, law: AreaLaw, index: int) -> float:
     The interval is narrower if many spots are plastic, or if the area is close to the nominal area. index: position of the load
     among the loads of the prediction.
     """
-    sampled, rows = mixture.sampled, np.arange(len(law.log_area))
+    sampled, rows, here = mixture.sampled, np.arange(len(law.log_area)), law.at_load(index)
     nominal = np.broadcast_to(sampled.column(sampled.drawn.nominal_area), (len(rows), 1))
-    low, high = (law.corrected(rows, sampled.loads, np.full(len(rows), level), nominal)[:, index] for level in (0.95, 0.05))
+    low, high = (here.corrected(rows, sampled.loads[[index]], np.full(len(rows), level), nominal) for level in (0.95, 0.05))
     return 0.5 * float(np.nanmedian(np.abs(np.log(high / low))))
 
 
