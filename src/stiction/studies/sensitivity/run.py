@@ -67,9 +67,9 @@ def sensitivity(
         Over `input`, the uncertain inputs: y_first_order and y_total_order, Sobol indices of ln y with 95 % intervals (`_low`,
         `_high`); y_effect, the mean absolute elementary effect of Morris on ln y from the 2.5 to the 97.5 % quantile of the
         input, with y_effect_error and y_effect_deviation. Over `number`, all numbers of the contact: y_log_sensitivity, d ln
-        y/d ln x at the nominal numbers, and its error bound y_elasticity_error. If neither `models` nor the case names a model
-        and a load is above 0, the results are those of the prediction: friction_coefficient_share over `input`, the fraction of
-        the variance of ln mu, and friction_coefficient_log_sensitivity over `number`.
+        y/d ln x at the nominal numbers, and its error bound y_log_sensitivity_error. If neither `models` nor the case names a
+        model and a load is above 0, the results are those of the prediction: friction_coefficient_share over `input`, the
+        fraction of the variance of ln mu, and friction_coefficient_log_sensitivity over `number`.
 
     Raises
     ------
@@ -205,8 +205,8 @@ def _with_log_sensitivities(said: "xarray.Dataset", slopes: LogSensitivities) ->
             continue  # the case states this result
         text = f"logarithmic sensitivity of the {said[name].attrs.get('long_name', name)}, d ln y/d ln x"
         dims = ("number", *slopes.dims[name])
-        variables[f"{name}_log_sensitivity"] = (dims, table, {"units": "1", "long_name": text})
-        variables[f"{name}_elasticity_error"] = (dims, slopes.errors[name], {"units": "1", "long_name": f"error of the {text}"})
+        for end, values, meaning in (("", table, text), ("_error", slopes.errors[name], f"error of the {text}")):
+            variables[f"{name}_log_sensitivity{end}"] = (dims, values, {"units": "1", "long_name": meaning})
         variables[name] = said[name].variable
     coords = {str(name): one for name, one in said.coords.items() if name in ("load", "mean_separation", "separation")}
     return xarray.Dataset(variables, coords=coords | {"number": slopes.names})
