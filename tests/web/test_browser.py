@@ -213,7 +213,7 @@ FORM = ["Load", "Bodies", "Film", "Roughness", "Adhesion", "Interface"]
 def test_a_film_is_switched_off_and_on_and_the_last_change_is_undone(fresh):
     page = fresh
     before, film = _card(page), page.get_by_role("switch", name="there is a film")
-    thickness = "film thickness (the sum if both bodies have a film) t"
+    thickness = "film thickness (the sum of both films if both bodies are coated) t"
     film.click()
     _until_changed(page, before)
     assert not page.get_by_label(thickness, exact=True).count()
@@ -239,7 +239,7 @@ def test_a_comparison_follows_a_knob_that_moves_while_it_runs(fresh):
     _tab(page, "Compare")
     page.get_by_text(re.compile(r".+, \d+ s$")).first.wait_for()
     before = _card(page)
-    page.get_by_label("film thickness (the sum if both bodies have a film) t", exact=True).fill("1 um")
+    page.get_by_label("film thickness (the sum of both films if both bodies are coated) t", exact=True).fill("1 um")
     _until_changed(page, before)
     page.get_by_text("Inside their range of validity").wait_for(timeout=60 * SECOND)
     _until(page, "() => !document.querySelector('.old') && !document.body.classList.contains('waiting')")

@@ -194,7 +194,7 @@ async def test_a_film_that_is_switched_off_and_on_keeps_its_numbers_and_the_titl
         _labelled(user, ui.switch, "there is a film").set_value(True)
         await _until(user, lambda: silver in _texts(user))
         assert _mu(user) == "μ ≈ 0.046" and "0.4 GPa" in [one.value for one in _elements(user, ui.input)]
-        _input(user, "film thickness (the sum if both bodies have a film) t").set_value("300 nm")
+        _input(user, "film thickness (the sum of both films if both bodies are coated) t").set_value("300 nm")
         await _until(user, lambda: f"Silver film, 300 nm, {steel}" in _texts(user))
 
 

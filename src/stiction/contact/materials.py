@@ -117,9 +117,9 @@ class Material(Input):
 
     @classmethod
     def __get_pydantic_json_schema__(cls, core_schema, handler):
-        """Return the JSON schema of a material, in which a table may also change a preset.
+        """Return the JSON schema of a material: all its required numbers, or a preset with some numbers replaced.
 
-        Example: {preset = "silver", hardness = "0.5 GPa"}.
+        Example of the second form: {preset = "silver", hardness = "0.5 GPa"}.
         """
         schema = super().__get_pydantic_json_schema__(core_schema, handler)
         schema["properties"]["preset"] = {

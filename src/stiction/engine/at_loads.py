@@ -50,7 +50,7 @@ def _sample(grid, w_top, nodes):
     grid: tuple (h, loads, slopes). h (H,): separations in units of sigma, equally spaced, in descending order. loads, slopes
     (n, H): output arrays for the load and its derivative with respect to h. w_top: displacement in units of sigma at which the
     recurrence factors are scaled to 1, to avoid overflow. nodes: displacements (n, room), weights (n, room) and number (n,) of
-    integration nodes, with space for `room` nodes per law.
+    integration nodes; room: largest number of nodes per law.
     """
     h, loads, slopes = grid
     place, weights, used = nodes

@@ -81,8 +81,8 @@ def _weigh(weight, state, count, quantity, out):
 def append_nodes(evaluated, nodes):
     """Append evaluated integration nodes, in place, to the table of nodes of each law (parameter set).
 
-    evaluated: fields of `nodes.Evaluated`. nodes: displacements (n, room) of the nodes of n laws, with space for `room` nodes
-    per law; products of weight, quantity and dw/du (n, rows, room), ready to be summed; and the number (n,) of nodes in use,
+    evaluated: fields of `nodes.Evaluated`. nodes: displacements (n, room) of the nodes of n laws (room: largest number of nodes
+    per law); products of weight, quantity and dw/du (n, rows, room), ready to be summed; and the number (n,) of nodes in use,
     which is increased. rows: one for the load alone; three for load, area and total resistance; or five for fraction touching,
     load, area, slip-limited and yield-limited resistance.
     """

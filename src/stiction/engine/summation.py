@@ -170,7 +170,8 @@ class Scattered:
 def _summing_listed(regime: Regime, heights: Heights) -> Callable:
     """Return a function fill(h, law, sums) that averages one regime over heights listed one by one.
 
-    fill writes the sums at the separations h (m,), each for the law (parameter set) with the index law[i], into `sums` (m, 5).
+    fill stores five averages (see `on_grid`) in row i of `sums` (m, 5): at separation h[i], for the law (parameter set) with
+    index law[i].
     """
     average, laws = listing(regime.along, regime.coordinate, len(regime.parameters)), tuple(Laws.of(regime))
     return lambda h, law, sums: average(h, law, heights.listed, laws, sums)
@@ -179,7 +180,8 @@ def _summing_listed(regime: Regime, heights: Heights) -> Callable:
 def _summing_alone(regime: Regime, heights: Heights) -> Callable:
     """Return a function fill(h, law, sums) that sums one regime over heights, in one loop compiled for this regime.
 
-    fill writes the sums at the separations h (m,), each for the law (parameter set) with the index law[i], into `sums` (m, 5).
+    fill stores five averages (see `on_grid`) in row i of `sums` (m, 5): at separation h[i], for the law (parameter set) with
+    index law[i].
     """
     compiled = scattering(regime.along, regime.coordinate, heights.density, heights.window, len(regime.parameters))
     arguments = (heights.shape, heights.knots), tuple(Laws.of(regime)), (_RULES, _COUNTS)
@@ -190,8 +192,8 @@ def _summing_in_stages(regime: Regime, heights: Heights, add: Callable) -> Calla
     """Return a function fill(h, law, sums) that sums one regime over heights, mostly in loops that all regimes share.
 
     Only two short loops are compiled for the regime. add: the compiled loop of the last stage, which fills `sums`;
-    `nodes.adding` and `expansions` provide such loops. fill writes the sums at the separations h (m,), each for the law
-    (parameter set) with the index law[i], into `sums`, (m, 5) or as `add` requires.
+    `nodes.adding` and `expansions` provide such loops. fill stores five averages (see `on_grid`) in `sums`, (m, 5) or as `add`
+    requires: row i at separation h[i], for the law (parameter set) with index law[i].
     """
     laws = Laws.of(regime)
     at_edges = laws.edges, displacements(regime, laws)

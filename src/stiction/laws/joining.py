@@ -307,9 +307,9 @@ def resistances(
 ) -> np.ndarray:
     """Return the tangential force (n, m) of whole contacts of known load and contact area, by a law of the interface.
 
-    The force is the sum of the law's slip-limited and yield-limited force. groups: dimensionless groups of n contacts. load,
-    area (n, m): m states of each contact. state: "elastic" or "plastic". Units: loads and forces in K R^(1/2) sigma^(3/2) with
-    K = (4/3) E*, areas in pi R sigma.
+    The law's formula returns a slip-limited and a yield-limited force, one of them 0; the result is their sum. groups:
+    dimensionless groups of n contacts. load, area (n, m): m states of each contact. state: "elastic" or "plastic". Units: loads
+    and forces in K R^(1/2) sigma^(3/2) with K = (4/3) E*, areas in pi R sigma.
     """
     anywhere = NormalSegment(none, none, (), np.zeros((len(groups), 1)), state)
     tangential_resistance = tangential.tangential_resistance(anywhere, groups)

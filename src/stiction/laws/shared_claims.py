@@ -18,14 +18,12 @@ NEAR_YIELD = Validity(
 )  # fmt: skip
 SOFT_FILM = Validity("n_H", 0.0, 1.0, "the law assumes a film that is softer than the substrate")
 PLASTIC_FILM = Validity("film_plasticity_index", 1.0, math.inf, "the film is modelled as plastic at any load", "effect")
-THIN_LAYER = Validity(
-    "load_share_beyond_film", 0.5, 1.0, "the law assumes a thin film, which needs a contact radius above the film thickness"
-)
+THIN_LAYER = Validity("load_share_beyond_film", 0.5, 1.0, "the law assumes a film thinner than the contact radius")
 DEEP_FILM = Validity(
     "load_share_beyond_film",
     0.0,
     0.5,
-    "the law treats the film as a half-space, which needs a contact radius below the film thickness",
+    "the law treats the film as a half-space, so it assumes a film thicker than the contact radius",
 )
 ENOUGH_SUMMITS = Validity(
     "roughness_parameter", LEAST_DENSITY, math.inf, "an isotropic Gaussian surface cannot have fewer asperities"

@@ -1,7 +1,7 @@
 """Define the callbacks that report the progress of long computations.
 
 A progress callback takes a label, such as "solving", and returns a function. This function takes an iterable of steps and
-returns an iterator over the same steps, which may report each one.
+returns an iterable over the same steps, which may report each one.
 """
 
 from collections.abc import Callable, Iterable
@@ -11,7 +11,7 @@ _Step = TypeVar("_Step")
 
 
 class Steps(Protocol):
-    """Describe a function that returns an iterator over the steps it is given, as `iter` or `tqdm.tqdm` does."""
+    """Describe a function that returns an iterable over the given steps, as `iter` or `tqdm.tqdm` does."""
 
     def __call__(self, steps: Iterable[_Step], /) -> Iterable[_Step]:
         """Yield the given steps in order, possibly reporting each one to the user."""

@@ -165,7 +165,7 @@ def _grouped(pieces: list[_Piece], product: bool = False) -> str:
 
 
 def braced(tex: str) -> str:
-    """Return a LaTeX formula with every argument in braces."""
+    """Return a LaTeX formula with braces around the arguments of accents, roots, fractions, subscripts and superscripts."""
     tex = re.sub(rf"(\\(?:mathrm|mathcal|sqrt|bar|overline|hat|dot|tilde))\s*{_ONE}", r"\1{\2}", tex)
     before = ""
     while before != tex:  # a fraction may stand inside another

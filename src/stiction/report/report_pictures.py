@@ -175,7 +175,10 @@ def all_of_one(findings: ReportData) -> list[str]:
 
 
 def pictures_of_answer(findings: ReportData) -> Iterator[Picture]:
-    """Yield the pictures of the first page: mu against load, and the sources of its interval; none without a prediction."""
+    """Yield the pictures of the first page: mu against load, and the sources of its interval; none without a prediction.
+
+    For a single load without a curve of the prediction, the first picture shows samples of mu.
+    """
     data, prediction = findings.data if findings.curve is None else findings.curve, findings.recommended
     if prediction is None:
         return

@@ -41,9 +41,10 @@ HEADS = {
 
 
 def curve_table(data: "xarray.Dataset", all_rows: bool = False, heads: Mapping[str, str] | None = None) -> Table:
-    """Return a table of about twelve loads or separations of a result, or of all, in prefixed units.
+    """Return a table of a result against load or separation, in prefixed units.
 
-    heads: column head by name of the variable; by default HEADS.
+    all_rows: include all points; by default at most twelve, evenly spaced. heads: column head by name of the variable; by
+    default HEADS.
     """
     heads = HEADS if heads is None else heads
     count = data["load"].size

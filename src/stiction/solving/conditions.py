@@ -182,7 +182,7 @@ def excludes(rule: Validity) -> bool:
     return rule.kind == "impossible" or rule.quantity == "mean_pressure_over_hardness"
 
 
-def rules_left(problem: Problem, results: Mapping[str, np.ndarray]) -> list[np.ndarray]:
+def rules_violated(problem: Problem, results: Mapping[str, np.ndarray]) -> list[np.ndarray]:
     """Return one mask for each range of `rules_of`, True where results lie outside the range.
 
     Masks are (n, m) for n contacts and m points, or (n, 1) for ranges that do not depend on points; False where the value is

@@ -71,8 +71,8 @@ def _junction_growth(contact: Contact, law: str, map_contact: "MapContact") -> O
 
     The force on a point is the shear strength times the contact area. This area grows until the point carries its load under
     combined stresses, according to equation (2) of this module. law: key of the tangential law; only the law of constant
-    strength is allowed. Raises InputError for another law, for a film, and for a strength at which junctions grow without
-    limit.
+    strength is allowed. Raises InputError for another law, for a film, and for a strength that is not stated or at which
+    junctions grow without limit.
     """
     from stiction.contact.pair import Pair
 

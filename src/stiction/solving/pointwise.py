@@ -15,7 +15,7 @@ from stiction.engine.heights import Heights
 from stiction.quantities.errors import InputError
 from stiction.records.claims import Validity
 from stiction.solving.choice import Choice
-from stiction.solving.conditions import rules_left, rules_of
+from stiction.solving.conditions import rules_of, rules_violated
 from stiction.solving.inversion import Inversion
 from stiction.solving.points import Points, Solved, points_of, solve_points
 from stiction.solving.problem import lost_in_rounding, make_problem
@@ -77,8 +77,8 @@ def solve_batch(
     refused = why_not == 1 << REFUSED
     variables = variables_of(points, solved, tables, keep, refused.all(axis=1))
     validity_warnings = why_not.astype(np.uint32)
-    for bit, left in enumerate(rules_left(problem, tables) if check_validity else (), start=len(WHY_NOT)):
-        validity_warnings |= left.astype(np.uint32) << np.uint32(bit)
+    for bit, violated in enumerate(rules_violated(problem, tables) if check_validity else (), start=len(WHY_NOT)):
+        validity_warnings |= violated.astype(np.uint32) << np.uint32(bit)
     validity_warnings = np.where(refused, why_not, validity_warnings).reshape(points.wanted.shape)
     attributes = summary_of(problem.subject, problem, tables) if keep is None else {}
     rules = rules_of(problem) if check_validity else []

@@ -76,7 +76,7 @@ def area_fraction(groups: Groups, area: np.ndarray) -> np.ndarray:
 
 
 def _of_the_surface(groups: Groups) -> dict[str, np.ndarray]:
-    """Return the numbers (n,) of rough surface and film that do not depend on load, by name; unknown ones are absent.
+    """Return the quantities (n,) of rough surface and film that do not depend on load, by name, without unknown quantities.
 
     The rms slope is sqrt(2 m2). The spectral moments m2 and m4 of a Gaussian surface follow from asperity radius R and density
     N by m4 = (3/8)^2 pi/R^2 and N = m4/(6 pi sqrt(3) m2) (Nayak 1971; McCool 1986).

@@ -16,7 +16,7 @@ MODELS = ("gaussian", "weibull", "empirical")
 # itself exceed. With the mean and deviation of the sample the limit is 0.886 / sqrt(n) for a Gaussian (Lilliefors 1967); it is
 # used for Weibull's distribution too. The long waves of a surface correlate the heights of its asperities, so n is at most
 # _INDEPENDENT. A stricter test would choose the empirical distribution too often, which ends at the highest asperity of the
-# scan, although a larger contact has higher ones.
+# scan, although a larger contact has higher asperities.
 _ONE_IN_TWENTY = 0.886
 _INDEPENDENT = 100
 _QUANTILES = 2000  # number of quantiles that replace the samples if there are more samples

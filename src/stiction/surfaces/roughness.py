@@ -115,7 +115,7 @@ class Roughness(Input):
     0.0024
     """
 
-    instead: ClassVar[str] = "; or, in place of the first three, finish (with rms_height or mean_height if known)"
+    instead: ClassVar[str] = "; or finish (with rms_height or mean_height if known) in place of the three asperity_* numbers"
 
     asperity_height_deviation: Number
     asperity_radius: Number

@@ -1,4 +1,4 @@
-"""Build the tab One asperity: the stresses in a section below it, its point of first yield, and the film to scale."""
+"""Build the tab "One asperity": stresses below the asperity, first yield, and the film to scale."""
 
 import math
 from typing import Any

@@ -55,7 +55,7 @@ class Explorer:
         self._history: list[Mapping[str, Any]] = []  # cases to which `undo` goes back, the newest last
         self._changed = 0.0
         self.view = View()
-        self.rebuild: Callable[[], None] = lambda: None  # rebuilds the form if the case gets other fields
+        self.rebuild: Callable[[], None] = lambda: None  # rebuilds the form when fields are added or removed
         self.client: AbstractContextManager[Any] = nullcontext()  # the page; the element that started a query may be gone
         self.open_tab: Callable[[str], object] = lambda name: None
         self.on_wait: Callable[[], None] = lambda: None  # marks the answer as old

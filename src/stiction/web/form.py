@@ -53,7 +53,7 @@ _PLAIN_LOADS = {"start": 1e-6, "stop": 0.1, "count": 51, "spacing": "log"}  # no
 class Form:
     """Show the form of one visitor.
 
-    The form is rebuilt if the case gets other fields, but not while a slider moves.
+    The form is rebuilt when fields are added to or removed from the case, but not while a slider moves.
     """
 
     def __init__(self, explorer: Explorer):
@@ -159,7 +159,7 @@ class Form:
             self._menu(name.replace("_", " "), list(values), str(value_at(tables, here) or values[0]), here)
 
     async def _choose_model(self, name: str) -> None:
-        """Solve the case with another model; for the prediction, named laws and options are removed from the case."""
+        """Solve the case with another model; for the prediction, remove model, laws and options from the case."""
         tables = self._explorer.query.tables
         kept = {key: one for key, one in tables.get("solve", {}).items() if key in ("load", "separation")}
         await self._explorer.ask(

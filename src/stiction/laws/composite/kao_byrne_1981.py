@@ -24,8 +24,8 @@ WEIGHT = 0.09  # k1
 def value(hardness_ratio, depth_over_thickness, constant, exponent):
     """Return the hardness of film and substrate together divided by the substrate's, 1 + (H_f/H_s - 1) (2 k1) t/omega.
 
-    At small depths it is limited to the film's hardness. hardness_ratio: H_f/H_s. depth_over_thickness: omega/t, with the depth
-    omega and the film thickness t. constant: the number 2 k1. `exponent` is not used.
+    At depths below 2 k1 t it is the film's hardness, H_f/H_s. hardness_ratio: H_f/H_s. depth_over_thickness: omega/t, with the
+    depth omega and the film thickness t. constant: the number 2 k1. `exponent` is not used.
     """
     return 1.0 + (hardness_ratio - 1.0) * constant / max(depth_over_thickness, constant)
 

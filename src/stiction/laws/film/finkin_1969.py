@@ -132,7 +132,7 @@ RECORD = FilmLaw(
     needs=("n_E", "film_aspect", "films", "layer_nu", "coated_share"),
     validity=(
         THIN_LAYER,
-        Validity("n_E", 0.0, 0.1, "the law assumes a rigid substrate and indenter"),
+        Validity("n_E", 0.0, 0.1, "the law assumes that substrate and counter-body are rigid compared with the film"),
         Validity(
             "film_stiffness",
             0.0,

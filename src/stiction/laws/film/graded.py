@@ -10,9 +10,9 @@ f=3\xi^2-2\xi^3,\qquad\xi=\frac{(p/H)^2-1}{54\cdot0.4^2-1}\ \text{limited to 0 t
 $$
 
 *Source*: this project's own, composed of published parts: [theory, section 5.3](theory.md#5-coated-surface). The formulas are
-in `graded_law.py`, their kinks in `graded_kinks.py`. Without a film the same law describes the bare asperity without a jump
-of the load at yield. *Reconstructed*: the whole composition. *Check*: the law equals the bare surface at $n_E=n_H=1$, the
-substrate for $\tau\to0$, and the film for $\tau\to\infty$.
+in `graded_law.py`, their kinks in `graded_kinks.py`. Without a film the same law describes the bare asperity without a jump of
+the load at yield. *Reconstructed*: the whole composition. *Check*: the law equals the law of the bare surface at $n_E=n_H=1$,
+the law of the substrate for $\tau\to0$, and the law of the film material for $\tau\to\infty$.
 
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ in units of $KR^{1/2}\sigma^{3/2}$ and contact area $A$ in units of
 $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$

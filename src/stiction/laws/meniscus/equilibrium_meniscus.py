@@ -96,7 +96,7 @@ PULL_ON_MAPS = Validity(
     "meniscus_share",
     0.0,
     0.005,
-    "solved height maps give 0.9 to 4 times this meniscus force, so mu may be too low",
+    "solved height maps give 0.9 to 4 times the meniscus force of this law, so mu may be too low",
     "assumption",
 )
 
@@ -147,7 +147,8 @@ RECORD = Meniscus(
             "penetration_over_meniscus",
             0.0,
             0.1,
-            "the meniscus force on elastic asperities is up to twice too large; the law neglects that menisci widen contacts",
+            "the meniscus force on elastic asperities is too large, by up to a factor of 2; "
+            "the law neglects that menisci enlarge contacts",
         ),
     ),
     notes="The force of a touching asperity is constant. This holds for plastic asperities, which are treated as truncated; "

@@ -123,7 +123,7 @@ RECORD = Meniscus(
         *equilibrium_meniscus.VALIDITY,
         replace(
             equilibrium_meniscus.PULL_ON_MAPS,
-            why="solved height maps give up to 3.8 times this meniscus force, so mu may be too low",
+            why="solved height maps give up to 3.8 times the meniscus force of this law, so mu may be too low",
         ),
         ELASTIC,
         Validity(

@@ -92,9 +92,9 @@ def inside_reach(nu):
 def below_reach(nu):
     """Return the relative width of the range of p0/Y in which the series for yield below the surface is fitted.
 
-    p0/Y: largest pressure divided by yield stress. The range is (1 - width) F to F, where F is the p0/Y at which the load
-    alone causes yield. nu: Poisson's ratio. The series is used where yield below the surface comes first; this begins at
-    most 0.02 F above the start of the range.
+    p0/Y: largest pressure divided by yield stress. The range is (1 - width) s_0 to s_0, where s_0 is the p0/Y at which the load
+    alone causes yield. nu: Poisson's ratio. The series is used where yield below the surface comes first; this begins at most
+    0.02 s_0 above the start of the range.
     """
     return 0.012 + 0.22 * nu
 
@@ -143,9 +143,9 @@ def _product(first: Stress, other: Stress) -> np.ndarray:
 
 @cache
 def first_yield_of_load() -> np.ndarray:
-    """Return the coefficients (IN_NU,) of a Chebyshev series in 4 nu - 1 for F, the p0/Y at which the load alone causes yield.
+    """Return the coefficients (IN_NU,) of a Chebyshev series in 4 nu - 1 for s_0.
 
-    p0/Y: largest pressure divided by yield stress. nu: Poisson's ratio.
+    s_0: p0/Y at which the load alone causes yield. p0/Y: largest pressure divided by yield stress. nu: Poisson's ratio.
     """
     nu = (1.0 + chebyshev.chebpts1(IN_NU)) / 4.0
     largest = least_over(lambda x, z: -von_mises(pressed(x, 0.0, z, nu[:, None])), np.zeros(IN_NU), 0.48, 0.0, 0.1)[2]
@@ -169,8 +169,8 @@ def series_inside() -> np.ndarray:
 def series_below() -> np.ndarray:
     """Return the coefficients (BELOW, IN_NU) of a Chebyshev series of (q0/Y)^2/y at yield below the surface.
 
-    The variables are 2 y - 1 and 4 nu - 1, with Poisson's ratio nu, y = (1 - s/F) / below_reach(nu), s = p0/Y, and F the value
-    of s at which the load alone causes yield. q0 and p0: largest traction and pressure; Y: yield stress.
+    The variables are 2 y - 1 and 4 nu - 1, with Poisson's ratio nu, y = (1 - s/s_0) / below_reach(nu), s = p0/Y, and s_0 the
+    value of s at which the load alone causes yield. q0 and p0: largest traction and pressure; Y: yield stress.
     """
     y, nu = _nodes(BELOW)
     s = chebyshev.chebval(4.0 * nu - 1.0, first_yield_of_load()) * (1.0 - y * below_reach(nu))

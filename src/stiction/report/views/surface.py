@@ -212,7 +212,7 @@ def roughness_notes(measured: "Measured") -> list[Table]:
 
 
 def map_notes(data: "xarray.Dataset") -> list[Table]:
-    """Return notes on the contact of a height map: preparation, resolution, and contact area at the last load."""
+    """Return notes on the contact of a height map: preparation, resolution, and area and plastic fraction at the last load."""
     last = data.isel({name: -1 for name in data["load"].dims})
     every = int(last["point_spacing"])
     lines = [

@@ -125,7 +125,7 @@ def dot(first: np.ndarray, second: np.ndarray) -> float:
 
 
 def factor(mask: np.ndarray, values: np.ndarray) -> np.ndarray:
-    """Return a mask in a form by which an array like `values` can be multiplied.
+    """Convert a mask to a factor for arrays like `values`.
 
     For NumPy this is the mask itself, which saves a copy; for other libraries the mask as ones and zeros.
     """

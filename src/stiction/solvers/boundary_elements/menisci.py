@@ -45,9 +45,9 @@ class Menisci:
 class Condensed:
     """Store the solution of a contact with condensed liquid.
 
-    found: pressure between the solids plus suction of the liquid [Pa], and gap [m], (rows, columns). wet: mask (rows, columns)
-    of the points with liquid. problem: the equivalent contact problem without liquid, whose heights, load and hardness include
-    the suction.
+    found: pressure q of (1) [Pa], which is 0 where the faces are apart, and gap [m], both (rows, columns). wet: mask (rows,
+    columns) of the points with liquid. problem: the equivalent contact problem without liquid, whose heights, load and hardness
+    include the suction.
     """
 
     found: Found

@@ -184,7 +184,7 @@ def _wrong(problem: Problem, pressure: np.ndarray, gap: np.ndarray) -> np.ndarra
 
 
 def _free(problem: Problem, pressure: np.ndarray, gap: np.ndarray) -> np.ndarray:
-    """Return a mask of the points with a pressure between 0 and the hardness, in a form by which `gap` can be multiplied."""
+    """Return a mask of the points with a pressure between 0 and the hardness, as a factor for `gap` (see `factor`)."""
     return factor((pressure > 0.0) & (pressure < problem.hardness), gap)
 
 

@@ -62,8 +62,7 @@ def shear_curve(bodies: Bodies) -> np.ndarray:
 
     K beta: 4/3 of the contact modulus without a film, times the tangential compliance beta of T = 8 a delta/beta (force T,
     contact radius a, displacement delta). ln(K beta) = (1 - z)/2 ln(film only) + (1 + z)/2 ln(no film) + (1 - z^2) Sum c_k z^k,
-    with the limits from `shear_ends` and z = (q - 1)/(q + 1), where q is the square root of contact radius divided by film
-    thickness.
+    with the limits from `shear_ends` and z = (q - 1)/(q + 1), where q = sqrt(a/t) with contact radius a and film thickness t.
     """
     solved = np.array([shear_compliance(bodies, radius) for radius in RADII])
     film, below = np.log(shear_ends(bodies))
@@ -91,10 +90,11 @@ def _compliances(bodies: Bodies, x: np.ndarray) -> np.ndarray:
 
 
 def _matrix(weights: np.ndarray, even: np.ndarray, compliances: np.ndarray) -> np.ndarray:
-    """Return Galerkin's matrix of the sticking contact for tangential compliances (2, m) at m wavenumbers.
+    """Return Galerkin's matrix (2 n - 2, 2 n - 2) of the sticking contact.
 
-    weights (m,): integration weights of the waves. even (n, m): transforms of the traction functions at these waves.
-    compliances: along and across a wave. The result is (2 n - 2, 2 n - 2).
+    weights (m,): integration weights of the m wavenumbers. even (n, m): transforms of the traction functions; the first n - 1
+    represent the first harmonic, the last n - 1 the second. compliances (2, m): tangential compliances C_L along a wave and C_T
+    across it.
     """
     along, across = compliances
     first, second = even[:-1], even[1:]

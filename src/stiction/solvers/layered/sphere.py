@@ -58,8 +58,8 @@ def respond(pair: Pair, radius: float) -> Response:
     """Return the dimensionless response of coated bodies to a sphere at one contact radius: a `Response`.
 
     It holds the moduli that determine load, stiffness and adhesion at the contact edge, the approach, and derivatives with
-    respect to the contact radius. pair: the coatings. radius: contact radius divided by the thickness of one film, > 0; tested
-    up to 1000. The numbers are accurate to 1e-6.
+    respect to the contact radius. pair: the coatings. radius: contact radius divided by the film thickness (the same for all
+    films), > 0; tested up to 1000. The numbers are accurate to 1e-6.
     """
     _, _, even, at_edge, edge_slope = waves(float(radius))
     softer, g_0, g_2, radius_slope, to_edge = _solve(pair, float(radius))
@@ -97,7 +97,7 @@ def pressure(pair: Pair, radius: float) -> np.ndarray:
     """Return the coefficients (n,) of the pressure under a sphere on coated bodies, in orthonormal even polynomials.
 
     The sum g(s) of coefficients times polynomials gives the Hankel transform of the pressure, P(k) = Integral_0^1 g(s) cos(k s)
-    ds. Mean pressure and contact radius are 1. pair: the coatings. radius: contact radius divided by the thickness of one film.
+    ds. Mean pressure and contact radius are 1. pair: the coatings. radius: contact radius divided by the film thickness.
     """
     _, g_0, g_2, _, to_edge = _solve(pair, float(radius))
     g = (1.0 - to_edge @ g_2) / (1.0 - to_edge @ g_0) * g_0 - g_2
@@ -138,10 +138,9 @@ def transform(g: np.ndarray, k: np.ndarray) -> np.ndarray:
 def _solve(pair: Pair, radius: float) -> tuple[np.ndarray, ...]:
     """Solve the contact equation for the flat punch, for the displacement s^2, and for the derivative by radius.
 
-    radius: contact radius divided by the thickness of one film. Returns the weights times the relative excess compliance of
-    each wave (m,); the coefficients (n,) of the flat punch's solution g_0, of the solution g_2 for s^2, and of the derivative
-    of g_0 with respect to the contact radius, divided by g_0(1); and the factors (n,) that give the edge value g(1) from
-    coefficients.
+    radius: contact radius divided by the film thickness. Returns the weights times the relative excess compliance of each wave
+    (m,); the coefficients (n,) of the flat punch's solution g_0, of the solution g_2 for s^2, and of the derivative of g_0 with
+    respect to the contact radius, divided by g_0(1); and the factors (n,) that give the edge value g(1) from coefficients.
     """
     k, weights, even, at_edge, _ = waves(radius)
     softer = weights * (compliance(k / radius, pair) - 1.0)

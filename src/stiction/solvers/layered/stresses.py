@@ -168,11 +168,12 @@ def _assembled(of: Callable[[str, int], np.ndarray]) -> Radial:
 
 
 def _dragged(of: Callable[[str, int], np.ndarray]) -> tuple[np.ndarray, ...]:
-    """Return the stresses (rr, tt, zz, rz, rt, tz) under a traction from transforms of orders 0 to 3.
+    """Assemble the stresses (rr, tt, zz, rz, rt, tz) due to a traction along x from transforms of orders 0 to 3.
 
-    of: function (name of the amplitude, order of the Bessel function) -> transform at depths and radii. With psi the angle
-    between wave and radius, c = cos(psi), s = sin(psi), and J0 to J3 at k r, the averages over psi are <c^2 cos(k r c)> = (J0 -
-    J2)/2, <s^2 cos(k r c)> = (J0 + J2)/2, <c^3 sin(k r c)> = (3 J1 - J3)/4 and <c s^2 sin(k r c)> = (J1 + J3)/4.
+    The first four are to be multiplied by cos(theta), rt and tz by sin(theta), as in `Radial`. of: function (name of the
+    amplitude, order of the Bessel function) -> transform at depths and radii. With psi the angle between wave and radius, c =
+    cos(psi), s = sin(psi), and J0 to J3 at k r, the averages over psi are <c^2 cos(k r c)> = (J0 - J2)/2, <s^2 cos(k r c)> =
+    (J0 + J2)/2, <c^3 sin(k r c)> = (3 J1 - J3)/4 and <c s^2 sin(k r c)> = (J1 + J3)/4.
     """
     along, both = {}, {}
     for name in ("dragged_xx", "dragged_yy"):

@@ -119,10 +119,10 @@ class CoupledState(State):
     """Store pressure, traction and slip of a map after one step.
 
     pressure, strength [Pa]: (rows, columns). strength is the shear strength that a point has before any slip. turns: number of
-    alternating solutions of pressure and traction. change: relative change of the pressure in the last turn. misfit: sum over
-    the points of the absolute difference between the strength used and the strength that the pressure gives, divided by the sum
-    of the strengths that the pressure gives. misfit is above 0 if points at the edge alternate between contact and no
-    contact; the solver then fixes their strength (see `_Strengths`).
+    iterations, each of which solves pressure, then traction. change: relative change of the pressure in the last iteration.
+    misfit: sum over the points of the absolute difference between the strength used and the strength that the pressure gives,
+    divided by the sum of the strengths that the pressure gives. misfit is above 0 if points at the edge alternate between
+    contact and no contact; the solver then fixes their strength (see `_Strengths`).
     """
 
     pressure: np.ndarray = field(repr=False)

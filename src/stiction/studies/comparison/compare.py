@@ -249,7 +249,7 @@ def _ignored(problem: Problem) -> str:
 
 
 def _of_laws(problem: Problem) -> dict[str, str]:
-    """Return texts on a model by name: its grade, which is the worst grade of its laws.
+    """Return texts that describe a model, by key: its grade, which is the worst grade of its laws.
 
     For a model with friction also the family of its curve, and how plastic contact spots resist shear.
     """

@@ -306,9 +306,9 @@ def _bounds(claims: ClaimMap) -> tuple[list[str], np.ndarray]:
 def summary(claims: ClaimMap, theta: float, lam: float) -> list[dict]:
     """Return one dict of results for each claim and each variant of the paper's model.
 
-    The dict names the claim and the variant. It has the fractions of the plane where the claim holds for all, some or none of
-    its comparable cases, or no case is comparable; texts on where it holds for all and for none; and the results of
-    `Claim.judge` at the given theta and lam, None if no case is comparable there.
+    The dict names the claim and the variant. It has four fractions of the plane: where the claim holds for all, for some and
+    for none of its comparable cases, and where no case is comparable; texts on where it holds for all and for none; and the
+    results of `Claim.judge` at the given theta and lam, None if no case is comparable there.
     """
     rows = []
     here = [surfaces_at(theta, np.array([lam]), variant) for variant in VARIANTS]

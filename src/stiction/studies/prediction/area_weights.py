@@ -11,7 +11,7 @@ FILE = Path(__file__).parent / "area_weights.json"
 
 @cache
 def area_weights(known: str) -> tuple[tuple[Choice, float], ...]:
-    """Return the area models and their weights, as pairs (Choice, weight), for a given knowledge of the surface.
+    """Return the area models and their weights, as pairs (Choice, weight).
 
     known: what is known of the surface: "numbers" (roughness parameters only), "shape" (also skewness, kurtosis or texture),
     "kind" (also the kind of surface) or "map" (a height map).

@@ -141,7 +141,10 @@ def _drawn(column: np.ndarray, rows: np.ndarray) -> np.ndarray:
 
 
 def _compliance(pair):
-    """Return the tangential compliance [1/Pa] of two bodies: the sum of (2 - nu)/(2 G), Poisson's ratio nu, shear modulus G."""
+    """Return the tangential compliance [1/Pa] of two bodies: (2 - nu)/(2 G), summed over both.
+
+    nu: Poisson's ratio. G: shear modulus.
+    """
     return sum((2.0 - body.poissons_ratio) / (2.0 * body.shear_modulus) for body in pair)
 
 

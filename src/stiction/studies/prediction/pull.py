@@ -122,9 +122,10 @@ def _by_adhesion(sampled: SampledCase) -> list[np.ndarray]:
 
 
 def _merging(sampled: SampledCase) -> np.ndarray:
-    """Return the factor c (n or 1, m or 1) of g - 1, the relative increase of contact area by adhesion in an asperity sum.
+    """Return the factor c (n or 1, m or 1) that corrects the growth of contact area by adhesion.
 
-    c is 1 for weak adhesion, and larger for strong adhesion, which makes contact spots merge.
+    An asperity sum gives the ratio g of the areas with and without adhesion; the corrected ratio is 1 + c (g - 1). c is 1 for
+    weak adhesion, and larger for strong adhesion, which makes contact spots merge.
     """
     from xarray import DataArray
 

@@ -269,7 +269,7 @@ def _statistics(group: Any, plan: Plan, layout: Mapping[str, tuple], points: Map
 def _coordinates(group: Any, plan: Plan, case: Any, points: Mapping[str, int]) -> dict[str, tuple]:
     """Return the coordinates of the dimensions of a store, as (dimension, values, attributes) by name.
 
-    group: the zarr group of the store. points: number of loads or separations, by dimension. For listed or sampled contacts,
+    group: the zarr group of the store. points: dimension (loads or separations) -> its length. For listed or sampled contacts,
     the values of array parameters are written later, with each block; their empty arrays are created here. If the sweep stores
     statistics, contacts have no coordinates.
     """

@@ -14,10 +14,10 @@ $$
 Load and area are then continuous at the turning point. In SI units $\bar R=4E^*a_m^3/(3P_m)$ and
 $\omega_\text{res}=\omega_m-3P_m/(4E^*a_m)$, with the contact radius $a_m$. The residual displacement of
 [etsion_kligerman_kadin_2005] is not used, because its exponents could not be confirmed. In that law
-$w_\text{res}/w_m=(1-r^{-0.28})(1-r^{-0.69})$ with $r=w_m/w_c$, where $w_c$ is the displacement at first yield. For copper and
-$r\le300$, that residual displacement minus the residual displacement used here is at most $0.11\,w_m$ for the asperity law of
-Kogut and Etsion, at most $0.19\,w_m$ for the law of Chang, Etsion and Bogy, and at least $-0.07\,w_m$ for the law of Jackson
-and Green.
+$w_\text{res}/w_m=(1-r^{-0.28})(1-r^{-0.69})$ with $r=w_m/w_c$, where $w_c$ is the displacement at first yield. For copper, that
+residual displacement exceeds the residual displacement used here by 0 to $0.11\,w_m$ (asperity law of Kogut and Etsion,
+$r\le110$), by $-0.10$ to $0.19\,w_m$ (law of Chang, Etsion and Bogy, $r\le300$), or by $-0.04$ to $0.10\,w_m$ (law of Jackson
+and Green, $r\le300$).
 
 *Symbols*: displacements $w$ are in units of $\sigma$, loads $P$ in units of $KR^{1/2}\sigma^{3/2}$ and areas $A$ in units of
 $\pi R\sigma$, with the tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$ ($E^*$ contact

@@ -257,10 +257,10 @@ def _sample(j, law, places, values):
 
 @lazy_kernel(worth=100_000)
 def _insert(kinks, law, places, values, size):
-    """Add samples of all signals at the coordinates `kinks` until the arrays are full, and return the new number of samples.
+    """Insert samples of all signals at the coordinates `kinks`, and return the total number of samples.
 
-    At a kink of one signal the others may have an extremum. places, values: coordinates u and values of the signals; the first
-    `size` entries are in use and in ascending order. law: parameters of an asperity on a graded film.
+    At a kink of one signal the others may have an extremum. Coordinates already sampled are skipped, as are all once the arrays
+    are full. places, values: coordinates u and signals, in ascending order, `size` of each. law: parameters of a graded film.
     """
     for u in kinks:
         position = size

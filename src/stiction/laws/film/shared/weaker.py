@@ -87,9 +87,9 @@ def _in_series(
 ) -> Regime:
     """Return the regime of one substrate segment below one film regime, with the weaker resistance of the two.
 
-    below: regime of the substrate; segment: its segment. above: regime of the film. tau (n,): film thickness in units of
-    sigma. first, last (n,): coordinates of the substrate segment between which both film and substrate resist. The edges of
-    the returned regime are the kinks of both, and the coordinates at which the other body becomes the weaker one.
+    below: regime of the substrate, made from `segment`. above: regime of the film. tau (n,): film thickness in units of sigma.
+    first, last (n,): coordinates of the substrate segment between which both film and substrate resist. The edges of the
+    returned regime are the kinks of both, and the coordinates at which film and substrate resist equally.
     """
     inner = [_edge_on_substrate(above, number, segment, tau) for number in range(above.edges.shape[1])]
     edges = np.sort(np.concatenate([below.edges, np.stack(inner, axis=1)], axis=1), axis=1)

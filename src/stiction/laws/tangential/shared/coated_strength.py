@@ -148,10 +148,10 @@ def _table(bodies: Bodies) -> np.ndarray:
 
 @formula
 def strength_at(u, unit, scale, coefficients):
-    """Return the squared mean traction at first yield at the coordinate u, in units of the body's squared yield stress.
+    """Return the square of q/Y for the mean tangential traction q at first yield, at the coordinate u.
 
-    It is the spline with `coefficients` at 1 - sqrt(1 - scale ln(1 + unit u)), or 0 where the spline is slightly negative near
-    its end. unit, scale: factors from `strengths`.
+    Y: yield stress of the body below the film. The result is the spline with `coefficients` at 1 - sqrt(1 - scale ln(1 + unit
+    u)), or 0 where the spline is slightly negative near its end. unit, scale: factors from `strengths`.
     """
     y = 1.0 - max(1.0 - np.log1p(unit * u) * scale, 0.0) ** 0.5
     return max(spline(y, coefficients), 0.0)

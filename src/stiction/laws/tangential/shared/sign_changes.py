@@ -1,4 +1,7 @@
-"""Find sign changes along a segment; they are kinks of laws that take the smaller of two forces."""
+"""Find where functions change sign along a segment.
+
+If a function is the difference of two forces, a law that takes the smaller one has a kink there.
+"""
 
 from collections.abc import Callable
 from functools import cache

@@ -39,7 +39,7 @@ def _resistance(peels: Callable, width: int, yields: Callable) -> Any:
 
 @cache
 def _signed(peels: Callable, width: int, yields: Callable, normal: Callable, parameters: int) -> Any:
-    """Return a formula of (u, row) for two numbers whose sign changes are kinks of the smaller of two forces.
+    """Return a formula of (u, row) for two numbers that change sign at the kinks of the smaller of two forces.
 
     The two forces are the peeling force and the yield force at the coordinate u. The first number changes sign where the
     two forces are equal or the yield force vanishes, the second where the yield force stops being real. peels, yields:
