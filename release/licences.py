@@ -93,11 +93,11 @@ Python modules and pages were written for this project. Other files of the wheel
 """
     text += _table(("files", "content", "origin", "licence"), ((f"`{row[0]}`", *row[1:]) for row in SHIPPED))
     text += """
-The built documentation also contains MathJax (Apache-2.0), which the package `sphinx-mathjax-offline` brings.
+The built documentation also contains MathJax (Apache-2.0), a part of the package `sphinx-mathjax-offline`.
 
 ## Packages
 
-These packages are installed with stiction and are not part of it. Licences are as the packages state them.
+These packages are installed with stiction and are not part of it. The licences are quoted from the metadata of the packages.
 
 """
     rows = (
