@@ -59,7 +59,7 @@ def solve_case(case: "CaseLike", choice: Choice | None = None, progress: Progres
     Raises
     ------
     InputError
-        The errors of `solve`; or the case has more than 1,000,000 points.
+        The errors of `solve` or, for a prediction, of `predict`; or the case has more than 1,000,000 points.
 
     Examples
     --------

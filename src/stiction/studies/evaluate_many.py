@@ -76,8 +76,8 @@ def evaluate_many(
     """Evaluate one model for all variants of a case, and yield (region, case, results) in batches.
 
     The other arguments, and the case and results of a batch, are as in `evaluate_together`. along: dimensions along which
-    batches may be split. region: slice of each of these dimensions that the batch covers. A batch that raises an error is
-    bisected along its longest dimension. For a single refused contact, case and results are None.
+    batches may be split. region: slice of each of these dimensions that the batch covers. A batch that raises InputError or
+    ArithmeticError is bisected along its longest dimension. For a single refused contact, case and results are None.
     """
     varied = [*numbers.values(), *(points or {}).values()]
     sizes = {dim: size for dim, size in dimensions(varied).items() if dim in along}

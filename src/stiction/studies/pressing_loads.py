@@ -12,7 +12,8 @@ def pressing_loads(case: Case) -> tuple[np.ndarray, int]:
 
     Loads are in N, or dimensionless for [indices]. The working load is the middle entry in the list of all loads. If this entry
     is not above 0, the working load is the load above 0 whose position in the list is nearest to the middle. If the case states
-    separations, the loads are those that its model computes at these separations. The array is empty if no load is above 0.
+    separations, the loads are those that its model (for a prediction, the default model) computes at these separations. If no
+    load is above 0, the array is empty and the index 0.
     """
     loads = case.load
     if loads is None:

@@ -33,11 +33,11 @@ class ReportData:
 
     text: the case file as written; "" without a file. data: the prediction, or the results of the model of the case at all its
     points. load: working load in N, or dimensionless for [indices]; None if no load is above 0, or if a number of the case is
-    an array. working_results: results of this model at the working load; None for a prediction. comparison: results of all
-    models at the working load, or None. not_compared: reason why models are not compared; "" if they are. analyses: analysis of
-    the scan of each body, by body. input_warnings: warnings of unlikely inputs. recommended: the prediction, also if the case
-    names a model; None if no prediction is possible. curve: the prediction over a range of loads, also if the case states a
-    single load; None if the case names a model.
+    an array. working_results: results of this model at the working load; None for a prediction or without a working load.
+    comparison: results of all models at the working load; None without a working load. not_compared: reason why models are not
+    compared; "" if they are. analyses: analysis of the scan of each body, by body. input_warnings: warnings of unlikely inputs.
+    recommended: the prediction, also if the case names a model; None for array parameters, or if no prediction is possible.
+    curve: the prediction over a range of loads around a single load, otherwise `data`; None if the case names a model.
     """
 
     case: Case
@@ -66,9 +66,9 @@ class ReportData:
 def collect_report_data(case: Case, text: str = "", *, load: Any = None, progress: Progress = silent) -> ReportData:
     """Compute the results that a report of a case shows.
 
-    text: the case file as written. load: working load [N], by default the middle load of the case. A case with array parameters
-    has no working load, and its models are not compared. progress: function that takes a label and returns an iterator wrapper,
-    such as a progress bar. Raises InputError.
+    text: the case file as written. load: working load [N], by default that of `pressing_loads`. A case with array parameters
+    has no working load, and its models are not compared. progress: receives a label and returns a function that wraps the list
+    of steps. Raises InputError.
     """
     if case.is_swept and load is not None:
         raise InputError("--load", load, "not supported with array parameters; the case is solved at its own loads")

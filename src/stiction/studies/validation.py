@@ -1,7 +1,7 @@
 """Compare models and predictions with measured series from the literature.
 
-An entry is a TOML file with the tables [contact] of a case file and [measured], which names the source. The measured values are
-in a CSV file next to it, or in tables [[measured.band]] if only ranges of friction are published.
+An entry is a TOML file with a table [contact] or [indices], as in a case file, and a table [measured], which names the source.
+The measured values are in a CSV file next to it, or in tables [[measured.band]] if only ranges of friction are published.
 """
 
 from collections.abc import Mapping
@@ -126,7 +126,7 @@ class Entry:
 
 
 def read_entry(path: Any) -> Entry:
-    """Return the measured series that a TOML file, at this path, and its CSV file describe. Raises InputError."""
+    """Read a measured series from the TOML file at a path, and from the CSV file that it names. Raises InputError."""
     content = read_content(path)
     table = content.get("measured")
     if not isinstance(table, Mapping):
@@ -148,7 +148,7 @@ def read_entry(path: Any) -> Entry:
 
 
 def _of_bands(bands: list[Band]) -> Measurements:
-    """Return published ranges of friction as measurements, with the geometric mean of each range as the measured value."""
+    """Return published ranges of friction as measurements without errors, the measured values being the geometric means."""
     count = len(bands)
     load = np.array([float(to_si(band.load, "load")) for band in bands])
     value = np.array([np.sqrt(band.low * band.high) for band in bands])
@@ -183,21 +183,22 @@ def validate(entry: "Entry | FilePath", *, progress: Steps = iter) -> "xarray.Da
     Parameters
     ----------
     entry : path or Entry
-        TOML file with the tables [contact] and [measured], next to a CSV file of values; or the result of `read_entry`.
+        TOML file with the tables [contact] and [measured], usually next to a CSV file of values; or the result of `read_entry`.
     progress : callable
-        Receives the list of models and returns an iterator over it.
+        Receives the list of models and returns an iterable over it.
 
     Returns
     -------
     xarray.Dataset
         Over `row`, one for each measured value: measured and error in SI units, quantity, sample, load [N], line, and the ends
-        measured_low and measured_high of a published range. Over (model, row): `predicted`, NaN where a model gives no result.
-        Over `model`: `bias`, the geometric mean of predicted over measured; `factor`, exp of the root mean square of
-        ln(predicted over measured); `in_errors`, the root mean square of the differences over the standard errors; `answered`,
-        the number of rows with a result; grade; `outside_validity`, the validity warnings, and `outside`, the symbols of their
-        quantities. For friction also `prediction` (quantile, row), and `within_50` and `within_90`: whether the measured value
-        or range is "inside", "partly" inside or "outside" the 50 % and 90 % interval of the prediction. Attributes: title,
-        kind, source, place, doi, read, note, `not_applicable` (model: reason) and `sources`.
+        measured_low and measured_high of a published range. Over (model, row), for models with any result: `predicted`, NaN
+        where a model gives no result. Over `model`: `bias`, the geometric mean of predicted over measured; `factor`, exp of the
+        root mean square of ln(predicted over measured); `in_errors`, the root mean square of the differences over the standard
+        errors; `answered`, the number of rows with a result; grade; `outside_validity`, the validity warnings, and `outside`,
+        the symbols of their quantities. For friction also `prediction` (quantile, row), and `within_50` and `within_90`:
+        whether the measured value or range is "inside", "partly" inside or "outside" the 50 % and 90 % interval of the
+        prediction ("" without one). Attributes: title, kind, source, place, doi, read, note, `not_applicable` (model: reason)
+        and `sources`.
 
     Raises
     ------
@@ -295,7 +296,7 @@ def _predicted(entry: Entry, cases: list[tuple[Case, np.ndarray]]) -> dict[str, 
 
     cases: each case with the indices of its measured values. The variables are quantiles of the predicted friction coefficient
     at LEVELS, the ends of the measured ranges, and whether each range lies inside, partly inside or outside the 50 % and 90 %
-    intervals. Values of other quantities have NaN.
+    intervals. For other quantities, and if no prediction is possible, the quantiles are NaN and the texts "".
     """
     values, (low, high) = entry.values, entry.ends
     table = np.full((len(LEVELS), len(values)), np.nan)

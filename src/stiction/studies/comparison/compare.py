@@ -63,7 +63,7 @@ def compare(
     separations : iterable of float, optional
         Mean separations of the curves, over the sigma that a model uses; by default 80 values from 5 to -2.
     progress : callable
-        Receives the list of models and returns an iterator over it, e.g. a progress bar.
+        Receives the list of models and returns an iterable over it, e.g. a progress bar.
 
     Returns
     -------

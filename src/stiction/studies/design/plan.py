@@ -73,7 +73,7 @@ class DesignPlan:
     user wrote them. folder: folder at which relative paths in the tables start. free: numbers chosen between two ends. options:
     lists to choose from. objectives: one or two. targets: target value of each objective in SI units, NaN for an objective
     without a target. limits: constraints on results. validity: which validity warnings are constraints too, as in [design].
-    effort: number of generations of the search. uncertain: uncertain numbers of the case.
+    effort: largest number of generations of the search. uncertain: uncertain numbers of the case.
     """
 
     content: Mapping[str, Any]

@@ -83,7 +83,7 @@ class DesignSearch:
 
     @property
     def work_left(self) -> str:
-        """Return a text with the largest number of designs, and the remaining time if it exceeds 90 s."""
+        """Return a text with the largest number of designs, and the longest remaining time if it exceeds 90 s."""
         count = len(self.shares)
         seconds = (time.monotonic() - self.started) / count * max(self.most - count, 0)
         minutes = f", at most {seconds / 60.0:.0f} min left" if seconds > 90.0 else ""
@@ -92,8 +92,8 @@ class DesignSearch:
     def best(self, number: int = 0) -> np.ndarray:
         """Return the index of the best design for each combination of list entries, the best of all first.
 
-        The indices refer to all designs evaluated so far. number: index of the objective that decides. Designs that violate a
-        constraint rank after all others, by the size of their violation.
+        The indices refer to all designs evaluated so far; combinations are those of `DesignSpace.combination`. number: index of
+        the objective that decides. Designs that violate a constraint rank after all others, by the size of their violation.
         """
         order = np.lexsort((self.answers.objectives[:, number], np.maximum(self.answers.worst - TOLERANCE, 0.0)))
         _, first = np.unique(self.space.combination(self.shares[order]), axis=0, return_index=True)
@@ -122,8 +122,8 @@ def design(case: "CaseFile", *, callback: Callback = lambda count, text: None) -
     case : path, or dict like a case file
         Case with a table [design], which states the objective, the choices and the constraints.
     callback : callable
-        Called with the number of evaluated designs and a text. The text states the largest number of designs, and the remaining
-        time if it exceeds 90 s.
+        Called with the number of evaluated designs and a text. The text states the largest number of designs, and the longest
+        remaining time if it exceeds 90 s.
 
     Returns
     -------
@@ -132,7 +132,8 @@ def design(case: "CaseFile", *, callback: Callback = lambda count, text: None) -
         results with an objective or a limit, `feasible` (all constraints met), `violated` (the violated constraints as text,
         one a line) and `constraint_violation` (relative). With two objectives, variables whose names begin with `pareto_`
         describe the Pareto front, over `pareto`. Variables whose names begin with `evaluated_` describe all evaluated designs,
-        over `evaluated`.
+        over `evaluated`, in order of evaluation; `best_so_far` is the lowest cost of a feasible design so far: the first
+        objective, negative if it is maximised, or its distance from the target.
 
     Raises
     ------
@@ -231,9 +232,9 @@ def _ends(search: DesignSearch, number: int) -> "_StopWithoutGain":
 class _StopWithoutGain:
     """Stop differential evolution when its designs no longer improve; scipy calls this rule after each generation.
 
-    The search stops after more than `most` generations in which no member of the population improved, or when the lowest cost
-    is at most `met`. least: smallest improvement that counts, relative to the cost. costs: sorted costs of the last generation.
-    generations: number of generations since the last improvement.
+    The search stops after more than `most` generations in a row in which no member of the population improved, or when the
+    lowest cost is at most `met`. least: smallest improvement that counts, relative to the cost. costs: sorted costs of the last
+    generation. generations: number of generations since the last improvement.
     """
 
     least: float
@@ -250,7 +251,7 @@ class _StopWithoutGain:
 
 
 def _cost(search: DesignSearch, number: int, ceiling: float | None, shares: np.ndarray, callback: Callback) -> np.ndarray:
-    """Return the cost (n,) of n designs for one objective; a design that violates a constraint costs more than all others.
+    """Return the cost (n,) of n designs for one objective; a constraint violation costs more than any objective.
 
     number: index of the objective. ceiling: upper bound of the other objective, or None. shares (n, d): position of each of d
     choices, 0 to 1. The designs are evaluated and added to `search`.

@@ -163,7 +163,7 @@ class DesignSpace:
         return np.column_stack(columns) if columns else np.zeros((len(shares), 1), dtype=int)
 
     def answers(self, shares: np.ndarray) -> Evaluated:
-        """Return objectives, constraint violations and results of n designs; refused designs get a violation of 1e6.
+        """Return objectives, constraint violations and results of n designs; 1e6, 1e6 and NaN for a refused design.
 
         shares (n, d): position of each choice between its ends or along its list, 0 to 1.
         """
@@ -230,13 +230,13 @@ class DesignSpace:
         sigma of asperities, the product N R sigma decides which laws apply; neighbours can then be predicted together. shares
         (n, d): position of each of d choices in its range, 0 to 1.
         """
-        order = np.argsort(self._summits(shares), kind="stable")
+        order = np.argsort(self._product_of_roughness(shares), kind="stable")
         if not self.named:
             return [order]
         _, group = np.unique(self.combination(shares[order]), axis=0, return_inverse=True)
         return [order[group.ravel() == at] for at in range(group.max() + 1)]
 
-    def _summits(self, shares: np.ndarray) -> np.ndarray:
+    def _product_of_roughness(self, shares: np.ndarray) -> np.ndarray:
         """Return for each design (n,) the product of its free roughness numbers, by which designs are sorted."""
         product = np.ones(len(shares))
         for at, free in enumerate(self.plan.free, start=len(self.plan.options)):
@@ -308,8 +308,8 @@ class DesignSpace:
         """Return one value per design of each result, for display, as arrays (designs,) by name.
 
         A result with an objective or a limit is shown at its worst sample and load, any other as its median over both.
-        objectives: values of the objectives. excess: violations of the limits. Both are arrays (designs, samples, loads), in
-        the order of the plan.
+        objectives: costs. excess: violations of the limits. Both are lists of arrays (designs, samples, loads), in the order of
+        the plan.
         """
         found = {name: np.median(table.reshape(len(table), -1), axis=1) for name, table in tables.items()}
         names = [*(one.quantity for one in self.plan.limits), *(one.quantity for one in self.plan.objectives)]
@@ -382,7 +382,7 @@ def _validity_bits(solved: BatchResult, validity: str) -> dict[np.uint32, str]:
 def _worst(table: np.ndarray) -> np.ndarray:
     """Return the worst value of each design (designs,): the 95 % quantile over samples of the largest value over loads.
 
-    table (designs, samples, loads): costs or violations, higher is worse.
+    table (designs, samples, loads): costs or violations, higher is worse; NaN and infinity count as 1e6.
     """
     return np.maximum(_refused_as_far(table)[_place_of_worst(table)], -_REFUSED)
 

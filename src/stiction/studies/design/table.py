@@ -44,7 +44,7 @@ class Design(Input):
     objective: one objective, or a list of two. choose: by name, numbers of the contact or the load with their low and high
     ends, or lists from which one entry is chosen. limits: by name, results with their low or high ends. validity: "claimed"
     allows validity warnings about statistics only, "possible" all except those that make a result impossible, "any" allows all.
-    effort: number of generations of the search.
+    effort: largest number of generations of the search.
     """
 
     objective: Any = Field(description='an objective, { minimise = "friction_coefficient" }, or a list of two')

@@ -91,7 +91,8 @@ def fitted(name: str, forward: ForwardModel, with_profiles: bool = True) -> Fitt
     """Return the least-squares fit of a model to its measured values, with intervals of the fitted parameters.
 
     name: name of the model for the result. forward: the model with its data. with_profiles: whether likelihood profiles are
-    computed. Raises InputError if the model with the best-fit parameters cannot compute one of the measured values.
+    computed. Raises InputError if the model with the best-fit parameters cannot compute one of the measured values, and as
+    `_errors` does.
     """
     errors, stated = _errors(forward.data)
     best = _searched(forward, errors, _start(forward))
@@ -151,7 +152,7 @@ def _scaled(name: str, forward: ForwardModel, best: Best, given: tuple[np.ndarra
 
 
 def refitted(fit: Fitted, forward: ForwardModel) -> Fitted:
-    """Fit the model of an earlier fit to the values in `forward`, starting from the best-fit parameters of the earlier fit."""
+    """Fit a model to the values in `forward`, starting from the best-fit parameters of an earlier fit; without profiles."""
     errors, stated = _errors(forward.data)
     best = _searched(forward, errors, fit.best.shares)
     return _scaled(fit.name, forward, best, (errors, stated), False)
@@ -160,8 +161,9 @@ def refitted(fit: Fitted, forward: ForwardModel) -> Fitted:
 def _errors(data: Measurements) -> tuple[np.ndarray, bool]:
     """Return the standard error of each of n measured values (n,), and whether the data state the errors.
 
-    Unstated errors are equal for all values; their size is estimated later from the scatter. Raises InputError if the errors of
-    one of two or more measured quantities are not stated.
+    If any error is missing, all count as unstated. If any error is missing, all count as unstated. Unstated errors are equal
+    for all values; their size is estimated later from the scatter. Raises InputError if an error is missing and two or more
+    quantities were measured.
     """
     there = np.isfinite(data.error)
     if there.all():

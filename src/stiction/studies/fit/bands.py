@@ -32,7 +32,7 @@ _SET = "set"
 
 @dataclass(frozen=True)
 class Bands:
-    """Hold the predictions of a fitted model for each measured quantity.
+    """Store the predictions of a fitted model for each measured quantity, except the pull-off force if there are others.
 
     tables: by name of the quantity, (dimensions, best values, low and high ends of the 95 % band) in SI units. coords:
     coordinates of the dimensions. sample: name of the measured sample that is predicted, if samples have free parameters of
@@ -87,7 +87,7 @@ def _density(standard: np.ndarray, root: np.ndarray) -> np.ndarray:
 
 
 def predicted(plan: FitPlan, fit: Fitted) -> Bands:
-    """Predict the measured quantities at the loads or separations of [solve], with 95 % bands.
+    """Predict the measured quantities at the loads or separations of [solve], with 95 % bands, and return `Bands`.
 
     Numbers of the table [fit.predict] replace those of the case. If samples have free parameters of their own, the first sample
     is predicted. Raises InputError if the contact cannot be solved.

@@ -44,8 +44,8 @@ class _Group:
 class ForwardModel:
     """Hold a model with its free parameters and the measured values that the model should reproduce.
 
-    choice: the model with its laws. parameters: the free parameters. data: the measured values. groups: measured values that
-    are evaluated together.
+    plan: input of the fit. plan: input of the fit. choice: the model with its laws. parameters: the free parameters. data: the
+    measured values. groups: measured values that are evaluated together.
     """
 
     plan: FitPlan
@@ -89,8 +89,8 @@ def derived(tables: Mapping[str, np.ndarray], name: str, resistance: Any) -> np.
     """Return a measured quantity (sets, ...) computed from results of the model.
 
     tables: results (sets, ...) by name. name: name of the quantity. resistance: specific resistance of the interface [ohm m^2],
-    one number or (sets,). Contact resistance is this number over the contact area (Holm 1967: resistance of a film, sigma/A).
-    Every other quantity is returned as the model computes it.
+    one number or (sets,). Contact resistance is this number over the contact area (Holm 1967: resistance of a film, sigma/A),
+    NaN if the area is 0. Every other quantity is returned as the model computes it.
     """
     table = tables[result_of(name)]
     if name != "contact_resistance":
@@ -110,8 +110,8 @@ def solved_sets(
     """Solve several contacts (rows) for many sets of numbers, and return results (sets, rows) by name.
 
     numbers: values (sets,) that differ between sets, by address (tuple of keys). known: values (rows,) that differ between
-    rows, by address. load: load of each row [N] (rows,), NaN if the results need no load. keep: names of the results. A set
-    that the model refuses gives NaN.
+    rows, by address. load: load of each row [N] (rows,); if any is NaN, all rows are solved at the mean separation 0 instead.
+    keep: names of the results. A set that the model refuses gives NaN.
     """
     from xarray import DataArray
 
@@ -145,7 +145,7 @@ def forward_model(plan: FitPlan, model: str | None = None, data: Measurements | 
 
 
 def case_between_the_ends(plan: FitPlan, data: Measurements) -> "Case":
-    """Return the case of a plan at the measured loads, with each free parameter halfway between its ends.
+    """Return the case of a plan at the measured loads, with each free parameter in the middle of its range (`middle_of`).
 
     data: measured values. Where columns of the data are inputs of the contact, the values of the first row are used. If the
     data state no load, the case keeps its own loads or separations.
@@ -177,8 +177,8 @@ def _parameters(plan: FitPlan) -> tuple[Free, ...]:
 def _groups(data: Measurements, parameters: Sequence[Free]) -> tuple[_Group, ...]:
     """Return groups of measured values that can be solved together.
 
-    In a group, the same numbers of the contact are known for every value. All values depend on the same free parameters, and
-    either all or none have a load.
+    In a group, the data file states the same inputs of the contact for every value, in columns. All values depend on the same
+    free parameters, and either all or none have a load.
     """
     found: dict[tuple, list[int]] = {}
     own = any(one.sample is not None for one in parameters)
@@ -198,7 +198,7 @@ def _groups(data: Measurements, parameters: Sequence[Free]) -> tuple[_Group, ...
 def _check_answers(forward: ForwardModel, subject: Any) -> None:
     """Raise InputError if the model does not compute one of the measured quantities.
 
-    subject: the contact of the test solution; its free parameters are halfway between their ends.
+    subject: the contact of the test solution; its free parameters are in the middle of their ranges.
     """
     load = forward.data.load[np.isfinite(forward.data.load)]
     point: dict[str, Any] = {"load": float(load[0])} if load.size else {"separation": 0.0}

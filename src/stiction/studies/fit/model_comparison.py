@@ -19,7 +19,8 @@ class ComparedModel:
 
     aicc: Akaike's criterion, lower is better. left_out: cross-validation error. The error is the root mean square of
     (prediction - measured value) over values that were left out of the fit. Each difference is divided by the standard error,
-    or by the largest measured value if no errors are stated.
+    or by the largest measured value if no errors are stated. Both numbers are infinite without a fit. Both numbers are infinite
+    without a fit.
     """
 
     name: str
@@ -44,9 +45,9 @@ def compared_model(plan: FitPlan, name: str, fit: Fitted | None = None) -> Compa
 def aicc_of(fit: Fitted) -> float:
     """Return Akaike's criterion of a fit, corrected for few values (Hurvich & Tsai 1989).
 
-    For n values with Gaussian errors and k fitted numbers it is chi square + 2k + 2k(k+1)/(n-k-1) with stated errors. If the
-    size of the errors is estimated, it counts as one of the k numbers, and n ln(sum of squares/n) replaces chi square. The
-    criterion is infinite for n <= k + 1.
+    For n values with Gaussian errors and k fitted numbers that affect the model, it is chi square + 2k + 2k(k+1)/(n-k-1) with
+    stated errors. If the size of the errors is estimated, it counts as one of the k numbers, and n ln(sum of squares/n)
+    replaces chi square. The criterion is infinite for n <= k + 1.
     """
     n, k = len(fit.errors), int(fit.best.jacobian.any(axis=0).sum())  # a parameter without effect on the model does not count
     chi_square = fit.best.chi_square * fit.scale**2  # with the original errors instead of the enlarged ones
@@ -62,7 +63,8 @@ def _cross_validation_error(plan: FitPlan, fit: Fitted) -> float:
     """Return the cross-validation error of a fit: each fold of the data is predicted from a fit to all other folds.
 
     It is the root mean square of (prediction - measured value), divided by the standard errors, or by the largest measured
-    value if no errors are stated. It is NaN if there are fewer than two folds, and infinite if a fit fails.
+    value if no errors are stated. It is NaN if there are fewer than two folds, and infinite if a fit fails or the model refuses
+    a left-out value.
     """
     data = plan.data
     folds = _folds(plan)
@@ -86,8 +88,8 @@ def _folds(plan: FitPlan) -> list[np.ndarray]:
     """Return the folds (parts of the data) of the cross-validation, each an array of indices of measured values.
 
     With three or more samples, and no free parameter fitted per sample, each sample is a fold. Otherwise the values are sorted
-    by sample and load, and every fifth goes into one fold, so that each fold covers the whole range. The list is empty if any
-    fold leaves too few values for a fit.
+    by sample and load, and every fifth goes into one fold, so that each fold covers the whole range; the list is then empty if
+    any fold leaves too few values for a fit.
     """
     data, each = plan.data, any(one.each_sample for one in plan.free)
     if len(data.samples) >= 3 and not each:

@@ -34,7 +34,7 @@ class FitPlan:
     given: the tables as the user wrote them. folder: folder to which paths in the tables are relative. free: the free
     parameters. models: names of alternative models. predict: table [fit.predict], numbers of the contact at which the fitted
     model makes predictions. resistance: specific contact resistance [ohm m^2], or None. data: the measured values. uncertain:
-    dotted names of numbers that the case states as uncertain but that are not fitted.
+    dotted names of numbers that the case states as uncertain, and that are neither fitted nor columns of the data.
     """
 
     content: Mapping[str, Any]
@@ -84,9 +84,10 @@ def make_fit_plan(content: Mapping[str, Any], data: Any, folder: Path = Path()) 
 
 
 def middle_of(free: Iterable[Free]) -> dict[Address, float]:
-    """Return the value halfway between the ends of each free parameter of the contact, in SI units by address.
+    """Return the middle of the range of each free parameter of the contact, in SI units by address.
 
-    An address is a tuple of keys, e.g. ("contact", "first", "hardness").
+    The middle of a logarithmic range is the geometric mean of its ends. An address is a tuple of keys, e.g. ("contact",
+    "first", "hardness").
     """
     return {one.path: float(one.at(0.5)) for one in free if one.path != RESISTANCE}
 
@@ -94,8 +95,8 @@ def middle_of(free: Iterable[Free]) -> dict[Address, float]:
 def _complete(content: Mapping[str, Any], free: tuple[Free, ...], data: Measurements) -> Case:
     """Return the case of these tables; if they are incomplete, numbers that the fit or the data supply are filled in.
 
-    Free parameters are then set halfway between their ends. If this is not enough, the numbers of the first measured row are
-    added, provided all rows state the same quantities. Raises InputError if the case is still incomplete.
+    Free parameters are then set to the middle of their ranges (`middle_of`). If this is not enough, the numbers of the first
+    measured row are added, provided all rows state the same quantities. Raises InputError if the case is still incomplete.
     """
     known = data.known[0] if all(row.keys() == data.known[0].keys() for row in data.known) else {}
     for numbers in ({}, middle_of(free)):
@@ -111,7 +112,7 @@ def read_fit(content: Mapping[str, Any]) -> Fit:
 
 
 def free_numbers(fit: Fit, content: Mapping) -> tuple[Free, ...]:
-    """Return the free parameters of the table [fit.free], each with its address in the case.
+    """Return the 1 to 8 free parameters of the table [fit.free], each with its address in the case.
 
     content: tables of the case. Raises InputError.
     """
@@ -130,7 +131,7 @@ def free_numbers(fit: Fit, content: Mapping) -> tuple[Free, ...]:
 
 
 def _check(plan: FitPlan) -> None:
-    """Raise InputError if the free parameters contradict the data, or if the data are too few to fit them."""
+    """Raise InputError if free parameters or resistance contradict the data or scans, or if the data are too few for a fit."""
     known = {path for row in plan.data.known for path in row}
     for one in plan.free:
         if one.path in known:

@@ -70,8 +70,8 @@ def fit(case: "CaseFile", data: "FilePath", *, progress: Progress = silent) -> "
     Parameters
     ----------
     case : path, or dict like a case file
-        Case whose table [fit.free] names the numbers to fit, each with its low and high end. If the case names an interface and
-        no model, the table is optional: the prediction is then updated with the measured values.
+        Case whose table [fit.free] names the numbers to fit, each with its low and high end. If the case has a table [contact]
+        and names no model, [fit] is optional: the prediction is then updated with the measured values.
     data : path
         CSV file of measured values, with column names such as `load [N],friction_coefficient`.
     progress : callable

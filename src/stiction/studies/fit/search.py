@@ -32,8 +32,8 @@ class Best:
     """Hold the best fit of k free parameters to n measured values.
 
     shares (k,): position of each free parameter between its ends, 0 to 1. residuals (n,): (model - measured)/standard error at
-    the best fit. jacobian (n, k): derivatives of the residuals by the positions. unfinished: why the search did not converge,
-    "" if it did.
+    the best fit. jacobian (n, k): derivatives of the residuals with respect to the positions. unfinished: why the search did
+    not converge, "" if it did.
     """
 
     shares: np.ndarray
@@ -120,8 +120,8 @@ def search(residuals: Residuals, start: np.ndarray, seed: int = 0) -> Best:
     """Return the best fit of k free parameters by bounded least squares (Branch, Coleman & Li 1999).
 
     residuals: function from sets (sets, k) of positions of the numbers between their ends, 0 to 1, to residuals (sets, n).
-    start: positions (k,). The search starts from the best of three points after a few polishing steps; these points are chosen
-    from `start` and Sobol points.
+    start: positions (k,). Three points, `start` and the best of many Sobol points, are first improved by `polished`; the search
+    starts from the best of the three.
     """
     from scipy.optimize import least_squares
 

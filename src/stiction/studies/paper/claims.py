@@ -249,7 +249,7 @@ def _layered_surfaces(theta: float, lam: np.ndarray) -> Surfaces:
 def claim_map(theta: np.ndarray = THETA, lam: np.ndarray = LAM, progress: Callable[[list], Iterable] = iter) -> ClaimMap:
     """Test every claim at every pair of theta and lam, for every variant of the paper's model.
 
-    theta, lam: adhesion indices, one-dimensional arrays. progress: receives the list of steps and returns an iterator over it.
+    theta, lam: adhesion indices, one-dimensional arrays. progress: receives the list of steps and returns an iterable over it.
     """
     results = np.empty((2, len(CLAIMS), len(VARIANTS), len(theta), len(lam)))
     steps = [(row, column) for row in range(len(VARIANTS)) for column in range(len(theta))]

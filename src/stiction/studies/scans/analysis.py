@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Analysis:
-    """Hold the analysis of a scan.
+    """Store the analysis of a scan.
 
     surface: the prepared map. statistics: moments and distribution of its heights. spectrum: radial average of the power
     spectrum. of_spectrum: how gaps were filled for the spectrum, "" if there were none. spikes: number of points farther than
@@ -60,7 +60,7 @@ def analyse(surface: HeightMap, progress: Steps = iter, tip_radius: "QuantityLik
     surface : HeightMap
         Heights (rows, columns) [m], as `prepared` returns them.
     progress : callable
-        Receives the list of methods and returns an iterator over it.
+        Receives the list of methods and returns an iterable over it.
     tip_radius : float [m] or str with a unit, optional
         Radius of the stylus tip. Wavelengths too short for this tip are not in the reliable band of the spectrum.
 

@@ -24,11 +24,12 @@ PRESSURES = (0.005, 0.02, 0.05, 0.1, 0.2)
 
 @dataclass(frozen=True)
 class ContactOfMap:
-    """Hold the solved contact of a rough map with a flat.
+    """Store the solved contact of a rough map with a flat.
 
     Pressures are divided by E* h', with the contact modulus E*. pressures: nominal pressures. gradient: h', the root mean
     square gradient. hardness: largest local pressure, None for elastic contact. height: Sq, root mean square height [m]. curve:
-    solutions for E* = 1 Pa, one for each pressure. validity_warnings: warnings about the map, such as too few points.
+    solutions for E* = 1 Pa, one for each pressure, None if interrupted. validity_warnings: warnings about the map, such as too
+    few points.
     """
 
     pressures: np.ndarray
@@ -68,7 +69,7 @@ def contact_of_map(surface: HeightMap, pressures: Sequence[float] = PRESSURES, h
     """Solve the contact of a prepared map with a flat at given nominal pressures.
 
     Pressures and hardness are above 0 and divided by E* h'; E* is the contact modulus, h' the root mean square gradient of the
-    map. Raises InputError for a profile, missing points, or pressures above the hardness.
+    map. Raises InputError for a profile, a flat map, missing points, or a pressure that is not below the hardness.
     """
     allowed = "a list of numbers > 0, nominal pressures over E* h'"
     wanted = floats(list(pressures), "pressures", allowed)

@@ -164,7 +164,7 @@ def resolution_study(
         Smallest number of points per cutoff wavelength, 2 or more. Only every k-th point is then used, with the largest k that
         satisfies this; by default all points are used.
     progress : callable
-        Receives the list of cutoffs and returns an iterator over it.
+        Receives the list of cutoffs and returns an iterable over it.
     contact : Contact, optional
         Contact without arrays. The roughness of the scan replaces its roughness; without a contact, no friction is computed.
     load : float [N] or str with a unit, optional
@@ -233,7 +233,10 @@ def resolution_study(
 
 
 def _resolved(choice: Choice, contact: Contact | None) -> Choice:
-    """Return the choice with a name that `compare` shows replaced by its model and laws. Raises InputError."""
+    """Return the choice with a name that `compare` shows replaced by its model and laws. Raises InputError.
+
+    Without a contact, the choice is returned unchanged.
+    """
     require_choice(choice)
     laws = {law: key for law, key in choice.laws().items() if law != "model"}
     return choice if contact is None else choice_of(choice.model, laws | dict(choice.options), contact)
@@ -274,7 +277,7 @@ def _seen(surface: HeightMap, cutoff: float, points_per_cutoff: float | None) ->
 
 
 def _to_solve(surface: HeightMap, seen: HeightMap, cutoff: float) -> HeightMap:
-    """Return the map that a map model solves: `seen`, or for a periodic map the result of a filter that keeps it periodic.
+    """Return the map that a map model solves: `seen`, or for a complete periodic map the result of a filter that keeps it so.
 
     surface: the unfiltered map. seen: the filtered map. cutoff: cutoff wavelength [m].
     """

@@ -114,7 +114,7 @@ def _bodies_with_finish(roughness: Roughness) -> Iterator[tuple[Address, Any]]:
 def log_sensitivities(case: Case, choice: Choice, names: Sequence[str] = OUTPUTS, progress: Any = iter) -> LogSensitivities:
     """Return the logarithmic sensitivities of the results of a model to the inputs that `numbers_of` returns.
 
-    choice: the model. names: names of the results. progress: receives the list of batches and returns an iterator over it. A
+    choice: the model. names: names of the results. progress: receives the list of batches and returns an iterable over it. A
     sensitivity is NaN unless the result is above 0 at all steps. Raises InputError or ArithmeticError if the model refuses the
     nominal contact, which is not solved if one batch has all steps.
     """

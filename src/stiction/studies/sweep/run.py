@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 _MOST_WORKERS = 1024  # processes of one machine
 
 # Function of the number of finished points, the number of all points, and an iterator over the sizes of blocks as they are
-# finished; returns an iterator over the same sizes that displays the progress.
+# finished; returns an iterable over the same sizes that displays the progress.
 Progress = Callable[[int, int, Iterable[int]], Iterable[int]]
 
 
@@ -45,7 +45,7 @@ def sweep(
         Address of a dask.distributed scheduler, in place of workers; its workers need the store under the same path.
     progress : callable, optional
         Receives the number of finished points (contacts at a load or separation), the number of all points, and an iterator
-        over the number of points of each block; returns an iterator over the same, e.g. one that displays the progress.
+        over the number of points of each block; returns an iterable over the same, e.g. one that displays the progress.
 
     Returns
     -------

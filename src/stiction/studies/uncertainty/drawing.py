@@ -114,7 +114,7 @@ def draw(
 
     shares: quantile levels (n, k) of the n samples, one column for each of the k entries in the case's `unknowns`. variants:
     models that may be used. rows: index of the variant that solves each sample, by default the first. names: results to return.
-    progress: receives the list of batches and returns an iterator over it. Raises InputError if a variant solves height maps,
+    progress: receives the list of batches and returns an iterable over it. Raises InputError if a variant solves height maps,
     or if there are too many points. Raises InputError or ArithmeticError if the first variant refuses the nominal contact,
     which is not solved if one batch has all samples.
     """
