@@ -84,7 +84,7 @@ def solve_case(case: "CaseLike", choice: Choice | None = None, progress: Progres
 def sources_of_case(case: "CaseLike") -> list[str]:
     """Return the bibliography keys of the model that a case names; of its prediction if the case names no model.
 
-    Raises the errors of `solve_case` and `predict`.
+    A case with [indices] that names no model is solved by the default model. Raises the errors of `solve_case` and `predict`.
     """
     case = as_case(case)
     data = predict(case) if is_predicted(case) else solve_case(case)
@@ -233,6 +233,6 @@ def compare_case(case: "CaseLike", load: "QuantityLike | None" = None, progress:
 
 
 def _with_notes(data: "xarray.Dataset", case: Case) -> "xarray.Dataset":
-    """Return the dataset with two attributes added: the title of the case and the version of stiction."""
+    """Return the dataset with the version of stiction and the title of the case, if it has one, added as attributes."""
     title = {"case": case.title} if case.title else {}
     return data.assign_attrs(title, program=f"stiction {__version__}")

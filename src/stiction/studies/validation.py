@@ -148,7 +148,7 @@ def read_entry(path: Any) -> Entry:
 
 
 def _of_bands(bands: list[Band]) -> Measurements:
-    """Return published ranges of friction as measurements without errors, the measured values being the geometric means."""
+    """Return published ranges of friction as measurements without errors; each value is the geometric mean of its range."""
     count = len(bands)
     load = np.array([float(to_si(band.load, "load")) for band in bands])
     value = np.array([np.sqrt(band.low * band.high) for band in bands])

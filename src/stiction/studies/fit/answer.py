@@ -126,7 +126,7 @@ def _searched(forward: ForwardModel, errors: np.ndarray, start: np.ndarray) -> B
 
 
 def _over(best: Best, factor: float) -> Best:
-    """Return the fit as if all standard errors had been multiplied by a factor."""
+    """Return the fit for standard errors that are all multiplied by a factor."""
     return replace(best, residuals=best.residuals / factor, jacobian=best.jacobian / factor)
 
 
@@ -161,9 +161,8 @@ def refitted(fit: Fitted, forward: ForwardModel) -> Fitted:
 def _errors(data: Measurements) -> tuple[np.ndarray, bool]:
     """Return the standard error of each of n measured values (n,), and whether the data state the errors.
 
-    If any error is missing, all count as unstated. If any error is missing, all count as unstated. Unstated errors are equal
-    for all values; their size is estimated later from the scatter. Raises InputError if an error is missing and two or more
-    quantities were measured.
+    If any error is missing, all count as unstated. Unstated errors are equal for all values; their size is estimated later from
+    the scatter. Raises InputError if an error is missing and two or more quantities were measured.
     """
     there = np.isfinite(data.error)
     if there.all():
@@ -267,7 +266,7 @@ def _moves_with(fit: Fitted, at: int, other: int) -> bool:
     """Return whether free parameter `other` moves far within the interval of free parameter `at`, while chi square stays low.
 
     at, other: indices of the parameters. Far means more than 80 % of the range of `other`, or more than five times its interval
-    with all other parameters fixed.
+    with all other parameters fixed. False unless the two may compensate each other (`_is_traded`).
     """
     if at == other or not _is_traded(fit, at, other):
         return False

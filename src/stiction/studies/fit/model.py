@@ -44,8 +44,8 @@ class _Group:
 class ForwardModel:
     """Hold a model with its free parameters and the measured values that the model should reproduce.
 
-    plan: input of the fit. plan: input of the fit. choice: the model with its laws. parameters: the free parameters. data: the
-    measured values. groups: measured values that are evaluated together.
+    plan: input of the fit. choice: the model with its laws. parameters: the free parameters. data: the measured values. groups:
+    measured values that are evaluated together.
     """
 
     plan: FitPlan

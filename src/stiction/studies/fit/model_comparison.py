@@ -19,8 +19,7 @@ class ComparedModel:
 
     aicc: Akaike's criterion, lower is better. left_out: cross-validation error. The error is the root mean square of
     (prediction - measured value) over values that were left out of the fit. Each difference is divided by the standard error,
-    or by the largest measured value if no errors are stated. Both numbers are infinite without a fit. Both numbers are infinite
-    without a fit.
+    or by the largest measured value if no errors are stated. Both numbers are infinite without a fit.
     """
 
     name: str

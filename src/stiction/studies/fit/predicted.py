@@ -24,10 +24,10 @@ def fit_prediction(
 ) -> "tuple[Case, xarray.Dataset] | None":
     """Return a case and its prediction updated by measured values; None for a fit of a named model.
 
-    Each free parameter of [fit.free] becomes uncertain, uniformly distributed between its ends. given: path of a case file, or
-    its tables. data: path of the CSV file of measured values. folder: folder to which paths in the tables are relative; None
-    for the folder of the case file. load: replaces the loads of the case. Raises InputError, also if a case that names a model
-    has no [fit] or is given a load.
+    Each free parameter of [fit.free] becomes uncertain, with a uniform distribution between its ends (of its logarithm for
+    logarithmic spacing). given: path of a case file, or its tables. data: path of the CSV file of measured values. folder:
+    folder to which paths in the tables are relative; None for the folder of the case file. load: replaces the loads of the
+    case. Raises InputError, also if a case that names a model has no [fit] or is given a load.
     """
     content, own_folder = tables_of(given)
     folder = folder or own_folder

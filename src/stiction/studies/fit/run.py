@@ -82,11 +82,11 @@ def fit(case: "CaseFile", data: "FilePath", *, progress: Progress = silent) -> "
     xarray.Dataset
         Over `parameter`, the numbers of [fit.free], in SI units: the best `value`; `low` and `high`, the 95 % interval by the
         profile likelihood; `open_low` and `open_high`, whether the data set no limit at this end; `standard_error`,
-        `correlation`, and the profile, `profile_value` and `profile_rise` (rise of chi square). Over `row`: measured values,
-        fitted values and residuals. Over `model`, if [fit] names alternative models: Akaike's criterion, Akaike weights and
-        cross-validation errors. Predictions at the points of [solve]: `predicted_...` with `..._low` and `..._high`. Attribute
-        `verdict`: what the data determine poorly. If the case names no model, the result is that of `predict` with these
-        measured values, with `value`, `low` and `high` of the fitted numbers.
+        `correlation`; `least` and `most`, the ends of the search range; and the profile, `profile_value` and `profile_rise`
+        (rise of chi square). Over `row`: measured values, fitted values and residuals. Over `model`, if [fit] names alternative
+        models: Akaike's criterion, Akaike weights and cross-validation errors. Predictions at the points of [solve]:
+        `predicted_...` with `..._low` and `..._high`. Attribute `verdict`: what the data determine poorly. If the case names no
+        model, the result is that of `predict` with these measured values, with `value`, `low` and `high` of the fitted numbers.
 
     Raises
     ------

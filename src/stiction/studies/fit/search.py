@@ -47,7 +47,7 @@ class Best:
 
     @cached_property
     def covariance(self) -> np.ndarray:
-        """Return the covariance (k, k) of the positions of the k free parameters between their ends, by the Jacobian alone.
+        """Return the covariance (k, k) of the positions of the k free parameters between their ends, from the Jacobian alone.
 
         A position is 0 at the low end and 1 at the high end. All entries are NaN if the data leave a combination of the numbers
         undetermined.
