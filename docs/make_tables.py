@@ -10,9 +10,10 @@
 - interfaces.md: states of an interface and finish classes, from their files (interface_tables.py);
 - truth.md: how far models are from solved surfaces, from the set of these (truth_tables.py);
 - what-mu-rests-on.md: friction of one contact with each assumption switched (what_mu_rests_on.py);
-- reference/README.md: how each table of numbers was made, from the docstrings of the scripts that make them.
+- reference/README.md: how each table of numbers was made, from the docstrings of the scripts that make them;
+- choice.py: the keywords of laws for type checkers and editors, from the registry.
 
-Each stands in its page between a line "<!-- NAME: begin, made by docs/make_tables.py -->" and "<!-- NAME: end -->".
+Each stands in its file between a line "<!-- NAME: begin, made by docs/make_tables.py -->" and "<!-- NAME: end -->".
 """
 
 import ast
@@ -29,10 +30,23 @@ from stiction.contact.materials import material_names, symbols_of
 from stiction.laws.asperity.shared import unloading
 from stiction.quantities.table import QUANTITIES
 from stiction.records.claims import KINDS_OF_WARNING
-from stiction.records.registry import GRADES, AsperityMethod, Criterion, FilmLaw, Record, TangentialLaw, kinds, records
+from stiction.records.registry import (
+    GRADES,
+    Addition,
+    AsperityMethod,
+    Criterion,
+    FilmLaw,
+    Record,
+    TangentialLaw,
+    all_options,
+    kinds,
+    kinds_of_additions,
+    records,
+)
 from stiction.report.lists import LISTED, with_range
 from stiction.solving.accuracy import film_tables
 from stiction.solving.accuracy.film_tables import summary
+from stiction.solving.choice import LAWS
 from stiction.solving.conditions import RULES
 from stiction.surfaces.finding import methods
 from stiction.surfaces.read import readers
@@ -90,6 +104,14 @@ def overview(kind: str) -> str:
     names, cells = COLUMNS.get(kind, ((), lambda model: ()))
     rows = [(link(model), model["title"], model["grade"], *cells(model)) for model in of_kind(kind)]
     return table(("key", "description", "grade", *names), rows)
+
+
+def additions() -> str:
+    """One line for each law that can be added to a model, with the keyword of its kind."""
+    rows = [
+        (f"`{kind}`", link(model), model["title"], model["grade"]) for kind in kinds_of_additions() for model in of_kind(kind)
+    ]
+    return table(("keyword", "key", "description", "grade"), rows)
 
 
 def record_of(model: dict) -> Record:
@@ -330,23 +352,14 @@ def reference_scripts() -> str:
     return "\n\n".join(f"### `{name}`\n\n{text}" for name, text in scripts().items())
 
 
-# What the tables of each kind are called in the page.
-NAMES = {
-    "models": "rough surface",
-    "asperity laws": "asperity",
-    "tangential laws": "tangential",
-    "films": "film",
-    "composites": "composite",
-    "stiffness before sliding": "presliding",
-    "menisci": "meniscus",
-    "strengthening at rest": "ageing",
-    "junctions that differ": "contamination",
-    "criteria": "criterion",
-    "ways of finding asperities": "asperity method",
-}
+def keywords() -> str:
+    """One line for each keyword of a law, and for each option of a law."""
+    return "\n".join(f"    {name}: str | None" for name in (*LAWS[1:], *sorted(all_options())))
+
 
 TABLES = {
-    "reference/models.md": {"grades": grades, **{name: partial(overview, kind) for name, kind in NAMES.items()}},
+    "reference/models.md": {"grades": grades, "additions": additions}
+    | {kind.kind: partial(overview, kind.kind) for kind in kinds() if not issubclass(kind, Addition)},
     "explanation/combining-laws.md": {"unloading": unloading_of_yielded},
     "how-to/surfaces.md": {"formats": formats},
     "reference/surface-statistics.md": {"methods": ways},
@@ -359,6 +372,7 @@ TABLES = {
     "reference/materials.md": {"materials": materials, "sources of materials": material_sources},
     "reference/interfaces.md": interface_tables.TABLES,
     "../reference/README.md": {"scripts": reference_scripts},
+    "../src/stiction/solving/choice.py": {"keywords": keywords},
 }
 
 
@@ -368,7 +382,7 @@ def fresh_pages() -> dict[Path, str]:
     for file, tables in TABLES.items():
         text = (HERE / file).read_text(encoding="utf-8")
         for name, make in tables.items():
-            marks = rf"(<!-- {name}: begin[^\n]*-->\n).*?(<!-- {name}: end -->)"
+            marks = rf"(<!-- {name}: begin[^\n]*-->\n).*?([ #]*<!-- {name}: end -->)"
             text, places = re.subn(marks, lambda found, make=make: f"{found[1]}{make()}\n{found[2]}", text, flags=re.DOTALL)
             if places != 1:
                 raise ValueError(f"{file}: {places} places for the table {name!r}")

@@ -16,19 +16,7 @@ from stiction.records.sources import bibliography
 from stiction.report.html_words import letters
 from stiction.report.printed_sources import tex_to_text
 
-TITLES = {
-    "rough surface": "Rough surfaces",
-    "asperity": "Asperity laws",
-    "tangential": "Tangential laws",
-    "film": "Films",
-    "composite": "Film and substrate as one body",
-    "presliding": "Before sliding",
-    "meniscus": "Menisci of humid air",
-    "ageing": "Time at rest",
-    "contamination": "Contamination",
-    "criterion": "Criteria",
-    "asperity method": "Asperity methods",
-}
+TITLES = {"rough surface": "Rough surfaces", "criterion": "Criteria", "asperity method": "Asperity methods"}
 HEADING = "## Grade, evidence and validity"
 READ = "[How to read this page](../../explanation/combining-laws.md#how-to-read-the-page-of-a-law)."
 _NAMED = re.compile(r"\[([a-z_]+_\d{4}\w*)\](?!\()")
@@ -151,7 +139,8 @@ def index() -> str:
     ]
     for kind in kinds():
         mine = sorted((one for one in records() if type(one) is kind), key=lambda one: (name_of(one).lower(), one.key))
-        lines += [f"## {TITLES[kind.kind]}", "", "| law | key | meaning | grade |", "|---|---|---|---|"]
+        title = TITLES.get(kind.kind, f"{kind.kind.capitalize()} laws")
+        lines += [f"## {title}", "", "| law | key | meaning | grade |", "|---|---|---|---|"]
         lines += [f"| [{name_of(one)}]({place_of_law(one).name}) | `{one.key}` | {one.title} | {one.grade} |" for one in mine]
         lines += ["", ":::{toctree}", ":hidden:", "", *(place_of_law(one).stem for one in mine), ":::", ""]
     return "\n".join(lines)

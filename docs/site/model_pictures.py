@@ -20,6 +20,7 @@ from stiction.laws.joining import states
 from stiction.laws.meniscus.kind import Meniscus
 from stiction.laws.presliding.kind import Presliding
 from stiction.records.registry import (
+    Addition,
     AsperityLaw,
     AsperityMethod,
     Composite,
@@ -59,7 +60,7 @@ def contact(sigma: float = 48e-9, film: bool = False, energy: float = 1.0, **mor
 
 def picture(record: Record) -> Figure:
     """The picture of a model."""
-    return _DRAWN[type(record)](record)
+    return _DRAWN.get(type(record), addition)(record)
 
 
 def regimes(given: st.Contact, choice: Choice) -> list[Regime]:
@@ -314,6 +315,19 @@ def contamination(record: Contamination) -> Figure:
         ylim=(0.0, None),
         title="Standard deviation of the strength equal to its mean",
     )
+    axes.grid(alpha=0.3)
+    axes.legend()
+    return figure
+
+
+def addition(record: Addition) -> Figure:
+    """Friction against load, with and without a law that has no picture of its own."""
+    loads = np.geomspace(1e-5, 1e-1, 60)
+    figure, axes = plt.subplots(figsize=(5.5, 3.6), layout="constrained")
+    for label, law in (("without", {}), ("with", {record.keyword: record.key})):
+        mu = st.solve(_small(), load=loads, model=SUM, **law)["friction_coefficient"]
+        axes.semilogx(loads, mu, linewidth=2.5, label=label)
+    axes.set(xlabel="load [N]", ylabel="static friction coefficient", ylim=(0.0, None), title="Silicon, sigma = 10 nm")
     axes.grid(alpha=0.3)
     axes.legend()
     return figure

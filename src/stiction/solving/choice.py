@@ -17,10 +17,10 @@ DEFAULT_MODEL, RECOMMENDED = "soft_coating_2015", "recommended"
 class LawKeywords(TypedDict, total=False):
     """List the keyword arguments for laws and options that public functions accept, for code completion in editors.
 
-    A test compares the list with the registry of laws. Laws of other packages may add options, which are also passed as
-    keywords.
+    Laws of other packages may add options, which are also passed as keywords.
     """
 
+    # <!-- keywords: begin, made by docs/make_tables.py -->
     asperity: str | None
     tangential: str | None
     film: str | None
@@ -46,6 +46,7 @@ class LawKeywords(TypedDict, total=False):
     transition: str | None
     variant: str | None
     yielding: str | None
+    # <!-- keywords: end -->
 
 
 @dataclass(frozen=True)
