@@ -322,7 +322,7 @@ def test_any_asperity_law_with_any_heights(asperity, key):
     expected = np.zeros((6, 2))
     for segment in asperity.segments(given, **resolve_options([asperity], {})):
         for i in range(6):
-            end = coordinates(replace(segment, edges=segment.edges[:, [0, -1]]), 12.0)[i]  # no height is farther than that
+            end = coordinates(replace(segment, edges=segment.edges[:, [0, -1]]), 20.0)[i]  # no height is farther than that
             u = np.linspace(segment.edges[i, 0], max(end, segment.edges[i, 0]), 8001)
             one = replace(segment, parameters=tuple(np.broadcast_to(p, 6)[i] * np.ones(u.size) for p in segment.parameters),
                           edges=np.zeros((u.size, 2)))  # fmt: skip
