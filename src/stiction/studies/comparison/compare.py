@@ -63,7 +63,8 @@ def compare(
     separations : iterable of float, optional
         Mean separations of the curves, over the sigma that a model uses; by default 80 values from 5 to -2.
     progress : callable
-        Receives the list of models and returns an iterable over it, e.g. a progress bar.
+        Receives the list of models and returns an iterable over the same models, e.g. a progress bar. For a measured surface it
+        is called again with a list of contacts, one for each asperity method.
 
     Returns
     -------
@@ -71,13 +72,15 @@ def compare(
         Curves over (model, point), dimensionless for Indices: mean_separation [m], load [N], contact_area [m^2], friction_force
         [N], friction_coefficient; and `range_status`: 0 inside the validity ranges of the model, 1 outside, 2 where a result is
         impossible. Over `model`: the same five results at the working load, with names that end in `_at_load`; `status`, a text
-        that states whether the contact fits the model; `why_not`, the reason for missing results; grade; `outside_validity`
-        (text) and `validity_warnings` (JSON); `family_of_curve`, whether the strength of the interface or of the bodies
-        determines friction; `plastic_junctions_resist`, how plastic contact spots resist shear; `measured_area_error`,
-        `measured_area_error_rms` and `measured_friction_error`, relative errors on benchmark surfaces near this contact
-        (truth.md), NaN if none is near; `measured_error` and `measured_film_error` (JSON), and `measured_error_in_words`.
-        Attributes: `working_load`, `criteria`, `not_applicable` (model: reason), and `sources`, keys of publications. For a
-        measured surface also friction_coefficient_at_load_by_method (asperity_method, model), with `_low` and `_high`.
+        that states whether the contact fits the model; `why_not`, the reason for missing results or missing friction; `grade`,
+        the worst grade of its laws; `outside_validity` (text) and `validity_warnings` (JSON); `family_of_curve`, whether the
+        strength of the interface or of the bodies determines friction; `plastic_junctions_resist`, how plastic contact spots
+        resist shear; `measured_area_error`, `measured_area_error_rms` and `measured_friction_error`, relative errors on
+        benchmark surfaces near this contact (truth.md), NaN if none is near; `measured_error` and `measured_film_error` (JSON),
+        and `measured_error_in_words`.
+        Attributes: `working_load`, `criteria`, `not_applicable` (model: reason), and `sources`, keys of publications. Without a
+        working load there are no results with `_at_load`. With one, a surface measured by several asperity methods also has
+        friction_coefficient_at_load_by_method (asperity_method, model), and `_low` and `_high` over the methods.
 
     Raises
     ------
@@ -122,8 +125,9 @@ def _compared(contact: Subject, load: Any, separations: Any, progress: Steps) ->
 def _with_methods(data: "xarray.Dataset", contacts: Mapping[str, Subject], load: Any, progress: Steps) -> "xarray.Dataset":
     """Return the comparison `data` with friction at the working load added for each asperity method.
 
-    contacts: by asperity method, the contact with the roughness that the method finds. load: working load, as in `compare`. The
-    dataset is returned unchanged without a working load or with a single method.
+    contacts: by asperity method, the contact with the roughness that the method finds; the first is that of `data`. load:
+    working load, as in `compare`. The dataset is returned unchanged without a working load or with a single method. Friction is
+    NaN where a model does not apply with a method.
     """
     name = "friction_coefficient_at_load"
     if name not in data or len(contacts) < 2:
@@ -150,11 +154,7 @@ def _separations(given: Iterable[float]) -> np.ndarray:
 
 
 # What determines the friction of a model, by whether its tangential law uses the shear strength of the interface.
-FAMILIES = {
-    True: "strength of the interface",
-    False: "strength of the bodies",
-}
-
+FAMILIES = {True: "strength of the interface", False: "strength of the bodies"}
 
 # Attributes of each model that are texts, with the text for a model that has none; then those that are numbers.
 _TEXTS = {
@@ -173,9 +173,10 @@ class _Answer:
     """Store the results of one model in a comparison, in SI units for a Contact and dimensionless for Indices.
 
     curve: results (points,) by name. range_status: at each point, WITHIN or OUTSIDE the validity ranges, or IMPOSSIBLE.
-    at_load: results at the working load, if the model reaches it. outside: validity warnings at the working load, or along the
-    curve if no working load is given. attributes: values for the names in _TEXTS and _NUMBERS. ignored: text from `_ignored`.
-    sources: keys of publications. why_not: reason for missing results or missing friction; "" if none is missing.
+    at_load: results at the working load, or None. outside: validity warnings at the working load (none if the model cannot
+    carry it), or along the curve if no working load is given. attributes: values for the names in _TEXTS and _NUMBERS. ignored:
+    text from `_ignored`. sources: keys of publications. why_not: reason for missing results or missing friction; "" if none is
+    missing.
     """
 
     candidate: Candidate
@@ -238,7 +239,7 @@ def _solve_candidate(contact: Subject, candidate: Candidate, h: np.ndarray, load
 
 
 def _ignored(problem: Problem) -> str:
-    """Return, in words, which stated inputs of the interface and the liquid a model ignores; "" if none."""
+    """Return, in words, which stated inputs a model ignores: of the liquid and, if it has friction, the interface; or ""."""
     names = ignored_strength(problem) if problem.friction else []
     texts = []
     if any(not name.endswith("pressure_coefficient") for name in names):
@@ -266,7 +267,7 @@ def _measured(errors: measured_error.MeasuredErrors) -> dict[str, Any]:
 
     The numbers are the geometric mean error of the area, its root mean square error, and the geometric mean error of mu (0.1 is
     10 % too large). They are NaN if no benchmark surface is near. The error of mu is also NaN if mu does not depend on the
-    interface strength.
+    interface strength, or if the interface is not weaker than the bodies.
     """
     numbers = np.expm1(errors.area[0]), errors.relative[0], np.expm1(errors.friction[0])
     return measured_error.as_attributes(errors) | dict(zip(_NUMBERS, numbers, strict=True))

@@ -8,7 +8,7 @@ from stiction.records.registry import Criterion, of_kind
 def criteria_of(contact: Subject) -> list[str]:
     """Return one line of text for each criterion that applies to a contact, e.g. whether its asperities deform plastically.
 
-    A criterion is left out if the contact does not state a dimensionless group that it needs.
+    Films are ignored. A criterion is left out if the contact does not state a dimensionless group that it needs.
     """
     whole = contact.with_surface_moments()
     groups = Groups.of(whole.indices())[0].substrate()

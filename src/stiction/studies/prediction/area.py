@@ -1,9 +1,9 @@
 """Compute the real contact area under a load by area models, each corrected by its error on benchmark surfaces.
 
-An area model computes the area of every sample. The area is divided by the model's error, which is sampled from its errors on
-solved benchmark surfaces near the nominal contact (truth.md). This removes the bias of the model, but keeps how its area
-depends on load, hardness and roughness. Models are combined with stacking weights, which best predict benchmark surfaces that
-were left out of the fit (`make truth`).
+An area model computes the area of every sample. The error of a model is the ratio of its area to the solved area. It is
+sampled from the errors on benchmark surfaces near the nominal contact (truth.md), and divides the area. This removes the bias
+of the model, but keeps how its area depends on load, hardness and roughness. Models of bare Gaussian surfaces are combined with
+stacking weights, which best predict benchmark surfaces that were left out of the fit (`make truth`).
 """
 
 import math
@@ -53,9 +53,10 @@ _OF_FEW, _OF_FEW_SHAPED = 2.0, 6.0
 
 
 def grown_to(area: np.ndarray, factor: np.ndarray, nominal: np.ndarray) -> np.ndarray:
-    """Return an area [m2] multiplied by a factor, with saturation: the result never exceeds the nominal area [m2].
+    """Return an area [m2] enlarged or reduced by a factor, with saturation: the result never exceeds the nominal area [m2].
 
-    If the product is much smaller than the nominal area, it is hardly reduced.
+    The result is A_n (1 - (1 - A/A_n)^factor) for the area A and the nominal area A_n. It is close to factor A where A and this
+    product are much smaller than A_n. If A is A_n or more, 1 - A/A_n is taken as 1e-300. NaN gives NaN.
     """
     share = area / nominal
     # log1p, because 1 - share loses a share of 1e-16 in round-off. A closed contact stays closed, and NaN stays NaN.
@@ -67,13 +68,15 @@ def grown_to(area: np.ndarray, factor: np.ndarray, nominal: np.ndarray) -> np.nd
 class AreaLaw:
     """Store the real contact area by one area model, with its errors on benchmark surfaces, for n samples and m loads.
 
-    name: name of the model. weight: stacking weight (m,), 0 where the model is not used. log_area: ln of the area [m2], (n, m).
-    share: real over nominal area of the nominal contact (m,), at which errors are looked up. levels: quantiles (m, 5) of
-    ln(area/benchmark area), at errors_near.LEVELS. far: distance (m,) to the nearest benchmark surface, 0 to 1. sample:
-    standard error (m,) of ln(area) because a scan is one finite window of the surface. touching: number of asperities in
-    contact (m,), infinite if unknown. yields_at: mean pressure (n or 1, m) of plastic contact spots [Pa]. far_error: standard
-    deviation of ln(area) if no benchmark surface is near. elastic: on a film, real over nominal area (m,) of the nominal
-    contact without plastic flow; 0 if unknown. sources: bibliography keys of the model and its laws.
+    name: name of the model. weight: weight (m,), 0 where the model is not used. log_area: ln of the area [m2], (n or 1, m).
+    Where the model gives no area for a sample, log_area is inf if the nominal contact is at least half closed, else -inf. It is
+    NaN for an impossible surface. share: real over nominal area of the nominal contact (m,), 1 where the model gives no area.
+    levels: quantiles (m, 5) of ln(area/benchmark area), at errors_near.LEVELS. far: distance (m,) to the nearest benchmark
+    surface, from 0 (near) to 1 (none is similar). sample: standard error (m,) of ln(area) because a scan is one finite window
+    of the surface; 0 without a scan. touching: number of asperities in contact (m,), infinite if unknown. yields_at: mean
+    pressure (n or 1, m) of plastic contact spots [Pa]. far_error: standard deviation of ln of the elastic area if no benchmark
+    surface is near. elastic: real over nominal area (m,) of the nominal contact on a film without plastic flow; 0 if unknown
+    or without a film. sources: bibliography keys of the model and its laws.
     """
 
     name: str
@@ -100,10 +103,11 @@ class AreaLaw:
     def corrected(self, rows: np.ndarray, loads: np.ndarray, level: np.ndarray, nominal: np.ndarray) -> np.ndarray:
         """Return the area [m2] (n, m) after correction for sampled errors of the model.
 
-        rows: rows of `log_area` (n,), one for each sample. loads: loads (m,) [N]. level: quantile levels (n,) of the error.
-        nominal: nominal area [m2] (n, 1). The area is at least the load over the pressure of plastic spots. Far from all
-        benchmark surfaces, the errors on the nearest ones are used, and the elastic part of the area becomes more uncertain.
-        Elastic and plastic area are combined by a power mean, as in the model persson_widened.
+        rows: rows of `log_area` (n,), one for each sample. loads: loads (m,) [N]. level: quantile levels (n,) of the error; a
+        higher level gives a smaller area. nominal: nominal area [m2] (n, m or 1), which the area never exceeds. The area is at
+        least the load over the pressure of plastic spots. Far from all benchmark surfaces, the errors on the nearest ones are
+        used, and the elastic part of the area becomes more uncertain. Elastic and plastic area are combined by a power mean, as
+        in the model persson_widened.
         """
         from scipy.special import ndtri
 
@@ -121,7 +125,8 @@ class AreaLaw:
     def _factor(self, error: np.ndarray) -> np.ndarray:
         """Return the factor (n, m) with which `grown_to` removes an error of the area.
 
-        error: error of ln(area), (n, m). An area much smaller than the nominal area is divided by exp(error).
+        error: error of ln(area), (n, m). With this factor, `grown_to` divides the area of the nominal contact by exp(error),
+        but not to more than the nominal area.
         """
         share = np.clip(self.share, 1e-12, _MOST)
         return np.log1p(-np.minimum(share * np.exp(-error), _MOST)) / np.log1p(-share)
@@ -144,8 +149,8 @@ def area_laws(sampled: SampledCase) -> list[AreaLaw]:
     A point is a contact at a load. Sets of models are tried in turn. A later set is used at the points where no model of an
     earlier set applies; where the weight of a model is reduced (see `_law`), the later set gets the remaining weight.
 
-    Raises InputError or ArithmeticError if no model applies at some point, or if a model applies to some of several contacts
-    only; the caller then divides them into smaller batches.
+    Raises InputError or ArithmeticError if no model applies at some point. For several contacts it is also raised if a model
+    refuses them together, but accepts the first or the last of them; the caller then divides them into smaller batches.
     """
     answers, refusal, left = [], None, np.ones(len(sampled.loads))
     for choices in _in_turn(sampled):
@@ -193,10 +198,10 @@ def _answers(sampled: SampledCase, choice: Choice) -> bool:
 def _law(sampled: SampledCase, choice: Choice, weight: float) -> AreaLaw:
     """Return the area of all samples by one model, with its errors on benchmark surfaces.
 
-    choice: the model. weight: its weight. If the model refuses the contact because the product of asperity density, radius and
+    choice: the model. weight: its weight. If the model refuses a contact because the product of asperity density, radius and
     height deviation is smaller than a Gaussian surface can have, the area is computed with the smallest Gaussian product. The
-    weight then falls to 0 at half of this product. Raises InputError or ArithmeticError if the model refuses all contacts for
-    another reason or has no weight.
+    weight then decreases with the actual product, to 0 at half of the smallest Gaussian product. Raises InputError or
+    ArithmeticError if the model refuses any contact for another reason, or has no weight for all contacts.
     """
     try:
         points, tables = _solved(sampled, choice)
@@ -236,18 +241,19 @@ def _law(sampled: SampledCase, choice: Choice, weight: float) -> AreaLaw:
 
 
 def _solved(sampled: SampledCase, choice: Choice) -> tuple[Points, Mapping[str, np.ndarray]]:
-    """Return the points (nominal contacts at a load), and the results of one model at these points by name.
+    """Return the points (nominal contacts at a load), and the normalised results of one model at these points by name.
 
-    Raises InputError or ArithmeticError if the model refuses a contact.
+    Where no separation carries the load, the mean separation is NaN, and the other results are those at separation 0. Raises
+    InputError or ArithmeticError if the model refuses a contact.
     """
     points = points_of(make_problem(sampled.nominal(choice.model_key), choice), sampled.load)
     return points, solve_points(points, refuse=False).tables
 
 
 def _elastic(problem: Problem, tables: Mapping[str, np.ndarray]) -> np.ndarray:
-    """Return the real over nominal area (k,) that a model for films gives without plastic flow; 0 for other models.
+    """Return the real over nominal area (k,) that a model for films gives without plastic flow; 0 if unknown.
 
-    tables: results of the model at k points, by name.
+    It is also 0 for models that are not for films. tables: normalised results of the model at k points, by name.
     """
     load, area = (np.asarray(tables[name]).reshape(len(problem.groups), -1) for name in ("load", "contact_area"))
     if not problem.record.on_film:
@@ -268,12 +274,12 @@ def _too_sharp(sampled: SampledCase) -> np.ndarray:
 def _known(errors: MeasuredErrors, few: float | None) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return error quantiles (k, 5) of a model at k points, the distance to the benchmarks (k,), and the sampling error (k,).
 
-    The quantiles are those of ln(area/benchmark area). Quantiles from few surfaces are too narrow: with n benchmark surfaces
-    near a point, the distance of each quantile from the median is multiplied by 1 + few/n. The error of the benchmark areas
-    themselves, _SOLVED, is then added in quadrature. few is None if the area is computed from the map; the quantiles then
-    already contain the error of the solution. The distance to the nearest benchmark surface is 0 to 1, and 1 where no similar
-    surface was solved. The sampling error is the standard error of ln(area) because a map is one window of a larger surface; it
-    is 0 if unknown.
+    The quantiles are those of ln(area/benchmark area), 0 where unknown. Quantiles from few surfaces are too narrow: with n
+    benchmark surfaces near a point, the distance of each quantile from the median is multiplied by 1 + few/n. The error of the
+    benchmark areas themselves, _SOLVED, is then added in quadrature. If few is None, because the area is computed from a map,
+    neither is done: the quantiles already contain the error of the solution. The distance to the nearest benchmark surface is 0
+    to 1, and 1 where no similar surface was solved. The sampling error is the standard error of ln(area) because a map is one
+    window of a larger surface; it is 0 if unknown.
     """
     known = np.isfinite(errors.levels).all(axis=1)
     trust = np.where(known, np.clip(errors.trust, 0.0, 1.0), 0.0)
@@ -288,9 +294,9 @@ def _known(errors: MeasuredErrors, few: float | None) -> tuple[np.ndarray, np.nd
 def _yields_at(sampled: SampledCase, over_below: np.ndarray | None, places: np.ndarray, area: np.ndarray) -> np.ndarray:
     """Return the mean pressure of plastic contact spots [Pa], (n or 1, m), for n samples at m points (contacts at a load).
 
-    It is the hardness of each sample, or the smaller pressure at which the body below a hard film yields. over_below: pressure
-    divided by that smaller pressure at the solved points; None without a film. places: index of the solved point for each point
-    (m,). area: area of the nominal contact [m2] (1, m).
+    It is the hardness of each sample, or the pressure at which the body below a hard film yields if that is smaller.
+    over_below: mean pressure over that yield pressure at the solved points; None without a film. places: index of the solved
+    point for each point (m,). area: area of the nominal contact [m2] (1, m).
     """
     hardness = sampled.bodies.hardness
     if over_below is None:

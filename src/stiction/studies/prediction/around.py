@@ -17,10 +17,10 @@ _MIDDLE = len(AROUND) // 2
 
 
 def curve_of(case: Case, data: "xarray.Dataset") -> "xarray.Dataset":
-    """Predict mu over a range of loads around the load of a prediction.
+    """Return a prediction at 21 loads, from a tenth to ten times the single load of a prediction.
 
     case: the case of the prediction `data`. A prediction at several loads, or updated by measured friction, is returned
-    unchanged.
+    unchanged. For a case with array parameters, and if a load of the range cannot be predicted, the result has the single load.
     """
     if data["load"].size != 1 or "measured" in data.attrs:
         return data
@@ -30,9 +30,9 @@ def curve_of(case: Case, data: "xarray.Dataset") -> "xarray.Dataset":
 def predict_with_curve(case: Case) -> "tuple[xarray.Dataset, xarray.Dataset]":
     """Return the prediction of a case at its loads, and a prediction over a range of loads.
 
-    If the case has a single load above 0 N and no array parameters, the range is from a tenth to ten times this load.
-    Otherwise, or if the range cannot be predicted, both datasets are the prediction at the loads of the case. Raises
-    InputError.
+    If the case has a single load above 0 N and no array parameters, the range has 21 loads from a tenth to ten times this load.
+    Otherwise, or if a load of the range cannot be predicted, both datasets are the prediction at the loads of the case. Raises
+    InputError if these loads cannot be predicted.
     """
     if case.is_swept or case.load is None or case.load.size != 1 or not case.load[0] > 0.0:
         data = predict(case)

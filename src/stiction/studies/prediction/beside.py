@@ -1,4 +1,4 @@
-"""Compute additional lines of an answer: mu of bare metals, and the benchmarks behind the prediction."""
+"""Compute additions to a prediction: mu of the bare metals, and how benchmark surfaces and handbooks support it."""
 
 import json
 import math
@@ -29,9 +29,9 @@ def bare_metal(mixture: Mixture, level: float) -> list[float]:
     """Return the interval [low, high] of mu for two metals where the film or surface layer between them is worn away.
 
     level: coverage probability of the interval. The list is empty if a body is not a metal, or if the contact has neither a
-    film nor an interface other than clean and oxidised metal. The contact spots are plastic, have the shear strength tau_0 of
-    clean metal, and grow under shear. As tau_0 is proportional to the hardness H, mu = tau_0/H times the junction growth does
-    not depend on H.
+    film nor a stated interface other than clean and oxidised metal. The contact spots are plastic, have the shear strength
+    tau_0 of clean metal, at most that of the softer body, and grow under shear. As tau_0 is proportional to the hardness H,
+    mu = tau_0/H times the junction growth does not depend on H.
     """
     contact = mixture.sampled.contact
     bodies = (contact.first, contact.second)
@@ -71,17 +71,19 @@ def checked_against(mixture: Mixture, index: int) -> str:
 def in_handbooks(mixture: Mixture) -> tuple[int, int]:
     """Return how many handbook contacts with this interface are predicted correctly, and how many there are.
 
-    Only contacts with the interface state of the contact of `mixture` count; the result is (0, 0) if it has none. A contact is
-    predicted correctly if its predicted 90 % interval contains the geometric mean of the published range of mu.
+    Only contacts with the interface state that `mixture` has count; the result is (0, 0) if no state is stated, or no handbook
+    contact has it. A contact is predicted correctly if its predicted 90 % interval contains the geometric mean of the published
+    range of mu.
     """
     printed = _printed(mixture)
     return int(printed.get("held", 0)), int(printed.get("contacts", 0))
 
 
 def unlike_handbooks(mixture: Mixture, mu: float) -> list[str]:
-    """Return a list with a warning if mu is far outside all friction that handbooks print for this interface; else [].
+    """Return a list with a warning if mu is far outside the range of mu in handbooks for this interface; else [].
 
-    mu: median of the prediction. Fewer than three contacts are not enough for the warning.
+    mu: median of the prediction. The warning is given below 1/1.5 of the lowest and above 1.5 times the highest mu, if
+    handbooks have at least three contacts with this interface.
     """
     printed = _printed(mixture)
     if printed.get("contacts", 0) < _ENOUGH or printed["lowest"] / _UNLIKE <= mu <= printed["highest"] * _UNLIKE:
@@ -100,8 +102,8 @@ def _printed(mixture: Mixture) -> dict[str, float]:
 def _half_width(mixture: Mixture, law: AreaLaw, index: int) -> float:
     """Return half the width of the 90 % interval of ln(area) that arises from the error of one area model.
 
-    The interval is narrower if many spots are plastic, or if the area is close to the nominal area. index: position of the load
-    among the loads of the prediction.
+    It is the median over the samples of the inputs. The interval is narrower if many spots are plastic, or if the area is close
+    to the nominal area. index: position of the load among the loads of the prediction.
     """
     sampled, rows, here = mixture.sampled, np.arange(len(law.log_area)), law.at_load(index)
     nominal = np.broadcast_to(sampled.column(sampled.drawn.nominal_area), (len(rows), 1))

@@ -22,8 +22,9 @@ def with_finish(case: Case) -> Case:
     """Return the case with roughness parameters left open by its surface finish as uncertain numbers.
 
     These are height deviation, radius and density of asperities, which are sampled together; an uncertain Sq or Ra is part of
-    them. Samples with a height deviation above the radius are excluded, unless that would exclude all samples. A case that
-    states all three, or has a scan, is returned unchanged. Raises InputError if a number of the roughness is an array.
+    them, and no longer an uncertain number of its own. Samples with a height deviation above the radius are excluded, unless
+    that would exclude all samples. A case with [indices], without a finish or with a scan is returned unchanged. Otherwise
+    InputError is raised if a number of the roughness is an array.
     """
     contact = case.subject
     if not isinstance(contact, Contact) or not contact.roughness.unknowns or contact.measured is not None:

@@ -26,8 +26,8 @@ def friction_table(contact: Any, *, load: Any = None, level: float = 0.5) -> "xa
     contact : Contact, Case, dict or path
         One contact, as for `predict`.
     load : number, text or sequence, optional
-        Normal load [N]; by default the loads of the case. The table covers the range of two or more loads, or two decades below
-        and above a single one.
+        Normal load [N]; by default the loads of the case. The table covers the range of two or more loads. For a single load
+        it covers two decades below, and two, one or no decades above, as many as hardness times nominal area allows.
     level : float
         Quantile of mu, between 0 and 1: 0.5 for the median, 0.05 for a lower bound.
 
@@ -36,7 +36,13 @@ def friction_table(contact: Any, *, load: Any = None, level: float = 0.5) -> "xa
     xarray.Dataset
         Over `row`: load [N], nominal_pressure [Pa] and friction_coefficient. For bare bodies also tangential_stiffness [N/m^3]
         (initial slope of shear stress against displacement), elastic_slip [m] (shear stress at sliding over that slope) and
-        mean_separation [m]. Attributes: working_row, level, comments (a list of lines).
+        mean_separation [m]. Attributes: working_row (index of the row at the working load), level, comments (a list of lines),
+        and case, the title of the case if it has one. Loads without a finite mu have no row.
+
+    Raises
+    ------
+    InputError
+        The level is not between 0 and 1, the contact has arrays, no load is above 0, or mu cannot be predicted.
 
     Notes
     -----
@@ -83,8 +89,8 @@ def _predicted(case: Case, stated: np.ndarray, level: float) -> tuple[np.ndarray
     """Return loads [N] (n,) and the quantile `level` of mu (n,) at these loads.
 
     stated: sorted loads [N] that the table must contain. Several loads: the table covers their range. A single load: the table
-    covers two decades below it and up to two decades above it, as far as hardness times nominal area allows. Loads without a
-    finite mu are left out.
+    covers two decades below it, and two, one or no decades above it, as many as hardness times nominal area allows. Loads
+    without a finite mu are left out. Raises InputError.
     """
     end = "" if level == 0.5 else "_low" if level < 0.5 else "_high"
     interval = abs(1.0 - 2.0 * level) or None

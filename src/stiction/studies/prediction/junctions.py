@@ -7,10 +7,10 @@ Three assumptions are sampled with weights set by judgement: no growth; a bulk t
 Mises); and a junction that hardens until its bulk shears at up to H/3 if the interface is as strong as the body (alpha = 9,
 Tabor's experiments, the largest weight). As the body hardens, an interface that is given by its state hardens too. An interface
 whose strength is stated as a number, below half of the body's strength, does not harden; such a junction grows less. If the
-stated strength is between half of the body's strength and all of it, the degree of hardening is sampled. None of the three
-assumptions limits growth for c near 1, so that c is limited to 0.999. On a film of thickness t the growth is raised to the
-power 1/(1 + a/t) for a spot of radius a (judgement): a narrow spot is a junction of the bulk film; the body below supports a
-wide spot. The shear strength of an interface state that was measured on films already includes growth.
+stated strength is between half of the body's strength and all of it, the degree of hardening is sampled. By the last two
+assumptions growth may be unlimited as c approaches 1, so that c is limited to 0.999. On a film of thickness t the growth is
+raised to the power 1/(1 + a/t) for a spot of radius a (judgement): a narrow spot is a junction of the bulk film; the body below
+supports a wide spot. The shear strength of an interface state that was measured on films already includes growth.
 
 Squeeze: a soft film of thickness t and hardness H_f between harder bodies bears a mean pressure up to H_f (1 + a/(7.3 t)) in a
 spot of radius a, the pressure of a plastic layer that sticks to both faces (Hill 1950). The pressure is limited by the hardness
@@ -42,12 +42,13 @@ def grown(
         Quantile level, 0 to 1, that selects one of three assumptions by their prior weights GROWTH: no growth, growth without
         hardening (von Mises), or Tabor's hardened junctions.
     pressure : numpy.ndarray, shape (n, m)
-        Mean pressure of contact spots [Pa].
-    strength, hardness, shear_strength : numpy.ndarray, shape (n, 1)
+        Mean pressure of contact spots [Pa]. Below the hardness, the factor of a plastic spot is multiplied by
+        pressure/hardness; the result is at least 1.
+    strength, hardness, shear_strength : numpy.ndarray, shape (n, m or 1)
         Shear strength of the interface, and hardness and shear strength of the weaker body [Pa].
-    hardens : numpy.ndarray, shape (n, 1), or float
+    hardens : numpy.ndarray, shape (n, m or 1), or float
         Mean of the sampled degrees, 0 to 1, to which the interface hardens with the body: 1 for a named state of the interface,
-        0 for a stated strength well below the strength of the body.
+        0 for a stated strength of at most half the strength of the body.
     """
     ratio = np.minimum(strength / shear_strength, _MOST) ** 2
     most = np.maximum((hardness / shear_strength) ** 2 / _TABOR, 1.0)
@@ -84,7 +85,8 @@ def squeezed(
     level : numpy.ndarray, shape (n,)
         Quantile level, 0 to 1: the exponent of the largest possible factor. 0 gives no increase, 1 the largest one.
     pressure, radius : numpy.ndarray, shape (n, m)
-        Mean pressure [Pa] and radius [m] of contact spots, for n samples at m loads.
+        Mean pressure [Pa] and radius [m] of contact spots, for n samples at m loads. Below the hardness, the exponent is
+        multiplied by (pressure/hardness)^4.
     thickness, hardness, hardest : numpy.ndarray, shape (n, m or 1)
         Film thickness [m], hardness of the film, and largest pressure that film and bodies bear [Pa].
     """

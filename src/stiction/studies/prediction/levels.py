@@ -47,7 +47,8 @@ class Levels:
         """Return levels in which the columns of one part come from other samples than the columns of all other parts.
 
         part: a key of COLUMNS. moved: indices of the samples from which the columns of this part are taken. rows: indices of
-        the samples from which the inputs and all other columns are taken.
+        the samples from which the inputs and all other columns are taken. For the part "inputs", which has no such columns,
+        everything comes from `rows`.
         """
         others = {name: column[moved if name in COLUMNS[part] else rows] for name, column in self.others.items()}
         return Levels(self.inputs[rows], others)

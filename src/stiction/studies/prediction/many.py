@@ -56,16 +56,16 @@ def predict_many(
     case : Case
         The case with its nominal numbers; its own uncertain numbers are not sampled.
     numbers : dict
-        Labelled array in SI units by address, e.g. ("contact", "first", "hardness"). The contacts are all combinations along
-        the dimensions of these arrays.
+        Number or labelled array (xarray) in SI units by address, e.g. ("contact", "first", "hardness"). The contacts are all
+        combinations along the dimensions of these arrays.
     load : numpy.ndarray or xarray.DataArray
         Loads [N] for every contact, or a labelled array along dimensions of the contacts.
     uncertain : sequence of Uncertain
-        Uncertain numbers to sample, in addition to the ranges of materials.
+        Uncertain numbers to sample. Ranges of materials are sampled too, unless the case states the key `ranges`.
     level : float
         Coverage probability of the intervals.
     count : int
-        Number of samples, the same for every contact.
+        Number of samples for every contact, if the case states none.
     along : sequence of str, optional
         Dimensions along which batches may be split; by default all, including the loads.
     refuse : bool
@@ -75,7 +75,8 @@ def predict_many(
     -------
     iterator
         Of region, case and results. The results are friction_coefficient, friction_force [N] and contact_area [m2], each also
-        with _low and _high. A region maps dimensions to slices. For a refused contact, case and results are None.
+        with _low and _high, and friction_efficiency if a sample has one below 1. A region maps dimensions to slices. A batch
+        that raises an error is bisected; for one that cannot be divided, case and results are None.
     """
     from xarray import DataArray
 
@@ -131,8 +132,9 @@ def _together(
     """Return the case with these numbers, and its predictions for all contacts at once.
 
     numbers: number or labelled array (xarray) by address (tuple of keys). load: labelled array [N]. uncertain: numbers to
-    sample. level: coverage probability of the intervals. count: number of samples. Raises InputError or ArithmeticError if any
-    contact is refused.
+    sample. level: coverage probability of the intervals. count: number of samples if the case states none. A point with a load
+    above hardness times nominal area is NaN and has the bit REFUSED. Raises InputError or ArithmeticError if all points have
+    such loads, or if a contact is refused for another reason.
     """
     with np.errstate(all="ignore"):
         numbers = _one_finish(case, numbers)
@@ -166,8 +168,8 @@ def _together(
 def _one_finish(case: Case, numbers: Mapping) -> dict[tuple[str, ...], Any]:
     """Replace roughness arrays of length one by floats if the surface has a finish; return the numbers.
 
-    numbers: number or labelled array (xarray) by address (tuple of keys). `with_finish` raises InputError for an array of
-    height deviations; `predict_many` then bisects the batch until each part has a single value.
+    numbers: number or labelled array (xarray) by address (tuple of keys). `with_finish` raises InputError for longer arrays;
+    `predict_many` then bisects the batch until each part has a single value.
     """
     finished = isinstance(case.subject, Contact) and case.subject.roughness.unknowns
     rows = dict(numbers)
@@ -178,12 +180,13 @@ def _one_finish(case: Case, numbers: Mapping) -> dict[tuple[str, ...], Any]:
 
 
 def predict_swept(case: Case, level: float = 0.9) -> "xarray.Dataset":
-    """Return the predictions of a case with array parameters, over the dimensions of these and the loads.
+    """Return the predictions of a case with array parameters, over the dimensions of these arrays and of the loads.
 
     level: coverage probability of the intervals. Variables are named as in `predict`. Refused points, each a contact at a load,
-    are NaN; the attribute `refused` is their number, `why_refused` the reason for the first of them. The attribute `draws` is
-    the number of samples per contact, `sources` lists bibliography keys. Raises InputError if the case has separations instead
-    of loads, or if all points are refused.
+    are NaN, also at loads that are not above 0. The attribute `refused` is their number; `why_refused`, the reason for the
+    first of them, is present if there is any. The attribute `draws` is the number of samples per contact, `sources` lists
+    bibliography keys. Raises InputError if the case has separations instead of loads, and InputError or ArithmeticError if all
+    points are refused.
     """
     import xarray
 
@@ -220,7 +223,10 @@ def predict_swept(case: Case, level: float = 0.9) -> "xarray.Dataset":
 
 
 def _why_refused(case: Case, place: Region) -> str:
-    """Return the reason why one contact of a parameter sweep is refused at one load; "" if solving it alone gives a result."""
+    """Return the reason why one contact of a parameter sweep is refused at one load; "" if it is not refused alone.
+
+    place: slice of length 1 along each dimension, also `load`.
+    """
     import xarray
 
     loads = xarray.DataArray(case.load, dims=("load",))

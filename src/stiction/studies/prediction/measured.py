@@ -25,7 +25,7 @@ class Measured:
     """Store k measured friction coefficients as natural logarithms, with loads [N] and standard errors of the logarithms.
 
     Each array has the shape (k,). assumed: text that explains how missing errors were estimated; "" if the file states all
-    errors. freedom: degrees of freedom of the errors: k - 1 if the scatter of the values gives them, infinite if the file does.
+    errors. freedom: degrees of freedom of the errors: k - 1 if the scatter of the values gives all of them, otherwise infinite.
     """
 
     load: np.ndarray
@@ -39,7 +39,9 @@ def read_measured(path: str | PathLike, case: Case) -> Measured:
     """Return measured friction coefficients from a CSV file with the columns of `stiction fit`.
 
     case: the case that the values belong to. A measured friction force is divided by its load. Errors that the file does not
-    state are estimated from the scatter. Raises InputError, also for measured quantities other than friction.
+    state are estimated from the scatter of three or more values, but are at least 5 %; with fewer values they are 15 %. Raises
+    InputError for a file that cannot be read, other measured quantities, columns with numbers of the contact, and friction that
+    is not above 0.
     """
     series: Measurements = read_measurements(path, case.tables)
     others = set(series.quantity) - {"friction_coefficient", "friction_force"}
@@ -87,14 +89,14 @@ def interval_after_measuring(mu: np.ndarray, level: float) -> list[float]:
 
 
 def chosen_draws(measured: Measured, mu: np.ndarray, count: int) -> tuple[np.ndarray, list[str]]:
-    """Return indices (count,) of samples, repeated in proportion to their likelihood, and a list of warnings.
+    """Return indices (count,) of samples, repeated in proportion to their likelihood, and a list of at most one warning.
 
     Parameters
     ----------
     measured : Measured
         k measured friction coefficients.
     mu : numpy.ndarray, shape (n, k)
-        Predicted friction coefficient of each of n samples at the loads of the measured values.
+        Predicted friction coefficient of each of n samples at the loads of the measured values; NaN where impossible.
     count : int
         Number of indices to return.
 
@@ -102,9 +104,10 @@ def chosen_draws(measured: Measured, mu: np.ndarray, count: int) -> tuple[np.nda
     -----
     The likelihood of a sample is exp(-chi^2/2), for measured values with independent log-normal errors. If the errors are
     estimated from the scatter of k values, it is Student's with k - 1 degrees of freedom, (1 + chi^2/(k - 1))^(-k/2), with
-    chi^2 reduced by its smallest value over all samples (Gelman et al. 2013, Bayesian Data Analysis, section 3.2). If the
-    effective number of samples is below 50, all errors are enlarged until it is reached, because a few samples give no reliable
-    interval. Systematic resampling in the order of mu minimises the scatter of its quantiles (Kitagawa 1996).
+    chi^2 reduced by its smallest value over all samples (Gelman et al. 2013, Bayesian Data Analysis, section 3.2). An
+    impossible sample has the likelihood 0. If the effective number of samples is below 50, or below the number of possible
+    samples if there are fewer, all errors are enlarged until it is reached, because a few samples give no reliable interval.
+    Systematic resampling in the order of mu minimises the scatter of its quantiles (Kitagawa 1996).
     """
     with np.errstate(divide="ignore", invalid="ignore"):
         squares = ((np.log(mu) - measured.log_mu) / measured.error) ** 2
@@ -113,7 +116,7 @@ def chosen_draws(measured: Measured, mu: np.ndarray, count: int) -> tuple[np.nda
     deviance = chi - chi.min()
     if np.isfinite(measured.freedom):
         deviance = (measured.freedom + 1.0) * np.log1p(deviance / measured.freedom)
-    while _counting(_weights(deviance, larger)) < min(_FEW, np.isfinite(chi).sum()):
+    while _effective_count(_weights(deviance, larger)) < min(_FEW, np.isfinite(chi).sum()):
         larger *= 1.1
     weights = _weights(deviance, larger)
     order = np.argsort(mu[:, 0], kind="stable")  # even steps along a Sobol sequence would favour some of its regions
@@ -133,6 +136,6 @@ def _weights(deviance: np.ndarray, larger: float) -> np.ndarray:
     return weights / weights.sum()
 
 
-def _counting(weights: np.ndarray) -> float:
+def _effective_count(weights: np.ndarray) -> float:
     """Return the effective number of samples for weights whose sum is 1 (Kish 1965)."""
     return float(1.0 / np.sum(weights**2))

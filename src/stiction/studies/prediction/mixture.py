@@ -27,13 +27,13 @@ _MOST_SCATTER = 1.0  # largest standard deviation of ln(area), for contacts with
 
 @dataclass(frozen=True)
 class Samples:
-    """Store the results of n samples at m loads, arrays (n, m); NaN for an impossible sample.
+    """Store the results of n samples at m loads, arrays (n, m); force and area are NaN for an impossible sample.
 
-    force: friction force [N], NaN also at loads above hardness times nominal area. area: real contact area [m2]. pull: factor
-    by which adhesion and menisci enlarge the area. growth: factor by which junctions grow under shear. strength, coefficient:
-    shear strength of the interface at zero pressure [Pa], and its pressure coefficient, (n, m or 1). pressure: ratio of the
-    mean pressure of contact spots to the hardness, before shear. efficiency: ratio of the friction force to the summed
-    strength of all spots, 1 unless strength falls with slip.
+    force: friction force [N], NaN also at loads above hardness times nominal area. area: real contact area under shear [m2].
+    pull: factor by which adhesion and menisci enlarge the area. growth: factor by which junctions grow under shear. strength,
+    coefficient: shear strength of the interface at zero pressure [Pa], and its pressure coefficient, (n, m or 1). pressure:
+    ratio of the mean pressure of contact spots to the hardness, before shear. efficiency: ratio of the friction force to the
+    summed strength of all spots, 1 unless strength falls with slip.
     """
 
     force: np.ndarray
@@ -70,8 +70,9 @@ class Mixture:
     def of(cls, sampled: SampledCase) -> "Mixture":
         """Return the mixture of area models, adhesion, interface strength and onset of sliding for a sampled contact.
 
-        Raises InputError if no area model applies, or if a load exceeds hardness times nominal area; for many contacts, only if
-        every load exceeds it.
+        Raises InputError if a load exceeds hardness times nominal area; for several contacts, only if every load exceeds it.
+        Raises InputError or ArithmeticError if no area model or no adhesion model applies, or if it does not apply to all of
+        several contacts.
         """
         _refuse_flattened(sampled)
         return cls(sampled, sampled.loads, area_laws(sampled), pull_of(sampled), Strength(sampled), Onset.of(sampled))
@@ -83,7 +84,10 @@ class Mixture:
 
     @property
     def touching(self) -> np.ndarray:
-        """Return the number of asperities in contact at each load (m,), averaged over the area models; infinite if unknown."""
+        """Return the number of asperities in contact at each load (m,): the weighted mean over the area models.
+
+        It is infinite if it is unknown for any model with a weight.
+        """
         return np.sum([law.weight * np.where(law.weight > 0.0, law.touching, 0.0) for law in self.laws], axis=0)
 
     @cached_property
@@ -93,7 +97,7 @@ class Mixture:
 
     @property
     def _touching_share(self) -> np.ndarray:
-        """Return the fraction of all asperities of the nominal contact that touch at each load (m,)."""
+        """Return the fraction of all asperities of the nominal contact that touch at each load (m,); 1 if unknown."""
         contact = self.sampled.contact
         every = self.sampled.column(contact.roughness.asperity_density * contact.nominal_area)
         return np.minimum(self.touching / every[0], 1.0)
@@ -124,7 +128,7 @@ class Mixture:
         if sampled.metallic.any():
             hardens = self.strength.hardens(strength, shear)
             growth = grown(levels["growth"], borne / area, strength, hardness, shear, hardens)
-            growth = np.where(sampled.metallic, growth ** self._growing_share(levels, inputs, area), 1.0)
+            growth = np.where(sampled.metallic, growth ** self._growth_exponent(levels, inputs, area), 1.0)
         area = np.minimum(area * growth, nominal)
         force = np.where(self._is_flattened, np.nan, strength * area + coefficient * borne)
         efficiency = np.ones_like(area)
@@ -167,13 +171,13 @@ class Mixture:
             areas[mine] = np.where(uses_law[mine], corrected, areas[mine])
         return areas
 
-    def _growing_share(self, levels: Levels, inputs: np.ndarray, area: np.ndarray) -> np.ndarray | float:
+    def _growth_exponent(self, levels: Levels, inputs: np.ndarray, area: np.ndarray) -> np.ndarray | float:
         """Return the exponent (n, m), 0 to 1, to which the factor of junction growth is raised; 1 without a film.
 
-        inputs: index of the sampled input numbers of each sample (n,). area: contact area [m2] (n, m). A spot much narrower
-        than the film is thick grows like a spot of a bulk body: the exponent is 1. A wide spot does not grow, because the body
-        below carries it: the exponent is 0. It is also 0 for a state of the interface that was measured on films, because such
-        a state includes growth.
+        inputs: index of the sampled input numbers of each sample (n,). area: contact area [m2] (n, m). The exponent is
+        1/(1 + a/t) for the mean spot radius a and the film thickness t: a narrow spot grows like a spot of a bulk body, a wide
+        spot hardly grows, because the body below carries it. The exponent is 0 if the number of spots is unknown, and for a
+        state of the interface that was measured on films, because such a state includes growth.
         """
         if (coating := self.sampled.drawn.coating) is None:
             return 1.0
@@ -181,7 +185,10 @@ class Mixture:
         return np.where(self.strength.is_of_film(levels["state"]), 0.0, 1.0 / (1.0 + radius / thickness))
 
     def _spot_radius(self, area: np.ndarray) -> np.ndarray:
-        """Return the mean radius [m] (n, m) of contact spots with this total area [m2]; infinite if their number is unknown."""
+        """Return the mean radius [m] (n, m) of contact spots with this total area [m2]; infinite if their number is unknown.
+
+        Each touching asperity is a spot; there is at least one.
+        """
         touching = np.where(np.isfinite(self.touching), np.maximum(self.touching, 1.0), 0.0)
         with np.errstate(divide="ignore"):
             return np.sqrt(area / (np.pi * touching))
@@ -207,7 +214,8 @@ class Mixture:
 
         pressure: mean pressure over hardness (n, m). The variance is the sum of three parts: the small number of contact spots,
         the scatter of the junction strength (treated as scatter of the area), and the sampling error of a scan. The first part
-        is 0 for plastic spots and for a height map. The standard deviation is limited to _MOST_SCATTER.
+        is the excess over the scatter that benchmark errors already contain; it is 0 for plastic spots and for a height map.
+        The standard deviation is limited to _MOST_SCATTER.
         """
         from scipy.special import ndtri
 
@@ -224,7 +232,8 @@ class Mixture:
 def _most_load(sampled: SampledCase) -> np.ndarray:
     """Return the largest load [N] that the hardness bears on the nominal area, at each of m points, (m,) or (1,).
 
-    A point is a contact at a load. The hardness is the median of the samples; the nominal area is their mean.
+    A point is a contact at a load. The hardness is the median of the largest spot pressure over the samples, the nominal area
+    its mean over the samples.
     """
     most: np.ndarray = np.median(sampled.bodies.hardest, axis=0) * np.mean(sampled.column(sampled.drawn.nominal_area), axis=0)
     return most

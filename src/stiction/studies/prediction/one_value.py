@@ -38,7 +38,8 @@ def predict_value(output: str, *pairs: str | float) -> float:
     Raises
     ------
     InputError
-        A name or the output is unknown, or a value is missing, out of bounds or without a prediction.
+        A name or the output is unknown, a value is missing or out of bounds, the contact cannot be predicted, or the pairs
+        define several contacts or loads.
 
     Notes
     -----
@@ -90,7 +91,10 @@ def _predicted(given: tuple[tuple[str, Any], ...], changed: int) -> "xarray.Data
 
 
 def _with_unit(name: str, value: Any) -> Any:
-    """Return a number as text with the SI unit of the quantity `name`; return text unchanged."""
+    """Return a number as text with the SI unit of the quantity `name`.
+
+    Text, and a number of an unknown quantity, are returned unchanged.
+    """
     if isinstance(value, str) or name not in QUANTITIES:
         return value
     return f"{float(value)!r} {QUANTITIES[name].unit}".rstrip()

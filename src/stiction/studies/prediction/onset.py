@@ -27,9 +27,9 @@ _MAP = "boundary_elements"
 class MapSpots:
     """Store the scatter of the tangential displacements of contact spots on one solved height map, at k contact areas.
 
-    share: real over nominal area (k,). spread: standard deviation of the tangential displacement of the spots, divided by their
-    shear strength, (k,) [m/Pa]. compliance: tangential compliance of the solved bodies [1/Pa]. side: side of the square map
-    [m].
+    share: real over nominal area (k,). spread: standard deviation of the tangential displacement over all points in contact,
+    divided by their shear strength, (k,) [m/Pa]. compliance: tangential compliance [1/Pa] of the two bodies without films.
+    side: side [m] of a square with the area of the map.
     """
 
     share: np.ndarray
@@ -50,9 +50,10 @@ class Onset:
     """Store the inputs of the onset of sliding, arrays (n or 1, m or 1) over n samples and m points (contacts at a load).
 
     slip: weakening slip [m]. residual: residual strength (fraction). deviation [m], radius [m], density [1/m2]: height
-    deviation, radius and density of asperities. side: side of the nominal area [m]. compliance: tangential compliance [1/Pa] of
-    the touching surfaces, and of the bodies below them. unlike: magnitude of Dundurs' beta of the touching surfaces. thickness:
-    film thickness [m], 0 without a film. spots: spots of a solved map; None without a map.
+    deviation, radius and density of asperities. side: side of the nominal area [m], taken as a square. compliance: tangential
+    compliance [1/Pa] of the touching surfaces (bodies or films), and of the two bodies without films. unlike: magnitude of
+    Dundurs' beta of the touching surfaces. thickness: film thickness [m], 0 without a film. spots: spots of a solved map; None
+    without a map that can be solved.
     """
 
     slip: np.ndarray
@@ -88,10 +89,11 @@ class Onset:
         )
 
     def efficiency(self, strength: np.ndarray, share: np.ndarray, level: np.ndarray, rows: np.ndarray) -> np.ndarray:
-        """Return the friction efficiency (n, m): largest friction force over the sum of the strengths of all spots, at most 1.
+        """Return the friction efficiency (n, m): largest friction force over the sum of the strengths of all spots.
 
-        strength: mean shear strength on the contact area [Pa] (n, m). share: real over nominal area (n, m). level: quantile
-        levels (n,) at which the error of this formula is sampled. rows: index of the sampled input numbers of each sample (n,).
+        It is between the residual strength (fraction) and 1. strength: mean shear strength on the contact area [Pa] (n, m).
+        share: real over nominal area (n, m). level: quantile levels (n,) at which the error of this formula is sampled. rows:
+        index of the sampled input numbers of each sample (n,).
         """
         from scipy.special import ndtri
 

@@ -56,7 +56,7 @@ def predict(
         A contact, or a case as for `read_case`; its numbers may be arrays. The uncertain numbers of a case are sampled. Numbers
         of material presets are sampled within their ranges, unless the case switches that off.
     load : number, text with a unit, or a sequence of these, optional
-        Normal load [N], above 0; by default the loads of the case.
+        Normal load [N], above 0; by default the loads above 0 of the case.
     level : float, optional
         Coverage probability of the interval, between 0 and 1; by default the coverage that the case states, or 0.9.
     measured : path, optional
@@ -68,26 +68,29 @@ def predict(
     xarray.Dataset
         Over `load` and the dimensions of array parameters: medians of `friction_coefficient`, `friction_force` [N] and
         `contact_area` [m^2]; `_low` and `_high` of each, the ends of the interval; and `friction_coefficient_samples` (sample,
-        load). If the case states a weakening slip, also `friction_efficiency`, the force over the sum of strengths.
+        load). If a weakening slip lowers friction, also `friction_efficiency`, the force over the sum of strengths. Without
+        array parameters, a `load` given as one number or text is no dimension.
 
         Attributes, at the middle load: `level`, `regime` (a sentence), `lowered_by` (what would lower mu), `enlarged_by` (cause
         -> factor of the contact area, for junction growth and adhesion), `shares` (part -> fraction of the variance of ln mu),
         `warnings` (a list, the most serious first), `inputs_not_used` (a list), `next_step` (what to measure or state next),
         `after_measuring` (interval of mu that one measurement with 15 % error would leave), `models` (area model -> weight),
-        `beside_area` (laws of menisci and contamination that apply), `sources` (bibliography keys, for `st.cite`), `excluded`
-        (fraction of impossible samples), `strength` (tau_0 [Pa]: median and ends of the interval).
+        `beside_area` (laws of menisci and contamination that apply), `sources` (bibliography keys, for `st.cite`); over all
+        loads: `excluded` (fraction of impossible samples), `strength` (tau_0 [Pa]: median and ends of the interval).
 
-        With measured friction, `shares` is empty. `value`, `low` and `high` over `parameter` are then the updated uncertain
-        numbers, and `verdict` names those that the measurement does not determine.
+        With measured friction, `shares` and `next_step` are empty. If the case states uncertain numbers, `value`, `low` and
+        `high` over `parameter` are their updated values, and `verdict` names those that the measurement does not determine, or
+        bounds from one side only.
 
         With array parameters there are no samples and no regime, shares or next step. The attributes are `level`, `draws`
-        (samples per contact), `model`, `sources` and `refused` (number of points, each a contact at a load, without an answer).
+        (samples per contact), `model`, `sources`, `refused` (number of points, each a contact at a load, without an answer) and
+        `why_refused` (the reason for the first of them).
 
     Raises
     ------
     InputError
-        A number is out of bounds, the load is not above 0, no area model applies, or a stated input would decide friction but
-        predictions cannot use it.
+        A number is out of bounds, no load is above 0, a load exceeds hardness times nominal area, no area model applies, the
+        case has [indices], or a stated input would decide friction but predictions cannot use it.
 
     Notes
     -----
@@ -162,7 +165,7 @@ def prediction_of(case: Case, load: float | None) -> "xarray.Dataset | None":
     """Return the prediction of a case at a load [N]; None if no prediction is possible.
 
     No prediction is possible if `load` is None, for a case with [indices], and for an input that decides friction but that
-    predictions cannot use.
+    predictions cannot use. Raises InputError if `predict` refuses the case for another reason.
     """
     if load is None or not isinstance(case.subject, Contact) or refusal_of(case) is not None:
         return None
@@ -172,8 +175,8 @@ def prediction_of(case: Case, load: float | None) -> "xarray.Dataset | None":
 def case_given(given: Any, load: Any) -> Case:
     """Return a case from a contact, a case, a dict of tables or the path of a case file.
 
-    load: loads [N] or texts with units that replace those of the case; None keeps them. A contact needs loads. Raises
-    InputError.
+    load: loads above 0, in N or as texts with units, that replace the loads or separations of the case; None keeps them. Raises
+    InputError for another load, for a contact without loads and for a case with [indices].
     """
     if isinstance(given, Contact):
         if load is None:
@@ -204,7 +207,7 @@ def with_uncertain(case: Case) -> Case:
     """Return the case with every number that a prediction samples declared as uncertain.
 
     These are the uncertain numbers of the case, roughness parameters left open by a surface finish, and numbers of materials
-    that have a range, unless the case states the key `ranges`.
+    that have a range. If the case states the key `ranges`, true or false, it decides whether materials are sampled.
     """
     if "ranges" not in case.uncertainty.model_fields_set:
         taken = [*case.swept, *(number.path for number in case.uncertain)]
@@ -222,7 +225,8 @@ def intervals(samples: Samples, loads: np.ndarray, level: float) -> dict[str, tu
     """Return the median and both interval ends of each result, as (values (m,), attributes) by name.
 
     samples: results of n samples at m loads. loads: these loads (m,) [N]. level: coverage probability of the interval.
-    Impossible samples are left out; a value is NaN if all samples at its load are impossible.
+    Impossible samples are left out; a value is NaN if all samples at its load are impossible. friction_efficiency is included
+    only if a sample has one other than 1.
     """
     tables = {"friction_coefficient": samples.force / loads, "friction_force": samples.force, "contact_area": samples.area}
     if (samples.efficiency != 1.0).any():
@@ -256,7 +260,7 @@ def _given(
 
     known: the measured friction. loads: loads of the prediction [N]. working_index: index of the working load among them.
     level: coverage probability. stated: uncertain numbers in the case itself. Their updated medians and interval ends are
-    returned as dataset variables with the dimension `parameter`.
+    returned as dataset variables with the dimension `parameter`; {} without such numbers.
     """
     levels = draw_levels(len(case.unknowns), _MANY, case.uncertainty.seed)
     mixture = Mixture.of(SampledCase(case, np.concatenate([loads, known.load]), levels.inputs))
@@ -293,9 +297,10 @@ def _given(
 
 
 def _left_open(number: Uncertain, updated: np.ndarray, ends: np.ndarray) -> str:
-    """Return what measured friction leaves open of an uncertain number, as a text with {} for its name, or "".
+    """Return a text, with {} for the name, on an uncertain number that measured friction does not determine, else "".
 
-    updated: median, low and high end of the number after the measurement. ends: quantile levels of these two ends.
+    The text also states if the data bound the number from one side only. updated: median, low and high end of the number after
+    the measurement. ends: quantile levels of these two ends.
     """
     if _width(*updated[1:]) > _UNTOLD * _width(*number.at(ends)):
         return "the measured friction does not determine {}"
@@ -306,7 +311,10 @@ def _left_open(number: Uncertain, updated: np.ndarray, ends: np.ndarray) -> str:
 
 
 def _extrapolates(known: Measured, case: Case, load: float) -> list[str]:
-    """Return a list with a warning if a load [N] is far outside the loads of the measured friction; otherwise []."""
+    """Return a list with a warning if a load [N] is far outside the loads of the measured friction; otherwise [].
+
+    Far outside means above three times the largest or below a third of the smallest of these loads.
+    """
     least, most = known.load.min(), known.load.max()
     if least / _FAR_LOAD <= load <= most * _FAR_LOAD:
         return []

@@ -2,7 +2,7 @@
 
 An asperity sum gives the factor g: the contact area with the attractive force ("pull") over the area without it. The factor
 goes continuously to 1 as the pull vanishes. Two adhesion models are equally likely: JKR asperities that yield (the 2015 model)
-and Maugis' elastic ones.
+and Maugis' elastic ones. On a film only the first is used.
 
 In an asperity sum, asperities do not interact. On real surfaces, contact spots that adhesion widens merge. Height maps solved
 with adhesion (validation/adhesion.py) have the larger factor 1 + c (g - 1) with
@@ -17,7 +17,8 @@ error of ln(factor) was 11 %. Twice that is used, because no map with plastic sp
 Menisci on 18 maps of silicon, solved with the Laplace pressure, raised the area by 1.03 to 5.9 times as much as the
 meniscus law does (four of them are in tests/prediction/test_menisci_of_a_prediction.py). The difference is largest if
 menisci pull with less than a tenth of the load. The logarithm of this ratio has the mean 0.7 and the standard deviation 0.53.
-The pull is at most the Laplace pressure times the nominal area.
+The relative increase of area is at most the Laplace pressure times the nominal area over the load, or the increase by the
+meniscus law if that is larger.
 """
 
 from dataclasses import replace
@@ -62,8 +63,8 @@ class Pull:
     def factor(self, model: np.ndarray, error: np.ndarray, rows: np.ndarray) -> np.ndarray:
         """Return the factor (n, m) by which adhesion and menisci together enlarge the contact area.
 
-        model, error: quantile levels (n,) that select the adhesion model and its error. rows: index of the sampled input
-        numbers of each sample (n,).
+        model: quantile levels (n,) that select the adhesion model. error: quantile levels (n,) that select its error and that
+        of the meniscus law. rows: index of the sampled input numbers of each sample (n,).
         """
         from scipy.special import ndtri
 
@@ -79,7 +80,8 @@ class Pull:
 def pull_of(sampled: SampledCase) -> Pull:
     """Return the `Pull` of a sampled contact: area factors of adhesion and menisci, largest meniscus force over the load.
 
-    Raises InputError if no adhesion model applies.
+    Without adhesion or liquid, its factors are 1. Raises InputError or ArithmeticError if no adhesion model applies, if the
+    model with menisci refuses the contact, and if an adhesion model refuses one of several contacts.
     """
     contact, ones = sampled.contact, np.ones((1, len(sampled.loads)))
     adhesion = _by_adhesion(sampled) if contact.adheres else [ones]
@@ -98,8 +100,8 @@ def _factor(pulled: np.ndarray, alone: np.ndarray) -> np.ndarray:
     """Return the factor (n, m) by which a pull enlarges the contact area, at least 1.
 
     pulled, alone: areas with and without the pull, NaN where an asperity sum exceeds the nominal area. If only the area with
-    pull is NaN, the surfaces are pulled into full contact, and the factor is a million. If the area without pull is NaN too,
-    the pull adds nothing.
+    pull is NaN, the surfaces are pulled into full contact, and the factor is a million. If the area without pull is NaN, the
+    factor is 1.
     """
     flat = np.where(np.isnan(alone), 1.0, _FLAT)
     return np.where(np.isnan(pulled), flat, np.maximum(pulled / np.where(np.isnan(alone), pulled, alone), 1.0))

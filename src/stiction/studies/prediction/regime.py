@@ -88,8 +88,8 @@ _JUNCTIONS = "the growth of junctions under shear"
 def enlarged_by(mixture: Mixture, samples: Samples, index: int) -> dict[str, float]:
     """Return the median factors, by cause, with which junction growth, and adhesion and menisci, enlarge the contact area.
 
-    A factor below 1.1 is left out, unless the contact has menisci. index: position of the load among the loads of the
-    prediction.
+    A factor of at most 1.1 is left out, except that of menisci, with or without adhesion. index: position of the load among the
+    loads of the prediction.
     """
     contact = mixture.sampled.contact
     growth, pull = (_median(table, samples, index) for table in (samples.growth, samples.pull))
@@ -99,7 +99,7 @@ def enlarged_by(mixture: Mixture, samples: Samples, index: int) -> dict[str, flo
 
 
 def _times(mixture: Mixture, samples: Samples, index: int) -> str:
-    """Return text for the factors of `enlarged_by`, which multiply tau_0 over pressure in the formula of mu; "" without any."""
+    """Return a text on the factors of `enlarged_by` that continues the formula mu = tau_0/pressure; "" without any factor."""
     factors = enlarged_by(mixture, samples, index).items()
     texts = [cause if cause == _JUNCTIONS else f"{factor:.3g} for {cause}" for cause, factor in factors]
     return f", times {' and '.join(texts)}" if texts else ""
@@ -220,8 +220,9 @@ def _as_strong(times: float) -> str:
 def mu_by_state(mixture: Mixture, levels: Levels, index: int, level: float) -> list[str]:
     """Return one text for each possible state of an interface that is not stated, with the interval of mu, lowest first.
 
-    An example is "0.1 to 0.2 with boundary lubrication". The list is empty if the state is known. Each state is applied to all
-    samples. index: position of the load among the loads of the prediction. level: coverage probability of the intervals.
+    An example is "0.1 to 0.2 with boundary lubricant". The list is empty if the state or tau_0 is stated. Each state is applied
+    to all samples; a state without a possible sample is left out. index: position of the load among the loads of the
+    prediction. level: coverage probability of the intervals.
     """
     states = mixture.strength.states
     if len(states) < 2:
@@ -290,9 +291,11 @@ _STEPS = {
 
 
 def next_step(shares: Mapping[str, float], mixture: Mixture) -> str:
-    """Return a text on what to measure or state next, for the part with the largest fraction of the variance of ln mu.
+    """Return a text on what to measure or state next to narrow the interval of mu.
 
-    shares: fraction of the variance by part. The text is "" if no fractions are known and the interface is stated.
+    shares: fraction of the variance of ln mu by part. The text names an interface or a kind of surface that is not stated,
+    otherwise a measurement for the part with the largest fraction. It is "" if the interface is stated and no fractions are
+    known.
     """
     largest = max(shares, key=lambda name: shares[name], default="")
     if len(mixture.strength.states) > 1:

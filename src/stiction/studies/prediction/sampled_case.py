@@ -90,7 +90,10 @@ class SampledCase:
         return math.prod(size for dim, size in self.dims.items() if dim != "load")
 
     def ends(self) -> "list[SampledCase]":
-        """Return the first and the last contact of a parameter sweep, each as a case of its own without uncertain numbers."""
+        """Return the first and the last contact of a parameter sweep, each as a case of its own without uncertain numbers.
+
+        Without array parameters, both are the same contact.
+        """
         contacts = []
         for index in (0, -1):
             some = {path: value.isel({dim: [index] for dim in value.dims}) for path, value in self.case.swept.items()}
@@ -108,11 +111,12 @@ class SampledCase:
         return np.broadcast_to(arranged(numbers, list(dims), self.dims), tuple(self.dims.values())).reshape(-1)
 
     def areas(self, choice: Choice, pulls: Sequence[str] = (), faint: bool = False) -> np.ndarray:
-        """Return the real contact area [m2] (n, m) by one model for all samples; NaN where the model refuses or is invalid.
+        """Return the real contact area [m2] (n or 1, m) by one model for all samples; one row if it does not vary.
 
-        choice: the model. n is 1 without uncertain numbers. pulls: names in PULLS of the attractive forces to include; by
-        default adhesion and liquid are left out. faint: whether the work of adhesion is reduced until it has no effect. Raises
-        InputError if the model refuses the nominal contact.
+        The area is NaN where the model refuses a sample, cannot carry the load, or gives an impossible result. choice: the
+        model. pulls: names in PULLS of the attractive forces to include; by default adhesion and liquid are left out. faint:
+        whether the work of adhesion is reduced until it has no effect. Raises InputError or ArithmeticError if the model
+        refuses the nominal contact; without array parameters, only if it refuses a sample too.
         """
         left_out = [*_INTERFACE, *(name for name in PULLS if name not in pulls)]
         case = replace(_without(self.case, left_out), load=self.load, separation=None)
@@ -202,9 +206,10 @@ class SampledCase:
 
     @cached_property
     def bodies(self) -> Bodies:
-        """Return hardness, shear strength and shear modulus [Pa] of the touching surfaces for all samples and points.
+        """Return hardness, shear strength and shear modulus of the softer surface, and the largest pressure of spots, in Pa.
 
-        A point is a contact at a load.
+        They are given for all samples and points (contacts at a load), see `Bodies`. Hardness is that under asperities of the
+        radius of each sample.
         """
         contact = self.drawn
         radius = contact.roughness.asperity_radius
@@ -256,7 +261,7 @@ _FAINT = 1e-6  # factor of the work of adhesion at which adhesion has no effect
 
 
 def _faint(case: Case) -> Case:
-    """Return the case with a millionth of its work of adhesion.
+    """Return the case with a millionth of its mean work of adhesion, as an exact number.
 
     Adhesion then has no effect, but adhesive models, which refuse a work of adhesion of 0, still apply.
     """

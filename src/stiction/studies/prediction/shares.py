@@ -21,9 +21,10 @@ def shares_of_variance(mixture: Mixture, levels: Levels, index: int) -> dict[str
     """Return the fraction of the variance of ln mu that each part of a prediction causes, by name, the largest first.
 
     The fraction is the part's total Sobol index (Jansen 1999), found by exchanging the part between samples, over the sum of
-    all indices. The fraction of the inputs is divided among them by a linear fit to their normal scores. Fractions below 0.5 %
-    are left out. The dict is empty if mu varies by less than 2 %. index: position of the load among the loads of the
-    prediction.
+    all indices. The fraction of the inputs is divided among the uncertain numbers by a linear fit to their normal scores; an
+    uncertain interfacial_shear_strength also has the fraction of the interface. Fractions below 0.5 % are left out. The dict is
+    empty if the variances of all parts together are below 4e-4 (mu varies by 2 %). index: position of the load among the loads
+    of the prediction.
     """
     mixture = mixture.at_load(index)
 
@@ -48,7 +49,7 @@ def _total(log_mu: Quantity, levels: Levels, part: str, reference: np.ndarray) -
     """Return half the mean square change of a quantity if one part is exchanged between samples: its total Sobol variance.
 
     log_mu: function that returns ln mu (n,) from levels and rows of the inputs. part: name of the part. reference: ln mu (n,)
-    of all samples before the exchange.
+    of all samples before the exchange. Samples that are impossible before or after the exchange are left out.
     """
     every, orders = np.arange(len(levels)), _orders(len(levels))
 
@@ -67,10 +68,11 @@ def _orders(count: int) -> list[np.ndarray]:
 
 
 def _of_each_input(mixture: Mixture, levels: Levels, log_mu: Quantity, share: float) -> dict[str, float]:
-    """Return the variance of ln mu that each uncertain number causes, by name.
+    """Return the variance of ln mu that each uncertain number causes, by name; {} if the fit finds no effect.
 
-    log_mu: function that returns ln mu (n,) from levels and rows of the inputs. share: variance that all inputs cause together.
-    This variance is divided in proportion to the squared slopes of a linear fit of ln mu to the normal scores of the inputs.
+    Numbers that are sampled together have one entry. log_mu: function that returns ln mu (n,) from levels and rows of the
+    inputs. share: variance that all inputs cause together. This variance is divided in proportion to the squared slopes of a
+    linear fit of ln mu to the normal scores of the inputs.
     """
     from scipy.special import ndtri
 

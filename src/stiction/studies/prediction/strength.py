@@ -25,10 +25,11 @@ _STATED = 0.015
 class Strength:
     """Describe the distribution of the shear strength of an interface over n samples and m points (contacts at a load).
 
-    states: states of the interface with weights that sum to 1; empty if tau_0 is stated. stated: tau_0 [Pa], or None.
-    coefficient: stated pressure coefficient, 0 if none. takes_states: whether the state of the interface supplies the pressure
-    coefficient instead. varied: values of the uncertain numbers and array parameters of a stated interface, by name. metallic:
-    mask of points with metal junctions. aged: factor by which the hold time raises tau_0. Arrays are (n or 1, m or 1).
+    states: states of the interface with weights; empty if the contact has an interfacial_shear_strength. stated: tau_0 [Pa]
+    from `exact_strength`, or None. coefficient: pressure coefficient stated by the contact, 0 if none. takes_states: whether
+    the state of the interface supplies the pressure coefficient instead. varied: values of the uncertain numbers and array
+    parameters of a stated interface, by name. bodies: strengths of the touching surfaces. metallic: mask (1 or m,) of points
+    with metal junctions. aged: factor by which the hold time raises tau_0. Other arrays are (n or 1, m or 1).
     """
 
     def __init__(self, sampled: SampledCase):
@@ -80,23 +81,23 @@ class Strength:
         return 0.0 if self.stated is None else float(np.median(self.stated * self.aged / self.bodies.shear_strength))
 
     def states_drawn(self, level: np.ndarray) -> np.ndarray:
-        """Return the index (n,) of the interface state that each quantile level (n,) selects; 0 if tau_0 is stated."""
+        """Return the index (n,) of the interface state that each quantile level (n,) selects; 0 if there is at most one."""
         ends = np.cumsum([weight for _, weight in self.states] or [1.0])
         return np.minimum(np.searchsorted(ends, level * ends[-1]), len(ends) - 1)
 
     def is_of_film(self, level: np.ndarray) -> np.ndarray:
-        """Return whether the interface state that each sample selects was measured on films, (n, 1); False if tau_0 is stated.
+        """Return whether the interface state that each sample selects was measured on films, (n, 1); False without states.
 
         level: quantile levels (n,) that select the state.
         """
         return np.array([state.of_film for state, _ in self.states] or [False])[self.states_drawn(level)][:, None]
 
     def hardens(self, strength: np.ndarray, shear_strength: np.ndarray) -> np.ndarray | float:
-        """Return the degree, 0 to 1, to which the interface hardens together with a metal body, (n, m or 1).
+        """Return the mean degree, 0 to 1, to which the interface hardens together with a metal body, (n, m or 1) or a number.
 
-        strength: tau_0 [Pa]. shear_strength: shear strength of the body [Pa]. The degree is 1 if tau_0 follows from a named
-        interface, such as "clean metal". For a stated tau_0, it increases from 0 at half the shear strength of the body to 1 at
-        this strength.
+        strength: tau_0 [Pa]. shear_strength: shear strength of the body [Pa]. The degree is 1 if tau_0 follows from the
+        distribution of a state of the interface, such as "clean metal". For a tau_0 stated as a number, it increases from 0 at
+        half the shear strength of the body to 1 at this strength.
         """
         return 1.0 if self.stated is None else np.clip((strength / shear_strength - _NEAR_BODY) / (1.0 - _NEAR_BODY), 0.0, 1.0)
 
@@ -104,8 +105,9 @@ class Strength:
         """Return the shear strength tau_0 [Pa] and the pressure coefficient of each of n samples, arrays (n, m or 1).
 
         state, strength, coefficient: quantile levels (n,) that select the state, tau_0 and the pressure coefficient. rows:
-        index of the sampled input numbers of each sample (n,). tau_0 is limited to the shear strength of the weaker body. After
-        this limit, a strength that is stated as one number is scattered.
+        index of the sampled input numbers of each sample (n,). tau_0 includes ageing. If a metal interface has a stated tau_0
+        above half the shear strength of the body, it is at most that of clean metal. tau_0 is limited to the shear strength of
+        the weaker body. After this limit, a strength that is stated as one number is scattered.
         """
         from scipy.special import ndtri
 
@@ -138,9 +140,9 @@ class Strength:
 
 
 def exact_strength(contact: Contact) -> Any:
-    """Return tau_0 [Pa] of a contact if it is stated as a number without a range; else None.
+    """Return tau_0 [Pa] that a contact, or its interface state without a range, states as a stress; else None.
 
-    The number is stated in the contact itself or in its interface state. It may be a labelled array (xarray).
+    It is a number or a labelled array (xarray). None also stands for a strength relative to hardness or shear modulus.
     """
     state = contact.interface
     if contact.interfacial_shear_strength is None and state is not None and "interfacial_shear_strength" not in state.range:

@@ -25,8 +25,9 @@ def part_name(name: str) -> str:
 def main_sources(shares: dict[str, float]) -> list[tuple[str, float]]:
     """Return the main sources of uncertainty as pairs (name, share of the variance of ln mu), the largest first.
 
-    shares: share of the variance by name of the source. The list names at most three sources. Only the largest may have a share
-    below 5 %. The last entry, "other", is the difference to 100 %; it is omitted if it is below 0.5 %.
+    shares: share of the variance by name of the source. The list names at most three sources, by these names. Only the largest
+    may have a share below 5 %. The last entry, "other", is the difference between 100 % and the sum of their rounded shares; it
+    is omitted if it is below 0.5 %. Without shares the list is empty.
     """
     ordered = sorted(shares.items(), key=lambda item: -item[1])
     named = [item for rank, item in enumerate(ordered[:_MOST_SOURCES]) if not rank or item[1] >= _LEAST]
