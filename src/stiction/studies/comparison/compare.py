@@ -141,7 +141,7 @@ def _with_methods(data: "xarray.Dataset", contacts: Mapping[str, Subject], load:
 
 
 def _separations(given: Iterable[float]) -> np.ndarray:
-    """Return mean separations over sigma as a checked array (n,); raise InputError for invalid ones."""
+    """Return mean separations over sigma as an array (n,); raise InputError if there is none, or one beyond +/-FARTHEST."""
     allowed = f"a sequence of numbers, over sigma, from {-FARTHEST:g} to {FARTHEST:g}"
     try:
         row = list(given)

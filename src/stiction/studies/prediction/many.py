@@ -69,7 +69,7 @@ def predict_many(
     along : sequence of str, optional
         Dimensions along which batches may be split; by default all, including the loads.
     refuse : bool
-        Whether the iterator raises the InputError or ArithmeticError of the last refused contact at its end if it refused all.
+        If all contacts are refused: whether the iterator raises the InputError or ArithmeticError of the last one at its end.
 
     Returns
     -------

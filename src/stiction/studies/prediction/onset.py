@@ -157,9 +157,9 @@ def _mismatch(pair):
 
 
 def _spots_of(sampled: SampledCase) -> MapSpots | None:
-    """Return the contact spots on the height map of a contact after solving it; None if there is no map that can be solved.
+    """Solve the height map of a contact, and return the scatter of its spot displacements; None without a map to solve.
 
-    In a parameter sweep, the map of the first contact is used.
+    The result is None too if the map cannot be solved. In a parameter sweep, the map of the first contact is used.
     """
     if not sampled.on_map:
         return None

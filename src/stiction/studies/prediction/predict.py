@@ -71,7 +71,7 @@ def predict(
         load). If a weakening slip lowers friction, also `friction_efficiency`, the force over the sum of strengths. Without
         array parameters, a `load` given as one number or text is no dimension.
 
-        Attributes, at the middle load: `level`, `regime` (a sentence), `lowered_by` (what would lower mu), `enlarged_by` (cause
+        Attributes, at the middle load: `level`, `regime` (sentences), `lowered_by` (what would lower mu), `enlarged_by` (cause
         -> factor of the contact area, for junction growth and adhesion), `shares` (part -> fraction of the variance of ln mu),
         `warnings` (a list, the most serious first), `inputs_not_used` (a list), `next_step` (what to measure or state next),
         `after_measuring` (interval of mu that one measurement with 15 % error would leave), `models` (area model -> weight),
@@ -90,7 +90,8 @@ def predict(
     ------
     InputError
         A number is out of bounds, no load is above 0, a load exceeds hardness times nominal area, no area model applies, the
-        case has [indices], or a stated input would decide friction but predictions cannot use it.
+        case has [indices], or a stated input would decide friction but predictions cannot use it. With array parameters, a
+        refused point is NaN, and an error is raised only if all points are refused.
 
     Notes
     -----
@@ -259,8 +260,8 @@ def _given(
     """Return samples that agree with measured friction, attributes of the prediction, and updated uncertain numbers.
 
     known: the measured friction. loads: loads of the prediction [N]. working_index: index of the working load among them.
-    level: coverage probability. stated: uncertain numbers in the case itself. Their updated medians and interval ends are
-    returned as dataset variables with the dimension `parameter`; {} without such numbers.
+    level: coverage probability. stated: uncertain numbers in the case itself. The last result has their updated medians and
+    interval ends as dataset variables with the dimension `parameter`; it is {} without such numbers.
     """
     levels = draw_levels(len(case.unknowns), _MANY, case.uncertainty.seed)
     mixture = Mixture.of(SampledCase(case, np.concatenate([loads, known.load]), levels.inputs))

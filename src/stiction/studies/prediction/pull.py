@@ -80,8 +80,9 @@ class Pull:
 def pull_of(sampled: SampledCase) -> Pull:
     """Return the `Pull` of a sampled contact: area factors of adhesion and menisci, largest meniscus force over the load.
 
-    Without adhesion or liquid, its factors are 1. Raises InputError or ArithmeticError if no adhesion model applies, if the
-    model with menisci refuses the contact, and if an adhesion model refuses one of several contacts.
+    Without adhesion, the adhesion factor is 1. Without a liquid, the meniscus factor is 1 and the force 0. Raises InputError or
+    ArithmeticError if no adhesion model applies, if the model with menisci refuses the contact, and if an adhesion model
+    refuses one of several contacts.
     """
     contact, ones = sampled.contact, np.ones((1, len(sampled.loads)))
     adhesion = _by_adhesion(sampled) if contact.adheres else [ones]

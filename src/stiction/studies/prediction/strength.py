@@ -140,9 +140,9 @@ class Strength:
 
 
 def exact_strength(contact: Contact) -> Any:
-    """Return tau_0 [Pa] that a contact, or its interface state without a range, states as a stress; else None.
+    """Return tau_0 [Pa] that a contact states itself, or in its interface state as a stress without a range; else None.
 
-    It is a number or a labelled array (xarray). None also stands for a strength relative to hardness or shear modulus.
+    It is a number or a labelled array (xarray). A strength relative to hardness or shear modulus gives None.
     """
     state = contact.interface
     if contact.interfacial_shear_strength is None and state is not None and "interfacial_shear_strength" not in state.range:
