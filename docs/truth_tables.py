@@ -10,7 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
-from stiction.solving.accuracy.solved_set import SolvedSet, solved_set
+from stiction.solving.accuracy.benchmark_set import BenchmarkSet, benchmark_set
 
 HERE = Path(__file__).parent
 _LIGHT, _HEAVY = 0.002, 0.3  # p/(E* h') of which root mean squares are taken
@@ -21,7 +21,7 @@ _BY_NUMBERS = ("mccool", "moments")
 
 def the_set() -> str:
     """What surfaces there are."""
-    known = solved_set()
+    known = benchmark_set()
     rows = []
     for kind in dict.fromkeys(known["kinds"].tolist()):
         some = known["kinds"] == kind
@@ -35,7 +35,7 @@ def the_set() -> str:
 
 def elastic() -> str:
     """Mean error of the elastic area of Gaussian isotropic surfaces, by pressure."""
-    known = solved_set()
+    known = benchmark_set()
     rows = []
     for name in _columns(known):
         error = np.expm1(_of(known, name)[known.gaussian, 0])
@@ -46,7 +46,7 @@ def elastic() -> str:
 
 def by_kind() -> str:
     """Root mean square error of the elastic area, by kind of surface."""
-    known = solved_set()
+    known = benchmark_set()
     kinds = list(dict.fromkeys(known["kinds"].tolist()))
     rows = []
     for name in _columns(known):
@@ -58,7 +58,7 @@ def by_kind() -> str:
 
 def errors_of(model: str) -> str:
     """The row of `elastic` of a model, in words; nothing if it was not compared."""
-    known = solved_set()
+    known = benchmark_set()
     for name in _columns(known):
         if name.split("|")[0] == model:
             error = np.expm1(_of(known, name)[known.gaussian, 0])
@@ -70,7 +70,7 @@ def errors_of(model: str) -> str:
 
 def with_hardness() -> str:
     """Mean error, and in brackets the root mean square, of the area of Gaussian isotropic surfaces, by hardness."""
-    known = solved_set()
+    known = benchmark_set()
     rows = []
     for name in _columns(known):
         error = np.expm1(_of(known, name)[known.gaussian])
@@ -83,7 +83,7 @@ def with_hardness() -> str:
 
 def by_way() -> str:
     """The sum of Hertz asperities by how they were found, on all kinds of surface."""
-    known = solved_set()
+    known = benchmark_set()
     kinds = list(dict.fromkeys(known["kinds"].tolist()))
     rows = []
     for column in known["columns"].tolist():
@@ -96,7 +96,7 @@ def by_way() -> str:
 
 def on_films() -> str:
     """Root mean square error of the area on elastic films, by modulus over the substrate's."""
-    known = solved_set()
+    known = benchmark_set()
     moduli = np.unique(known["films"][:, 0])
     rows = []
     for column in known["film_columns"].tolist():
@@ -111,12 +111,12 @@ def on_films() -> str:
     )
 
 
-def _columns(known: SolvedSet) -> list[str]:
+def _columns(known: BenchmarkSet) -> list[str]:
     """What a contact by numbers is told: asperities by McCool's relations, or moments."""
     return [column for column in known["columns"].tolist() if column.endswith(_BY_NUMBERS)]
 
 
-def _of(known: SolvedSet, column: str) -> np.ndarray:
+def _of(known: BenchmarkSet, column: str) -> np.ndarray:
     found = known.errors(column)
     assert found is not None
     return found
@@ -126,19 +126,19 @@ def _named(column: str) -> str:
     return f"`{column.split('|')[0]}`"
 
 
-def _at(known: SolvedSet, pressure: float) -> int:
+def _at(known: BenchmarkSet, pressure: float) -> int:
     return int(np.argmin(np.abs(known["loads"] - pressure)))
 
 
-def _hard(known: SolvedSet, hardness: float) -> int:
+def _hard(known: BenchmarkSet, hardness: float) -> int:
     return int(np.argmin(np.abs(known["hardnesses"] - hardness)))
 
 
-def _loads(known: SolvedSet) -> np.ndarray:
+def _loads(known: BenchmarkSet) -> np.ndarray:
     return (known["loads"] >= _LIGHT) & (known["loads"] <= _HEAVY)
 
 
-def _rms(known: SolvedSet, error: np.ndarray) -> float:
+def _rms(known: BenchmarkSet, error: np.ndarray) -> float:
     """Over the pressures of _LIGHT to _HEAVY; error (surfaces, pressures)."""
     return _root(error[:, _loads(known)])
 
@@ -176,7 +176,7 @@ def areas_figure():
     """Solved area over pressure of every surface, by kind."""
     import matplotlib.pyplot as plt
 
-    known = solved_set()
+    known = benchmark_set()
     kinds = list(dict.fromkeys(known["kinds"].tolist()))
     figure, (left, right) = plt.subplots(1, 2, figsize=(11.0, 4.6), layout="constrained")
     for at, kind in enumerate(kinds):
@@ -200,7 +200,7 @@ def errors_figure():
     """Error of some models over pressure: mean and middle four fifths, Gaussian and skewed surfaces."""
     import matplotlib.pyplot as plt
 
-    known = solved_set()
+    known = benchmark_set()
     shown = ("persson_widened|moments", "persson_2001|moments", "greenwood_williamson_1966|mccool", "greenwood_2006|moments")
     others = np.isin(known["kinds"], ("skewed", "peaked", "flat"))
     panels = {"Gaussian isotropic": known.gaussian, "skewed, peaked, flat": others, "worn": known["kinds"] == "worn"}

@@ -51,7 +51,7 @@ PARTS = (
           "tests/compare/test_kind_of_surface.py", "tests/contract/test_swapped_bodies.py", "tests/evaluate/test_evaluate.py")),
     Part("layers", ("solvers/layered/*.py",), _tests("contact", "layered_sphere", "layered_stresses", "layered_yield")),
     Part("engine", ("engine/heights.py", "engine/bisection.py", "engine/crossings.py", "engine/skeleton.py",
-                    "engine/summation.py", "engine/sum_kernels.py", "engine/at_loads.py"),
+                    "engine/summation.py", "engine/sum_kernels.py", "engine/starting_separations.py"),
          (*_tests("engine", "crossings", "heights", "skeleton", "summation", "threads", "tiers"), TABLES,
           *_tests("evaluate", "inversion", "loads_asked", "tiny_loads"))),
     Part("inversion", ("solving/inversion.py", "solving/unloading.py", "solving/pointwise.py",

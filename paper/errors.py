@@ -3,7 +3,7 @@
 import matplotlib.pyplot as plt
 import numpy as np
 
-from stiction.solving.accuracy.solved_set import solved_set
+from stiction.solving.accuracy.benchmark_set import benchmark_set
 
 MODELS = {
     "greenwood_williamson_1966|mccool": "Greenwood & Williamson, asperities by McCool",
@@ -13,7 +13,7 @@ MODELS = {
     "persson_widened|moments": "this project's formula",
 }
 
-known = solved_set()
+known = benchmark_set()
 figure, axes = plt.subplots(figsize=(6.0, 4.0), layout="constrained")
 for at, (column, name) in enumerate(MODELS.items()):
     error = 100.0 * np.expm1(known.errors(column)[known.gaussian, 0])

@@ -14,12 +14,12 @@ import numpy as np
 
 import stiction as st
 from stiction.records.registry import AsperityLaw, FilmLaw, RoughSurface, TangentialLaw, of_kind
-from stiction.solving.accuracy.solved_set import SolvedSet, solved_set
+from stiction.solving.accuracy.benchmark_set import BenchmarkSet, benchmark_set
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent
 PAPER = HERE / "paper.md"
-SPHERE = ROOT / "src" / "stiction" / "solving" / "accuracy" / "measured_on_a_sphere.csv"
+SPHERE = ROOT / "src" / "stiction" / "solving" / "accuracy" / "film_errors_on_a_sphere.csv"
 # p/(E* h') of which root mean squares are taken, as in docs/truth.md.
 LIGHT, HEAVY = 0.002, 0.3
 _NUMBER = r"(?:\d+(?:\.\d+)?|\{\w+\})"  # or a name, where it was never written
@@ -43,7 +43,7 @@ PHRASES = (
 def numbers() -> dict[str, str]:
     """Name -> as it is written."""
     kinds = {"asperity": AsperityLaw, "tangential": TangentialLaw, "film": FilmLaw, "rough": RoughSurface}
-    known = solved_set()
+    known = benchmark_set()
     found = {name: str(len(of_kind(kind))) for name, kind in kinds.items()}
     theory = (ROOT / "docs" / "explanation" / "theory-limits.md").read_text(encoding="utf-8")
     found["departures"] = str(len(re.findall(r"^\| D\d+ \|", theory, re.MULTILINE)))
@@ -55,7 +55,7 @@ def numbers() -> dict[str, str]:
     return found | errors(known) | on_films(known) | {"film_load": film_load()}
 
 
-def errors(known: SolvedSet) -> dict[str, str]:
+def errors(known: BenchmarkSet) -> dict[str, str]:
     """Root mean square errors of elastic areas in per cent: of Gaussian isotropic surfaces, of those held out, of others."""
     columns = {"gw": "greenwood_williamson_1966|mccool", "bgt": "bush_gibson_thomas_1975|moments"}
     columns |= {"persson": "persson_2001|moments", "yang": "yang_persson_2008|moments"}
@@ -66,14 +66,14 @@ def errors(known: SolvedSet) -> dict[str, str]:
     return found | {f"rms_{kind}": _root(own[known["kinds"] == kind]) for kind in ("skewed", "worn")}
 
 
-def relative(known: SolvedSet, column: str) -> np.ndarray:
+def relative(known: BenchmarkSet, column: str) -> np.ndarray:
     """Relative error of the elastic area (surfaces, pressures from LIGHT to HEAVY)."""
     found = known.errors(column)
     assert found is not None
     return np.expm1(found[:, 0, (known["loads"] >= LIGHT) & (known["loads"] <= HEAVY)])
 
 
-def on_films(known: SolvedSet) -> dict[str, str]:
+def on_films(known: BenchmarkSet) -> dict[str, str]:
     """The least and the largest error of sums over asperities on the exactly solved film, by modulus of the film."""
     found = known.film_errors("layered|mccool")
     assert found is not None

@@ -16,7 +16,7 @@ DATA = (
     "records/sources.bib",
     "contact/material_data/elements.toml",
     "solvers/layered/curves.npz",
-    "solving/accuracy/solved_set.npz",
+    "solving/accuracy/benchmark_set.npz",
     "surfaces/theory/n_point_heights.txt",
     "report/templates/report.html",
     "web/first.toml",

@@ -5,14 +5,14 @@
 writes what records and results say of film laws, into the package, in a minute; rough surfaces are those of films.csv, which
 films.py makes. Everything is elastic, without adhesion, on one body against a rigid one.
 
-measured_on_a_sphere.csv: nu = 0.3 of film and body. For every law with its options, modulus of the film over that of the body
-and contact radius over thickness: area over the exact one at the exact load, load over the exact one at the exact approach.
-thickness_over_radius: empty where it does not count.
+film_errors_on_a_sphere.csv: nu = 0.3 of film and body. For every law with its options, modulus of the film over that of the
+body and contact radius over thickness: area over the exact one at the exact load, load over the exact one at the exact
+approach. thickness_over_radius: empty where it does not count.
 
-measured_on_maps.csv: sums over asperities with the moments of the map (McCool), where the area is no more than a fifth of the
-nominal one, and the area law of a surface on a film at all areas: area over that of the solved map at the same load, over bins
-of the film's modulus and thickness (over the shortest wave): its geometric mean, the root mean square of its logarithm, and how
-many solutions there are in the bin.
+film_errors_on_maps.csv: sums over asperities with the moments of the map (McCool), where the area is no more than a fifth of
+the nominal one, and the area law of a surface on a film at all areas: area over that of the solved map at the same load, over
+bins of the film's modulus and thickness (over the shortest wave): its geometric mean, the root mean square of its logarithm,
+and how many solutions there are in the bin.
 """
 
 import csv
@@ -91,7 +91,7 @@ def asperity(choice: Choice, n_E: float, aspect: float, tau: float, w: np.ndarra
 
 
 def on_a_sphere() -> Iterator[list]:
-    """Rows of measured_on_a_sphere.csv."""
+    """Rows of film_errors_on_a_sphere.csv."""
     for (key, options), choice in LAWS.items():
         for ratio in RADII if key in DEPENDS_ON_RADIUS else (RADII[0],):
             for n_E in MODULI:
@@ -111,7 +111,7 @@ def on_a_sphere() -> Iterator[list]:
 
 
 def on_maps() -> Iterator[list]:
-    """Rows of measured_on_maps.csv."""
+    """Rows of film_errors_on_maps.csv."""
     solved = read_films()
     solved = {name: column[np.isnan(solved["hardness"])] for name, column in solved.items()}
     density, given, load = as_groups(solved)

@@ -13,7 +13,7 @@ import numpy as np
 
 import surfaces as design
 from solve import WORK
-from stiction.solving.accuracy.solved_set import FEATURES, FILE, PACKED, coded
+from stiction.solving.accuracy.benchmark_set import FEATURES, FILE, PACKED, coded
 
 HERE = Path(__file__).parent
 HARDNESSES = (math.inf, *design.HARDNESSES)

@@ -17,9 +17,9 @@ import numpy as np
 
 from stiction.records.record import of_kind
 from stiction.records.registry import RoughSurface
+from stiction.solving.accuracy.benchmark_set import OF_KIND, BenchmarkSet, benchmark_set
 from stiction.solving.accuracy.errors_near import NORMAL_SCORES, quantiles
 from stiction.solving.accuracy.solved_near import ContactFeatures, differences, squared_distance
-from stiction.solving.accuracy.solved_set import OF_KIND, SolvedSet, solved_set
 from stiction.studies.prediction.area_weights import FILE
 
 _SAME = 0.02  # rms difference of ln of the area of two laws that say the same
@@ -32,7 +32,7 @@ _METHODS = {**dict.fromkeys(("numbers", "shape", "kind"), ("mccool", "moments"))
 _STEPS = 300
 
 
-def densities(known: SolvedSet, errors: np.ndarray, seen: str) -> np.ndarray:
+def densities(known: BenchmarkSet, errors: np.ndarray, seen: str) -> np.ndarray:
     """Return ln of the density (s, h, p) that a law gives to the solved areas, corrected by its errors on other designs.
 
     errors: ln(A/solved A) (s, h, p). seen: what is known of the surface, "numbers", "shape" (in numbers), "kind" or "map".
@@ -91,7 +91,7 @@ def stacked(scores: np.ndarray, counts: np.ndarray) -> np.ndarray:
     return weights
 
 
-def cases(known: SolvedSet, seen: str) -> tuple[list[str], np.ndarray, np.ndarray]:
+def cases(known: BenchmarkSet, seen: str) -> tuple[list[str], np.ndarray, np.ndarray]:
     """Return the laws that count once, ln of their densities (n, k) on the solved areas that all answer, and the kinds of
     surface (n,) of these."""
     laws = _laws(known, _METHODS[seen])
@@ -136,7 +136,7 @@ def _row(law: str, weight: float) -> dict:
     return {"model": model, "asperity": asperity, "weight": round(float(weight), 3)}
 
 
-def _laws(known: SolvedSet, methods: tuple[str, ...]) -> list[str]:
+def _laws(known: BenchmarkSet, methods: tuple[str, ...]) -> list[str]:
     solved, found = np.isfinite(known.areas), []
     if "map" in methods:
         solved &= np.isfinite(known.errors("persson_widened|map"))
@@ -154,19 +154,19 @@ def _laws(known: SolvedSet, methods: tuple[str, ...]) -> list[str]:
     return found
 
 
-def _yields(known: SolvedSet, errors: np.ndarray) -> bool:
+def _yields(known: BenchmarkSet, errors: np.ndarray) -> bool:
     """Return whether the area of a law tends to the load over the hardness where spots flow."""
     softest = int(np.argmin(known["hardnesses"]))
     of_gaussian = errors[known.gaussian, softest]
     return bool(np.sqrt(np.nanmean(of_gaussian**2)) < _FLOWS)
 
 
-def _kinds(known: SolvedSet) -> np.ndarray:
+def _kinds(known: BenchmarkSet) -> np.ndarray:
     """Return the kind of every surface as a contact states it."""
     return np.array([next(kind for kind, names in OF_KIND.items() if one in names) for one in known["kinds"]])
 
 
-def _squared(known: SolvedSet, seen: str) -> np.ndarray:
+def _squared(known: BenchmarkSet, seen: str) -> np.ndarray:
     """Return the squared distance (s, s) of each surface from every other, by what is seen of it."""
     rows, one = [], np.ones(1)
     for at in range(len(known["surfaces"])):
@@ -179,14 +179,14 @@ def _squared(known: SolvedSet, seen: str) -> np.ndarray:
     return np.array(rows)
 
 
-def _others(known: SolvedSet) -> np.ndarray:
+def _others(known: BenchmarkSet) -> np.ndarray:
     """Return whether two surfaces (s, s) are of different designs: those of one differ by their seed alone."""
     designs = np.array([name.rsplit("_s", 1)[0] for name in known["surfaces"]])
     return designs[:, None] != designs[None, :]
 
 
 def main() -> None:
-    known, weights = solved_set(), {}
+    known, weights = benchmark_set(), {}
     for seen in _METHODS:
         laws, scores, kinds = cases(known, seen)
         weights[seen] = weighed(laws, scores, alike(kinds))

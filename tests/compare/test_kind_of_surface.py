@@ -10,7 +10,7 @@ import stiction as st
 from refusals import refusal
 from stiction.case.case_tables import json_schema
 from stiction.case.read import parse_case
-from stiction.solving.accuracy.solved_set import OF_KIND, solved_set
+from stiction.solving.accuracy.benchmark_set import OF_KIND, benchmark_set
 from stiction.surfaces.finishes import SURFACE_KINDS, finish, finish_names
 from stiction.surfaces.theory.moments import bandwidth
 
@@ -33,7 +33,7 @@ def solved(kind, pressure=0.1, model="persson_widened", more=None):
 
 def by_hand(kinds, pressure=0.1, column="persson_widened|moments"):
     """Mean of ln(A/solved A) at a pressure of the set, elastic, over its surfaces of these kinds."""
-    known = solved_set()
+    known = benchmark_set()
     mine = np.isin(known["kinds"], kinds)
     errors = known.errors(column)[mine, 0, known["loads"].tolist().index(pressure)]
     distance = np.log(known.feature("alpha")[mine] / bandwidth(0.04)) / 0.5
@@ -74,7 +74,7 @@ def test_a_kind_sharpens_the_interval_and_none_leaves_it():
 
 
 def test_every_kind_of_the_set_is_of_a_kind_and_every_finish_stands_for_one():
-    assert set(solved_set()["kinds"]) == {one for kinds in OF_KIND.values() for one in kinds}
+    assert set(benchmark_set()["kinds"]) == {one for kinds in OF_KIND.values() for one in kinds}
     assert tuple(OF_KIND) == SURFACE_KINDS
     for name in finish_names():
         assert st.Roughness(**NUMBERS, kind=name).surface_kind == finish(name).surface_kind
@@ -120,7 +120,7 @@ SHAPE = {"skewness": -1.2, "kurtosis": 4.5, "texture_aspect_ratio": 0.4}
 @pytest.mark.parametrize("kind", [None, "worn"])
 def test_a_stated_shape_weighs_the_solved_surfaces_by_their_difference_from_it(names, kind):
     """1 is .5 in ln alpha, .35 in skewness, .3 in ln of kurtosis, .25 in ln of Str, which is one over the lay of the set."""
-    known = solved_set()
+    known = benchmark_set()
     mine = np.isin(known["kinds"], OF_KIND[kind] if kind else sum(OF_KIND.values(), ()))
     errors = known.errors("persson_widened|moments")[mine, 0, known["loads"].tolist().index(0.1)]
     squared = (np.log(known.feature("alpha")[mine] / bandwidth(0.04)) / 0.5) ** 2
@@ -163,7 +163,7 @@ def test_a_shape_that_cannot_be_is_refused():
 
 def test_a_mixture_of_kinds_lies_between_them_without_a_jump():
     """Surfaces of each kind have its share together; at the ends the mixture is one kind."""
-    known = solved_set()
+    known = benchmark_set()
     weights = known.of_kind("0.300 lay + 0.700 gaussian")
     lay, gaussian = known.of_kind("lay"), known.of_kind("gaussian")
     assert weights[lay].sum() / weights.sum() == pytest.approx(0.3, rel=1e-12) and weights[gaussian].sum() > 0.0

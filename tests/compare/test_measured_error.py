@@ -15,9 +15,9 @@ from stiction.solvers.boundary_elements import map_area as map_areas
 from stiction.solvers.boundary_elements.area_estimates import map_slopes
 from stiction.solvers.boundary_elements.map_area import map_area
 from stiction.solvers.boundary_elements.solve import solve_map
+from stiction.solving.accuracy.benchmark_set import FEATURES, benchmark_set, coded, decoded
 from stiction.solving.accuracy.errors_near import LEVELS, quantiles
 from stiction.solving.accuracy.measured_error import _own_error, measured_errors
-from stiction.solving.accuracy.solved_set import FEATURES, coded, decoded, solved_set
 from stiction.solving.choice import Choice
 from stiction.solving.problem import make_problem
 from stiction.surfaces.finding import asperities
@@ -76,7 +76,7 @@ def test_the_set_is_what_its_design_says():
         import surfaces as design
     finally:
         sys.path.remove(str(TRUTH))
-    known, every = solved_set(), design.surfaces()
+    known, every = benchmark_set(), design.surfaces()
     assert known["surfaces"].tolist() == [one.name for one in every]
     assert known["held_out"].tolist() == [one.held_out for one in every]
     assert known["loads"].tolist() == list(design.LOADS)
@@ -98,7 +98,7 @@ def test_the_set_is_what_its_design_says():
 
 
 def test_the_set_is_small():
-    from stiction.solving.accuracy.solved_set import FILE
+    from stiction.solving.accuracy.benchmark_set import FILE
 
     assert FILE.stat().st_size < 300_000
 

@@ -10,8 +10,8 @@ import pytest
 import stiction as st
 from refusals import refusal
 from stiction.contact.indices import Groups, stiffness_group
-from stiction.engine.at_loads import Approach
 from stiction.engine.heights import empirical, exponential_heights, gaussian, weibull
+from stiction.engine.starting_separations import Approach
 from stiction.engine.summation import on_grid, scattered, totals_on_grid
 from stiction.engine.tiers import VARIABLE, Allowance, all_compiled, interpreted, specialised
 from stiction.solving.choice import Choice

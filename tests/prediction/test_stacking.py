@@ -10,8 +10,8 @@ import pytest
 from scipy.optimize import minimize
 from scipy.stats import norm
 
+from stiction.solving.accuracy.benchmark_set import benchmark_set
 from stiction.solving.accuracy.errors_near import LEVELS
-from stiction.solving.accuracy.solved_set import solved_set
 from stiction.studies.prediction.area_weights import FILE
 
 ROOT = Path(__file__).parents[2]
@@ -29,7 +29,7 @@ def tables(stack):
     """What is known -> densities (n, k) of the laws of the package on the training areas, and the kind of surface of each."""
     found = {}
     for known in ("numbers", "kind"):
-        laws, scores, kinds = stack.cases(solved_set(), known)
+        laws, scores, kinds = stack.cases(benchmark_set(), known)
         names = [row["asperity"] or row["model"] for row in json.loads(FILE.read_text())[known]]
         found[known] = scores[:, [[law.split("|")[0] for law in laws].index(name) for name in names]], kinds
     return found

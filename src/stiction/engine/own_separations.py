@@ -6,10 +6,10 @@ the time that new nodes at each separation would take. The sums differ from thos
 
 import numpy as np
 
-from stiction.engine.at_loads import GRID, NODE_RANGE
 from stiction.engine.compiled import engine_kernel
 from stiction.engine.heights import gaussian_density, gaussian_window
 from stiction.engine.placing import Placing
+from stiction.engine.starting_separations import GRID, NODE_RANGE
 from stiction.engine.summation import _COUNTS, _RULES, QUANTITIES, Scattered, _slices, in_threads
 from stiction.engine.tiers import ENGINE, specialised
 

@@ -1,4 +1,4 @@
-"""Sum any asperity law over any distribution of heights; all integration over heights happens here.
+"""Sum any asperity law over any distribution of heights.
 
 For mean separation h (in units of sigma) and heights with density phi, a regime (a smooth part of an asperity's behaviour) adds
     Integral f(u) phi(h + w(u)) w'(u) du        (Greenwood & Williamson 1966, in the regime's own coordinate u)
@@ -8,7 +8,8 @@ contains no law.
 
 Two functions compute such sums. `scattered` takes one separation for each law (parameter set). `on_grid` takes many separations
 that all laws share: it sums every law at a few separations, with nodes placed once, and extends these sums to all separations
-by one matrix (`skeleton`). The loops are in `sum_kernels` and `nodes`.
+by one matrix (`skeleton`). The loops are in `sum_kernels` and `nodes`. Two modules have faster sums for Gaussian heights:
+`starting_separations` and `own_separations`.
 """
 
 from collections import deque

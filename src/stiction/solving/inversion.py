@@ -10,9 +10,9 @@ from typing import Any
 
 import numpy as np
 
-from stiction.engine.at_loads import NO_TENSION, NOTHING
 from stiction.engine.blocks import blocks
 from stiction.engine.heights import gaussian_density
+from stiction.engine.starting_separations import NO_TENSION, NOTHING
 from stiction.engine.summation import FARTHEST
 from stiction.solving.closed_form import ClosedFormProblem
 from stiction.solving.problem import LOAD, AsperitySum, Problem

@@ -8,11 +8,11 @@ import numpy as np
 
 from stiction.contact.indices import Groups
 from stiction.contact.subject import Subject, as_subject
-from stiction.engine.at_loads import Approach
 from stiction.engine.blocks import blocks
 from stiction.engine.heights import Heights, gaussian, height_distribution
 from stiction.engine.own_separations import sums_of_each
 from stiction.engine.regime import MENISCUS, Regime
+from stiction.engine.starting_separations import Approach
 from stiction.engine.summation import Scattered, check_threads, on_grid, totals_on_grid
 from stiction.laws.joining import Law
 from stiction.quantities.dimensions import coordinates

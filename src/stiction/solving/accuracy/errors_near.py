@@ -14,6 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from stiction.engine.blocks import blocks
+from stiction.solving.accuracy.benchmark_set import BenchmarkSet
 from stiction.solving.accuracy.solved_near import (
     ContactFeatures,
     Difference,
@@ -23,7 +24,6 @@ from stiction.solving.accuracy.solved_near import (
     pressure_difference,
     squared_distance,
 )
-from stiction.solving.accuracy.solved_set import SolvedSet
 
 ELASTIC = 3.0  # hardness over E* h' above which no point flows plastically (h': rms slope)
 LEVELS = (0.05, 0.25, 0.5, 0.75, 0.95)  # probabilities of the stored quantiles
@@ -76,7 +76,7 @@ class _Table(NamedTuple):
     fall: np.ndarray
 
     @classmethod
-    def of(cls, known: SolvedSet, values: np.ndarray) -> "_Table":
+    def of(cls, known: BenchmarkSet, values: np.ndarray) -> "_Table":
         """Build the table from values (s, h, p) of s benchmark surfaces at h hardnesses and p pressures, NaN where unknown.
 
         known: the benchmark set, which holds the hardnesses.
@@ -90,7 +90,7 @@ class _Table(NamedTuple):
         rise = np.where(at_right, right, left) - start
         return cls(hard[order], start, rise, 1.0 * at_left, 1.0 * at_right - at_left)
 
-    def at(self, known: SolvedSet, pressure: np.ndarray, hardness: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def at(self, known: BenchmarkSet, pressure: np.ndarray, hardness: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Interpolate to k pressures and hardnesses; return values (k, s) of all surfaces, and their weights, 0 to 1.
 
         pressure, hardness (k,): divided by E* h', with the contact modulus E* and the rms slope h'. weights: (k, s). An unknown
@@ -102,7 +102,7 @@ class _Table(NamedTuple):
         alone = np.maximum(of_low * np.maximum(1.0 - 2.0 * part, 0.0), of_high * np.maximum(2.0 * part - 1.0, 0.0))
         return values, np.maximum(np.minimum(of_low, of_high), alone)
 
-    def _at_hardness(self, known: SolvedSet, pressure: np.ndarray, place: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def _at_hardness(self, known: BenchmarkSet, pressure: np.ndarray, place: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         upper, part = _interval(known["loads"], pressure)
         at = place, upper - 1
         values, weights = part * self.rise[at], part * self.fall[at]
@@ -123,7 +123,7 @@ def _interval(grid: np.ndarray, numbers: np.ndarray) -> tuple[np.ndarray, np.nda
 
 
 @cache
-def _tables(known: SolvedSet, column: str) -> tuple[_Table, _Table]:
+def _tables(known: BenchmarkSet, column: str) -> tuple[_Table, _Table]:
     """Return two tables for a model: its errors, and the reference areas of the surfaces for which it has any result.
 
     known: the benchmark set. column: "model|asperity method", a column of the set.
@@ -134,7 +134,7 @@ def _tables(known: SolvedSet, column: str) -> tuple[_Table, _Table]:
     return _Table.of(known, errors), _Table.of(known, np.where(any_result[:, None, None], known.areas, np.nan))
 
 
-def bare_errors(known: SolvedSet, column: str, features: ContactFeatures, anywhere: bool) -> ErrorsNear | None:
+def bare_errors(known: BenchmarkSet, column: str, features: ContactFeatures, anywhere: bool) -> ErrorsNear | None:
     """Return the errors of a model at k points, averaged over similar benchmark surfaces without a film.
 
     The result is None if the set does not contain the model. known: the benchmark set. column: "model|asperity method", a
@@ -158,7 +158,7 @@ def _in_blocks(features: ContactFeatures, surfaces: int, errors_of: Callable[[sl
     return ErrorsNear(*(np.concatenate(columns) for columns in zip(*parts, strict=True)))
 
 
-def _bare_errors(known: SolvedSet, errors: _Table, areas: _Table, features: ContactFeatures, anywhere: bool) -> ErrorsNear:
+def _bare_errors(known: BenchmarkSet, errors: _Table, areas: _Table, features: ContactFeatures, anywhere: bool) -> ErrorsNear:
     """Return the errors of a model at k points, averaged over similar benchmark surfaces without a film.
 
     errors: table of the errors ln(A/A_ref) of the model's area A. areas: table of the reference areas A_ref of the surfaces
@@ -180,7 +180,7 @@ def _bare_errors(known: SolvedSet, errors: _Table, areas: _Table, features: Cont
     return _averaged(found, there * real * of_kind, asked * real * of_kind * positive[:, None], apart, presumed)
 
 
-def film_errors_near(known: SolvedSet, errors: np.ndarray, features: ContactFeatures, like: np.ndarray) -> ErrorsNear:
+def film_errors_near(known: BenchmarkSet, errors: np.ndarray, features: ContactFeatures, like: np.ndarray) -> ErrorsNear:
     """Return the errors of a model at k points, averaged over similar benchmark surfaces with a film.
 
     known: the benchmark set. errors: array (coated surfaces, films, loads) of ln(A/A_ref), where A is the area by the model and
@@ -191,7 +191,7 @@ def film_errors_near(known: SolvedSet, errors: np.ndarray, features: ContactFeat
     return _in_blocks(features, surfaces, lambda rows: _film_errors(known, errors, features.some(rows), like[rows]))
 
 
-def _film_errors(known: SolvedSet, errors: np.ndarray, features: ContactFeatures, like: np.ndarray) -> ErrorsNear:
+def _film_errors(known: BenchmarkSet, errors: np.ndarray, features: ContactFeatures, like: np.ndarray) -> ErrorsNear:
     """Return the errors of `film_errors_near` for one block of points; the arguments are the same."""
     positive = features.pressure > 0.0
     features = replace(features, pressure=np.where(positive, features.pressure, 1.0))
@@ -230,7 +230,7 @@ def quantiles(values: np.ndarray, weights: np.ndarray) -> np.ndarray:
 
 
 def _at_lighter_load(
-    known: SolvedSet,
+    known: BenchmarkSet,
     errors: _Table,
     at_lightest: np.ndarray,
     pressure_ratio: np.ndarray,

@@ -16,10 +16,10 @@ import numpy as np
 
 from stiction.quantities.quotient import quotient
 from stiction.quantities.shown import span
+from stiction.solving.accuracy.benchmark_set import BenchmarkSet, benchmark_set
 from stiction.solving.accuracy.errors_near import NORMAL_SCORES, ErrorsNear, bare_errors, film_errors_near, no_words
 from stiction.solving.accuracy.film_tables import MEASURED, MEASURED_ON_MAPS, MapFilmErrors, on_a_sphere, on_maps
 from stiction.solving.accuracy.solved_near import FILM_SCALES, ContactFeatures
-from stiction.solving.accuracy.solved_set import SolvedSet, solved_set
 from stiction.solving.problem import Problem
 
 SPHERE, MAPS = "exact sphere on a film, elastic", "rough surfaces on a film by boundary elements, elastic"
@@ -161,13 +161,13 @@ def on_other_kinds(problem: Problem, features: ContactFeatures, found: ErrorsNea
         of_elastic = np.nan_to_num(1.0 / (1.0 + (flowing / elastic) ** MEETING))
     loaded = np.asarray(features.pressure) > 0.0
     bare_features = replace(features, pressure=np.where(loaded, pressure, features.pressure), hardness=hardness)
-    bare = bare_errors(solved_set(), _BARE, bare_features, anywhere=False)
+    bare = bare_errors(benchmark_set(), _BARE, bare_features, anywhere=False)
     if bare is None:
         return found
     apart, shift = [errors.levels - errors.middle[:, None] for errors in (found, bare)], bare.middle
-    beyond = _beyond_bare(solved_set())
+    beyond = _beyond_bare(benchmark_set())
     if beyond is not None and features.kind != "gaussian":  # for Gaussian surfaces the film law itself was measured
-        more = film_errors_near(solved_set(), beyond, features, np.ones(loaded.shape, dtype=bool))
+        more = film_errors_near(benchmark_set(), beyond, features, np.ones(loaded.shape, dtype=bool))
         middle = np.nan_to_num(more.middle) * of_elastic
         levels = np.nan_to_num(more.levels) * of_elastic[:, None]
         apart.append(levels - middle[:, None])
@@ -190,7 +190,7 @@ def _pressure_of(share: np.ndarray) -> np.ndarray:
 
 
 @cache
-def _beyond_bare(known: SolvedSet) -> np.ndarray | None:
+def _beyond_bare(known: BenchmarkSet) -> np.ndarray | None:
     """Return the errors of the area law for films minus those of the law for bare surfaces, on benchmark surfaces with films.
 
     Errors are ln(A/A_ref), where A is the area by the law and A_ref the area by the reference solution; the array is (coated

@@ -16,7 +16,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-ON_A_SPHERE, ON_MAPS = (Path(__file__).with_name(f"measured_on_{name}.csv") for name in ("a_sphere", "maps"))
+ON_A_SPHERE, ON_MAPS = (Path(__file__).with_name(f"film_errors_on_{name}.csv") for name in ("a_sphere", "maps"))
 SPHERE_COLUMNS = ("law", "options", "thickness_over_radius", "n_E", "a_over_t", "area", "load")
 MAP_COLUMNS = ("law", "options", "n_E", "n_E_to", "thickness", "thickness_to", "mean", "rms", "count")
 # Modulus ratios and contact radii over thickness in the summary of a law, and film thickness over sphere radius.

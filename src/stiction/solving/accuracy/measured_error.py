@@ -25,10 +25,10 @@ import numpy as np
 
 from stiction.quantities.quotient import quotient
 from stiction.quantities.shown import span
+from stiction.solving.accuracy.benchmark_set import BenchmarkSet, benchmark_set
 from stiction.solving.accuracy.errors_near import LEVELS, NORMAL_SCORES, ErrorsNear, bare_errors, film_errors_near
 from stiction.solving.accuracy.film_errors import on_other_kinds, on_solved_maps
 from stiction.solving.accuracy.solved_near import ContactFeatures
-from stiction.solving.accuracy.solved_set import SolvedSet, solved_set
 from stiction.solving.closed_form import ClosedFormProblem
 from stiction.solving.on_map import MapProblem
 from stiction.solving.problem_base import Problem
@@ -266,7 +266,7 @@ def _near(problem: Problem, column: str, features: ContactFeatures, points: int,
 
     column: "model|asperity method". features: features at all points. points: loads per contact. area: normalised contact area.
     """
-    known = solved_set()
+    known = benchmark_set()
     if not problem.groups.has_film:
         return bare_errors(known, column, features, anywhere=column.endswith(f"|{_MAP}"))
     found = None if problem.record.on_film else _on_film(known, column, features, problem)
@@ -354,7 +354,7 @@ def _largest(values: np.ndarray | None) -> float:
     return float(np.max(known, initial=-np.inf))
 
 
-def _on_film(known: SolvedSet, column: str, features: ContactFeatures, problem: Problem) -> ErrorsNear | None:
+def _on_film(known: BenchmarkSet, column: str, features: ContactFeatures, problem: Problem) -> ErrorsNear | None:
     """Return the errors of a model on benchmark surfaces with a film, at each point; None if it was not measured on them.
 
     It is also None if no coated surface is of the contact's kind. The error is NaN unless one body has an elastic film.

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from stiction.contact.indices import Groups
-from stiction.solving.accuracy.solved_set import OF_KIND, SolvedSet, solved_set
+from stiction.solving.accuracy.benchmark_set import OF_KIND, BenchmarkSet, benchmark_set
 from stiction.solving.problem_base import Problem
 from stiction.surfaces.theory.moments import bandwidth, reduced_pressure, slope_over_sharpness
 
@@ -156,7 +156,7 @@ def _difference(name: str, ours: float | np.ndarray, theirs: np.ndarray, squared
     return Difference(np.array([name]), np.atleast_1d(ours), np.atleast_2d(theirs), np.atleast_2d(squared))
 
 
-def differences(known: SolvedSet, features: ContactFeatures) -> list[Difference]:
+def differences(known: BenchmarkSet, features: ContactFeatures) -> list[Difference]:
     """Return the differences between k points of a contact and every benchmark surface, one for each feature.
 
     For a contact with a map the features are Nayak's alpha, skewness, lay and slope of the highest parts, otherwise alpha and
@@ -170,7 +170,7 @@ def differences(known: SolvedSet, features: ContactFeatures) -> list[Difference]
     return [alpha, *_of_shape(known, features.shape)]
 
 
-def _of_stated(known: SolvedSet, name: str, ours: float) -> Difference:
+def _of_stated(known: BenchmarkSet, name: str, ours: float) -> Difference:
     """Return the difference between a specified statistic and the same statistic of every benchmark surface (s,).
 
     name: name of the statistic. ours: its specified value. The texture aspect ratio (Str) of a stretched isotropic surface is
@@ -181,7 +181,7 @@ def _of_stated(known: SolvedSet, name: str, ours: float) -> Difference:
     return _difference(_NAMES[name], ours, theirs, (apart / _STATED[name]) ** 2)
 
 
-def _of_shape(known: SolvedSet, shape: tuple[float, float, float]) -> list[Difference]:
+def _of_shape(known: BenchmarkSet, shape: tuple[float, float, float]) -> list[Difference]:
     """Return the differences between a map and every benchmark surface in skewness, lay, and slope of the highest parts.
 
     shape: these three numbers of the map.
@@ -208,7 +208,7 @@ def kind_of_map(surface: "HeightMap") -> str | None:
 
     if surface.is_profile or not surface.complete or min(surface.heights.shape) < _FEWEST:
         return None
-    slopes, known = map_slopes(surface.heights, surface.size, surface.periodic), solved_set()
+    slopes, known = map_slopes(surface.heights, surface.size, surface.periodic), benchmark_set()
     squared = squared_distance(_of_shape(known, (skewness(surface.heights), slopes.lay, slopes.top(0.05))))[0]
     if not squared.min() < _ALIKE**2:
         return None
@@ -216,7 +216,7 @@ def kind_of_map(surface: "HeightMap") -> str | None:
     return max(OF_KIND, key=lambda kind: float(weights[known.of_kind(kind)].sum()))
 
 
-def film_differences(known: SolvedSet, features: ContactFeatures) -> list[Difference]:
+def film_differences(known: BenchmarkSet, features: ContactFeatures) -> list[Difference]:
     """Return the differences between k points with a film and every film of every coated benchmark surface, by feature.
 
     Arrays broadcast to (k, s, f) for s coated surfaces with f films each.
@@ -243,7 +243,7 @@ def film_differences(known: SolvedSet, features: ContactFeatures) -> list[Differ
 
 
 def pressure_difference(
-    known: SolvedSet, pressure: np.ndarray, hardness: np.ndarray
+    known: BenchmarkSet, pressure: np.ndarray, hardness: np.ndarray
 ) -> tuple[Difference, np.ndarray, np.ndarray]:
     """Compare pressures with the benchmark set; return the difference, and pressures and hardnesses within its range.
 

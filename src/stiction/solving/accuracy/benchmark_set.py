@@ -14,7 +14,7 @@ import numpy as np
 
 from stiction.surfaces.finishes import shares_of_kinds
 
-FILE = Path(__file__).parent / "solved_set.npz"
+FILE = Path(__file__).parent / "benchmark_set.npz"
 # Features of each surface: Nayak's alpha; skewness and kurtosis of its heights; root of the ratio of the eigenvalues of the
 # gradient tensor; rms gradient of the highest 5 %, divided by the rms gradient of the map; sqrt(m2/m4) [m].
 FEATURES = ("alpha", "skewness", "kurtosis", "lay", "top", "wave")
@@ -44,7 +44,7 @@ def decoded(codes: np.ndarray) -> np.ndarray:
 
 
 @dataclass(frozen=True)
-class SolvedSet:
+class BenchmarkSet:
     """Store the benchmark set: surfaces whose contact was solved, and the errors of models on them.
 
     content: arrays by name, as in the file, for s surfaces, h hardnesses (the first is infinite) and p mean pressures.
@@ -112,11 +112,11 @@ class SolvedSet:
 
 
 @cache
-def solved_set() -> SolvedSet:
+def benchmark_set() -> BenchmarkSet:
     """Return the benchmark set of the package."""
     with np.load(FILE, allow_pickle=False) as file:
         content = {name: file[name] for name in file.files}
     for name in PACKED:
         plain = np.frombuffer(lzma.decompress(content[name].tobytes()), np.int8)
         content[name] = plain.reshape(content.pop(f"{name}_shape"))
-    return SolvedSet(content)
+    return BenchmarkSet(content)
