@@ -132,8 +132,10 @@ def test_arrays_of_python_are_predicted_too():
 def test_the_attributes_of_an_array_of_contacts_are_those_that_predict_lists():
     """`start.md` prints the regime of a contact; an array of contacts has none, as the docstring and that page state."""
     swept = {"contact": OXIDISED | {"nominal_area": ["1 cm^2", "2 cm^2"]}, "solve": {"load": "1 N"}}
-    listed = st.predict.__doc__.split("With array parameters")[1].split("Raises")[0]
+    listed, if_refused = st.predict.__doc__.split("With array parameters")[1].split("Raises")[0].split("If there are such")
     assert set(st.predict(swept).attrs) == set(re.findall(r"`(\w+)`", listed))
+    some_refused = swept | {"solve": {"load": ["1 N", "0 N"]}}
+    assert set(st.predict(some_refused).attrs) == set(re.findall(r"`(\w+)`", listed + if_refused))
     page = (Path(__file__).parents[2] / "docs" / "start.md").read_text(encoding="utf-8")
     assert "but no `regime`, `next_step`\nand `shares`" in page
 

@@ -83,8 +83,8 @@ def predict(
         bounds from one side only.
 
         With array parameters there are no samples and no regime, shares or next step. The attributes are `level`, `draws`
-        (samples per contact), `model`, `sources`, `refused` (number of points, each a contact at a load, without an answer) and
-        `why_refused` (the reason for the first of them).
+        (samples per contact), `model`, `sources` and `refused` (number of points, each a contact at a load, without an answer).
+        If there are such points, `why_refused` is the reason for the first of them.
 
     Raises
     ------
