@@ -8,6 +8,7 @@ from typing import Any
 from docstrings import as_markdown, cell, said_of, summary
 
 from stiction.case.case_tables import json_schema
+from stiction.case.study_tables import study_tables
 
 # Where a part of the schema stands in a case file, in the order of the page; those without are values (held by a test).
 TABLES = {
@@ -24,10 +25,8 @@ TABLES = {
     "Indices": "[indices]",
     "_Solve": "[solve]",
     "Uncertainty": "[uncertainty]",
-    "Sweep": "[sweep]",
+    **{table.__name__: f"[{name}]" for name, (table, _) in study_tables().items()},
     "Sample": "sample of [sweep]",
-    "Fit": "[fit]",
-    "Design": "[design]",
     "Range": "points in a row",
     "RangeOfNumbers": "numbers in a row",
     "ListAlong": "a list along a dimension",
