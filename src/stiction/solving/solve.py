@@ -58,9 +58,9 @@ def solve(
     threads : int
         Number of threads; it does not affect the results.
     **laws : str, optional
-        Keys of laws that replace those of the model or add to them (`asperity`, `tangential`, `film`, `meniscus`, `ageing`,
-        `contamination`, `presliding`), or options of the model and its laws, e.g. `variant="published"`. "none" omits a
-        law: with `tangential="none"` only the contact is solved.
+        Keys of laws that replace those of the model (`asperity`, `tangential`, `film`) or add to them (e.g. `meniscus`,
+        `ageing`), or options of the model and its laws, e.g. `variant="published"`. `stiction.models` lists all laws. "none"
+        omits a law: with `tangential="none"` only the contact is solved.
 
     Returns
     -------
