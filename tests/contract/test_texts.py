@@ -20,9 +20,10 @@ from stiction.records.validity_warning import ValidityWarning
 from stiction.solvers.boundary_elements.compliance import Film
 from stiction.solvers.boundary_elements.solve import solve_map
 from stiction.surfaces.fill import fill_missing
+from stiction.surfaces.filters import filter_band
 from stiction.surfaces.finding import asperities
 from stiction.surfaces.heightmap import HeightMap
-from stiction.surfaces.prepare import crop, filter_band, remove_form
+from stiction.surfaces.prepare import remove_form
 
 TEXTS = Path(__file__).parents[1] / "texts.txt"
 SURFACE = st.Roughness(asperity_height_deviation="48 nm", asperity_radius="50 um", asperity_density="1e9 /m^2")
@@ -51,7 +52,6 @@ ERRORS = {  # wrong input -> call; in the order of the packages that raise the e
     "a modulus of 210 GPa is given as 210": lambda: st.Material(youngs_modulus=210.0, poissons_ratio=0.3, hardness="7 GPa"),
     "a number is NaN": lambda: to_si(math.nan, "poissons_ratio"),
     "a filter wavelength is longer than the scan": lambda: filter_band(WAVES, longest="2 um"),
-    "a crop contains no points": lambda: crop(WAVES, x=("0.5 um", "0.1 um")),
     "the order of the polynomial to remove is too high": lambda: remove_form(WAVES, 7),
     "the option for filling missing points is unknown": lambda: fill_missing(WAVES, "glue"),
     "the file of a scan does not exist": lambda: st.read_scan("absent.csv"),

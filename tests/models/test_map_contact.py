@@ -23,9 +23,10 @@ from stiction.solvers.boundary_elements.curve import curve_of_map
 from stiction.solvers.boundary_elements.listeners import listening
 from stiction.solvers.boundary_elements.solve import solve_map
 from stiction.solving.choice import Choice
+from stiction.surfaces.filters import filter_period
 from stiction.surfaces.generate import gaussian_surface
 from stiction.surfaces.heightmap import HeightMap
-from stiction.surfaces.prepare import filter_period, level
+from stiction.surfaces.prepare import level
 from stiction.surfaces.targets import SelfAffine
 from tables import read
 

@@ -12,8 +12,9 @@ import numpy as np
 import pytest
 from written_files import UNITS, WRITTEN
 
+from stiction.surfaces.fill import fill_missing
 from stiction.surfaces.heightmap import HeightMap
-from stiction.surfaces.prepare import fill_missing, level
+from stiction.surfaces.prepare import level
 from stiction.surfaces.read import read_scan
 
 SCANS = Path(__file__).parents[2].parent / "shared" / "scans"

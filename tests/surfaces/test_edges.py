@@ -9,11 +9,13 @@ from scipy import stats
 
 from refusals import refusal
 from stiction.studies.scans.resolution import resolution_study
+from stiction.surfaces.fill import fill_missing
+from stiction.surfaces.filters import filter_band
 from stiction.surfaces.finding import asperities
 from stiction.surfaces.generate import gaussian_surface
 from stiction.surfaces.heightmap import HeightMap, metres
 from stiction.surfaces.johnson import johnson
-from stiction.surfaces.prepare import fill_missing, filter_band, level, remove_form
+from stiction.surfaces.prepare import level, remove_form
 from stiction.surfaces.read import read_scan
 from stiction.surfaces.spectrum import power_spectrum, radial_average
 from stiction.surfaces.statistics import moments_by_differences, moments_by_spectrum

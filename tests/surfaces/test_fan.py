@@ -14,10 +14,10 @@ from stiction import InputError
 from stiction.report.method_pictures import resolution_figure
 from stiction.solving.choice import Choice
 from stiction.studies.scans.resolution import default_cutoffs, resolution_study, thinned
+from stiction.surfaces.filters import filter_band
 from stiction.surfaces.finding import asperities, methods
 from stiction.surfaces.generate import gaussian_surface
 from stiction.surfaces.heightmap import HeightMap
-from stiction.surfaces.prepare import filter_band
 from stiction.surfaces.targets import GaussianCorrelation, SelfAffine
 from stiction.surfaces.theory.moments import Moments
 

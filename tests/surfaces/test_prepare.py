@@ -8,8 +8,10 @@ from scipy.special import erf
 
 from refusals import refusal
 from stiction.quantities.errors import InputError
+from stiction.surfaces.fill import fill_missing
+from stiction.surfaces.filters import filter_band, filter_period
 from stiction.surfaces.heightmap import HeightMap
-from stiction.surfaces.prepare import crop, fill_missing, filter_band, filter_period, level, remove_form
+from stiction.surfaces.prepare import level, remove_form
 from stiction.surfaces.spikes import mask_spikes, spikes
 
 
@@ -133,22 +135,6 @@ def test_nothing_to_fill_and_nothing_to_fill_from():
         fill_missing(HeightMap(np.full((9, 9), np.nan), (1.0, 1.0)))
     with refusal("fill", "zeros", "harmonic", "nearest"):
         fill_missing(surface, "zeros")
-
-
-# ---- crop
-
-
-def test_crop():
-    surface = HeightMap(rough(40, 50), (40e-6, 100e-6))
-    part = crop(surface, y=("10 um", 25e-6), x=("0 um", "50 um"))
-    assert np.array_equal(part.heights, surface.heights[10:25, :25]) and part.size == pytest.approx((15e-6, 50e-6))
-    assert part.pitch == pytest.approx(surface.pitch)
-    assert part.history[-1] == "cropped: y 10 µm to 25 µm, x 0 m to 50 µm"
-    for x in (("50 um", "50 um"), ("50 um", "10 um"), ("0.1 um", "0.2 um"), (0.0, "101 um"), (0.0,), "all", (0, math.nan)):
-        with refusal("crop x", "0 m"):
-            crop(surface, x=x)
-    with refusal("crop x", "a length"):
-        crop(surface, x=(0, "1 s"))
 
 
 # ---- filter

@@ -11,7 +11,6 @@ import xarray
 
 import stiction as st
 from stiction.surfaces.finding import methods
-from stiction.surfaces.prepare import prepared_period
 
 SIZE = 20e-6
 SPECTRUM = st.SelfAffine(hurst=0.8, rolloff=5e-6, shortest=0.6e-6, deviation=30e-9)
@@ -193,10 +192,11 @@ def test_what_is_no_roughness_is_one_line(roughness, said):
 
 def test_a_period_whose_ends_do_not_meet_is_told(scan):
     """A tilt does it, of rows or of columns; what is one period has no such step."""
-    assert "do not match" not in prepared_period(scan).history[-1]
+    assert "do not match" not in st.prepared(scan, period=True).history[-1]
     row = np.linspace(0.0, 1.0, 128)
     for tilt in (row[:, None], row):
-        assert "do not match" in prepared_period(scan.with_heights(scan.heights + 1e-6 * tilt, "tilted")).history[-1]
+        tilted = scan.with_heights(scan.heights + 1e-6 * tilt, "tilted")
+        assert "do not match" in st.prepared(tilted, period=True).history[-1]
 
 
 def test_a_contact_reads_scans_without_the_package():

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from stiction.case.addresses import roughness_in, with_numbers, with_roughness
+from stiction.case.addresses import roughness_in, with_numbers
 from stiction.case.case_tables import case_tables
 from stiction.case.distribution import Distribution, is_scipy_law
 from stiction.case.own_materials import naming_materials_file, with_materials_of_file, with_own_materials
@@ -36,7 +36,7 @@ from stiction.quantities.paths import read_text
 from stiction.quantities.table import QUANTITIES
 from stiction.solving.choice import LAWS, Choice
 from stiction.surfaces.finished import is_finished
-from stiction.surfaces.measured import Measured, MeasuredRoughness, measure
+from stiction.surfaces.measured import Measured, roughness_of
 
 if TYPE_CHECKING:
     import xarray
@@ -393,7 +393,7 @@ def _measured(content: Mapping, folder: Path) -> Mapping:
     if not (isinstance(surface, Mapping) and surface.keys() & {"first", "second"}) or is_finished(surface):
         return content
     with field_as(lambda field: "contact." + (field if field.startswith("roughness") else f"roughness.{field}")):
-        return with_roughness(content, measure(MeasuredRoughness(**surface), folder).roughness())
+        return {**content, "contact": {**content["contact"], "roughness": roughness_of(surface, folder)}}
 
 
 def _not_a_case(path, why: str) -> InputError:

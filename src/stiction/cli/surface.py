@@ -54,15 +54,13 @@ def surface(
     }  # fmt: skip
     with busy("Reading the scan"):
         from stiction.studies.scans.analysis import analyse
-        from stiction.surfaces.prepare import prepared, prepared_period
+        from stiction.surfaces.prepare import prepared
         from stiction.surfaces.read import read_scan
 
         chosen, chosen_load = _chosen(case, load)
         scan = read_scan(file, **reading)
         periodic = periodic or scan.periodic
-        scan = replace(scan, periodic=periodic)
-        made_ready = prepared_period(scan, spikes, fill, shortest, longest) if periodic else None
-        scan = made_ready or prepared(scan, form, spikes, fill, shortest, longest)
+        scan = prepared(replace(scan, periodic=periodic), form, spikes, fill, shortest, longest, periodic)
     if save_map is not None:
         from stiction.surfaces.writing import write_map
 

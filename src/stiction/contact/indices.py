@@ -9,10 +9,9 @@ from pydantic import model_validator
 from stiction.contact.subject import Scales, Subject
 from stiction.quantities.dimensions import flattened
 from stiction.quantities.errors import InputError, InWords
-from stiction.quantities.foreign import as_sequence, has_unit
 from stiction.quantities.inputs import Number, OptionalNumber, by_default, floats, plain_number
 from stiction.quantities.table import QUANTITIES
-from stiction.quantities.units import check_names
+from stiction.quantities.units import as_sequence, check_names, has_unit
 
 if TYPE_CHECKING:
     from stiction.quantities.arguments import NumberOrArray, QuantityLike, Values

@@ -13,11 +13,10 @@ from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationEr
 from stiction.quantities import html
 from stiction.quantities.dimensions import coordinates, from_series
 from stiction.quantities.errors import InputError, InWords, field_named, nearest
-from stiction.quantities.foreign import is_series
 from stiction.quantities.quantity import Quantity
 from stiction.quantities.shown import show
 from stiction.quantities.table import QUANTITIES
-from stiction.quantities.units import to_si
+from stiction.quantities.units import is_series, to_si
 
 if TYPE_CHECKING:
     import xarray

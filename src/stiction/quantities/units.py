@@ -4,8 +4,10 @@ The file units.csv lists common units. All others are read by pint, which is imp
 slow.
 """
 
+import math
 import re
 import shutil
+from collections.abc import Iterator
 from decimal import Decimal
 from fractions import Fraction
 from functools import cache
@@ -14,11 +16,9 @@ from typing import Any
 
 import numpy as np
 
-from stiction.quantities import foreign
 from stiction.quantities.cache import cache_folder
 from stiction.quantities.errors import InputError, InWords
 from stiction.quantities.extras import bring_back
-from stiction.quantities.hardness import from_hardness_test
 from stiction.quantities.quantity import Quantity
 from stiction.quantities.table import QUANTITIES, rows_of_table
 
@@ -33,6 +33,23 @@ _CELSIUS = ("degC", "°C", "celsius", "deg C")  # allowed for temperatures only,
 _ZERO_CELSIUS = 273.15
 _PREFIXES = ("", "p", "n", "u", "m", "k", "M", "G")
 
+# A Vickers number is the force in kgf divided by the area of the imprint's facets in mm^2 (ISO 6507-1). The mean pressure is
+# the force divided by the projected area, which is sin(136 deg / 2) times the area of the facets. So 1 HV is 9.80665 MPa / sin
+# 68 deg = 10.577 MPa (ISO 14577-1: HV = 0.0945 H_IT).
+_VICKERS = 9.80665e6 / math.sin(math.radians(68.0))  # Pa
+
+# A Brinell number is the force in kgf divided by the area in mm^2 of the spherical imprint of a ball of diameter D (ISO
+# 6506-1). For imprint diameters d = 0.24 to 0.60 D the mean pressure is 1.5 to 11 % above this number. We take d = 0.375 D,
+# where the slope of the ball at the edge of the imprint equals that of a Vickers pyramid: 1 HB is 10.178 MPa.
+_IMPRINT = 0.375  # d/D
+_BRINELL = 9.80665e6 * 2.0 * (1.0 - math.sqrt(1.0 - _IMPRINT**2)) / _IMPRINT**2  # Pa
+
+# Rockwell C numbers are not defined as a force divided by an area. We use HV = (223 HRC + 14500) / (100 - HRC), a common
+# formula of unknown origin. It agrees with the table for non-austenitic steels (ASTM E140, table 1) to 1.4 % from 35 to 68 HRC.
+# Grade B.
+_SOFTEST, _HARDEST = 20.0, 68.0  # HRC, range of the table
+_SCALE = re.compile(r"HV(?:\s*/?\s*\d+(?:\.\d+)?)?|HRC|HRB|HRA|HB[WS]?|HK", re.IGNORECASE)
+
 
 def to_si(value, name: str):
     """Return the value of a quantity in SI units, checked against the bounds of the quantity.
@@ -44,10 +61,10 @@ def to_si(value, name: str):
     InputError if the value is not a number, is empty, is not finite, is out of bounds, or has a missing, unknown or wrong unit.
     """
     quantity = QUANTITIES[name]
-    value = foreign.as_sequence(value)
+    value = as_sequence(value)
     if isinstance(value, str):
         number = _from_text(value, quantity)
-    elif foreign.has_unit(value):
+    elif has_unit(value):
         number = _from_pint(value, quantity)
     elif hasattr(value, "dims") and hasattr(value, "dtype"):  # a DataArray, not a Dataset
         number = _from_labelled(value, quantity)
@@ -55,6 +72,26 @@ def to_si(value, name: str):
         number = _from_numbers(value, quantity)
     _check(number, quantity, value)
     return number
+
+
+def has_unit(value: Any) -> bool:
+    """Return whether a value is a number or array with a unit, such as a pint quantity: it has `magnitude` and `units`."""
+    return hasattr(value, "magnitude") and hasattr(value, "units")
+
+
+def is_series(value: Any) -> bool:
+    """Return whether a value is a table column, such as a pandas.Series: one-dimensional, with `to_numpy` and `index`."""
+    return hasattr(value, "to_numpy") and hasattr(value, "index") and getattr(value, "ndim", 0) == 1
+
+
+def as_sequence(value: Any) -> Any:
+    """Return a table column, range or iterator as a list or array; return any other value unchanged."""
+    if isinstance(value, range | Iterator):
+        return list(value)
+    if is_series(value):
+        numbers = value.to_numpy()
+        return numbers if numbers.dtype.kind in "iuf" else numbers.tolist()
+    return value
 
 
 def without_indexes(array: Any) -> Any:
@@ -89,13 +126,36 @@ def _from_text(text: str, quantity: Quantity) -> float:
         return rounded
     if quantity.unit == "K" and unit in _CELSIUS:
         return round(rounded + _ZERO_CELSIUS, 9)
-    if quantity.name == "hardness" and (pressure := from_hardness_test(rounded, unit, text)) is not None:
+    if quantity.name == "hardness" and (pressure := _from_hardness_test(rounded, unit, text)) is not None:
         return pressure
     factor = _factor(unit, quantity, text)
     if rounded == 0 or not np.isfinite(rounded):
         return rounded  # also keeps a number like 1e999999999 away from exact arithmetic
     # The product is exact and rounded only once, so that "5 um" is 5e-06 to the last digit.
     return _float(Fraction(number) * factor, quantity, text)
+
+
+def _from_hardness_test(number: float, unit: str, text: str) -> float | None:
+    """Return the result of a hardness test as a pressure [Pa], or None if the unit is not a hardness scale.
+
+    - number: the measured number, such as 700
+    - unit: the scale, such as "HV", "HB" or "HRC"; the test force in "HV0.5" is ignored
+    - text: the whole input as the user wrote it, for the error message
+
+    Raises InputError for an unsupported scale and for Rockwell C numbers outside 20 to 68.
+    """
+    if not _SCALE.fullmatch(unit):
+        return None
+    scale = unit.upper()
+    if scale.startswith("HV"):
+        return number * _VICKERS
+    if scale.startswith("HB"):
+        return number * _BRINELL
+    if scale == "HRC":
+        if not _SOFTEST <= number <= _HARDEST:
+            raise InputError("hardness", text, f'{_SOFTEST:g} to {_HARDEST:g} HRC, or another scale: "7 GPa", "700 HV"')
+        return (223.0 * number + 14500.0) / (100.0 - number) * _VICKERS
+    raise InputError("hardness", text, 'pressure, Vickers, Brinell or Rockwell C: "7 GPa", "700 HV", "200 HB", "60 HRC"')
 
 
 def _factor(unit: str, quantity: Quantity, text) -> Fraction:
@@ -193,7 +253,7 @@ def _from_pint(value, quantity: Quantity):
 
 def _from_labelled(array, quantity: Quantity):
     check_names(array, quantity.name)
-    if foreign.has_unit(array.data):
+    if has_unit(array.data):
         values = _from_pint(array.data, quantity)
     else:
         values = _from_numbers(array.values, quantity)
@@ -222,7 +282,7 @@ def _from_numbers(value, quantity: Quantity):
 def _single(entry, quantity: Quantity) -> float:
     if isinstance(entry, str):
         return _from_text(entry, quantity)
-    number = _from_pint(entry, quantity) if foreign.has_unit(entry) else _from_numbers(entry, quantity)
+    number = _from_pint(entry, quantity) if has_unit(entry) else _from_numbers(entry, quantity)
     if not isinstance(number, float):
         raise InputError(quantity.name, entry, quantity.wanted)
     return number

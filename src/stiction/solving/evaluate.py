@@ -10,9 +10,9 @@ from stiction.engine.heights import gaussian
 from stiction.engine.regime import Regime
 from stiction.engine.summation import FARTHEST, check_threads, in_threads, scattered, totals_on_grid
 from stiction.quantities.errors import InputError, InWords
-from stiction.quantities.foreign import has_unit
 from stiction.quantities.inputs import floats
 from stiction.quantities.table import QUANTITIES
+from stiction.quantities.units import has_unit
 from stiction.solving.choice import Choice
 from stiction.solving.problem import AsperitySum, problem_of
 

@@ -16,7 +16,7 @@ from stiction.engine.blocks import in_blocks
 from stiction.engine.summation import FARTHEST
 from stiction.quantities.dimensions import aligned, coordinate, coordinates, dimensions, from_series, values_along, variable
 from stiction.quantities.errors import InputError, InWords
-from stiction.quantities.foreign import as_sequence, is_series
+from stiction.quantities.units import is_series
 from stiction.solving.inversion import Inversion, Unreachable, solved_at
 from stiction.solving.problem import Problem, with_requested_load
 
@@ -69,15 +69,7 @@ def points_of(problem: Problem, load: Any = None, separation: Any = None) -> Poi
             "separation", separation, f"a load instead, because {problem.record.key} does not compute a separation"
         )
     name, value = ("load", load) if separation is None else ("mean_separation", separation)
-    checked = requested_points(problem.subject, name, value)
-    return points_at(problem, name, checked)
-
-
-def points_at(problem: Problem, name: str, value: Any) -> Points:
-    """Return the points for loads or separations that `requested_points` has checked.
-
-    name: "load" or "mean_separation".
-    """
+    value = requested_points(problem.subject, name, value)
     factors = problem.subject.scales().factors()
     dims = dimensions([value, *factors.values()], problem.dims)
     narrow = aligned(value, dims) / aligned(factors["N" if name == "load" else "m"], dims)
@@ -98,15 +90,12 @@ def requested_points(subject: Subject, name: str, value: Any) -> Any:
     subject: the contact. name: quantity of the value. A plain sequence becomes a Variable with one dimension, named
     after the quantity; its values are also the coordinate.
     """
-    if isinstance(subject, Contact):
-        if is_series(value):
-            return from_series(value, name)
-        value = as_sequence(value)
-        row = isinstance(value, list | tuple) or getattr(value, "ndim", 0) > 0
-        if row and not hasattr(value, "dims"):
-            return variable((name,), values_along(name, value))
+    if is_series(value) and isinstance(subject, Contact):
+        return from_series(value, name)
     read = subject.read(value, name)
-    return variable((name,), read) if isinstance(read, np.ndarray) else read
+    if not isinstance(read, np.ndarray):
+        return read
+    return variable((name,), values_along(name, read) if isinstance(subject, Contact) else read)
 
 
 def coordinates_of(*values: Any) -> dict[str, Any]:

@@ -37,7 +37,7 @@ from stiction.solving.points import (
     coordinates_of,
     in_words,
     normalised,
-    points_at,
+    points_of,
     requested_points,
     solve_points,
 )
@@ -117,7 +117,7 @@ def unload(
     subject = unloading.pressed.subject
     is_load = max_load is not None
     turn_value = _one_of(subject, min_separation=min_separation, max_load=max_load)
-    turn = points_at(unloading.pressed, "load" if is_load else "mean_separation", turn_value)
+    turn = points_of(unloading.pressed, **{"load" if is_load else "separation": turn_value})
     point, factors = _one_of(subject, separation=separation, separation_increase=separation_increase), turn.factors
     dims = dimensions([point], turn.dims)
     shape = tuple(dims.values())

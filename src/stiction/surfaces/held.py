@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from stiction.quantities.errors import InputError, InWords, field_as
-from stiction.quantities.foreign import has_unit
+from stiction.quantities.units import has_unit
 from stiction.surfaces.heightmap import HeightMap, metres, metres_per
 from stiction.surfaces.read import check_numbers, check_scale
 

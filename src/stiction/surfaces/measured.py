@@ -209,16 +209,13 @@ def of_one_map(found: Roughness, asperities: "Asperities", surface: "HeightMap")
     )
 
 
-def roughness_of(scan: Any) -> Roughness:
-    """Return the roughness of a contact from a scan of the first body, or from a mapping that describes scans.
+def roughness_of(table: Mapping[str, Any], folder: Path = Path()) -> Roughness:
+    """Return the roughness of a contact from a table that describes the scans of its bodies.
 
-    scan: any input of `as_height_map`, or a mapping with the fields of MeasuredRoughness. The result also stores the asperities
-    that the other methods found. Raises InputError if a scan cannot be read or no asperities are found.
+    table: fields of MeasuredRoughness. folder: base of the file paths. The result also stores the asperities that the other
+    methods found. Raises InputError if a scan cannot be read or no asperities are found.
     """
-    from stiction.surfaces.held import as_height_map
-
-    table = scan if isinstance(scan, Mapping) else {"first": as_height_map(scan, "roughness")}
-    return measure(MeasuredRoughness(**table)).roughness()
+    return measure(MeasuredRoughness(**table), folder).roughness()
 
 
 def measure(wanted: MeasuredRoughness, folder: Path = Path()) -> Measured:
@@ -232,8 +229,12 @@ def measure(wanted: MeasuredRoughness, folder: Path = Path()) -> Measured:
     from stiction.surfaces.gaussian_asperities import combine
     from stiction.surfaces.height_model import MODELS, height_model, roughness
 
-    bodies = {"first": wanted.first, "second": wanted.second}
-    scans = {name: _scan(body, folder, name) for name, body in bodies.items() if body is not None and _is_scan(body)}
+    bodies: dict[str, Any] = {"first": wanted.first, "second": wanted.second}
+    scans = {
+        name: surface_of(body, folder, name) if isinstance(body, Scan) else body
+        for name, body in bodies.items()
+        if _is_scan(body)
+    }
     maps = {name: _prepared(scan, wanted, bodies[name], name) for name, scan in scans.items()}
     known = [of_numbers(body) for body in bodies.values() if isinstance(body, Roughness)]
     alone = len(maps) + len(known) == 1
@@ -264,17 +265,21 @@ def measure(wanted: MeasuredRoughness, folder: Path = Path()) -> Measured:
             "scans with asperities; run `stiction surface` on each scan to see the asperities it has",
         )
     of_moments = method_of_moments()
-    solvable = SolvableMaps({name: _to_solve(scans[name], maps[name], wanted) for name in maps}, bool(known))
+    periods = {name: _prepared(scan, wanted, bodies[name], name, True) for name, scan in scans.items() if scan.periodic}
+    solvable = SolvableMaps(maps | periods, bool(known))
     if of_moments in surfaces:
-        surfaces[of_moments] = surfaces[of_moments].attached(map=_one_map(solvable))
-    surfaces = _with_the_surface(surfaces, surfaces.get(of_moments))
+        surface = surfaces[of_moments].attached(map=_one_map(solvable))
+        surfaces = {
+            name: surface if name == of_moments else one.model_copy(update={"surface": surface})
+            for name, one in surfaces.items()
+        }
     method = wanted.method or default_method(found, counts)
     if method not in found:
         why = f"; nothing by {method}: {failures[method]}" if method in failures else ""
         raise InputError("roughness.method", method, ", ".join(found) + why)
     validity_warnings = _validity_warnings(list(maps.values()), bool(known), wanted)
     return Measured(
-        by_method={name: surfaces[name] for name in found},
+        by_method=surfaces,
         method=method,
         failures=failures,
         history={body: one.history for body, one in maps.items()},
@@ -286,14 +291,6 @@ def measure(wanted: MeasuredRoughness, folder: Path = Path()) -> Measured:
         stated=tuple(name for name in ("method", "heights") if getattr(wanted, name) is not None),
         solvable=solvable,
     )
-
-
-def _with_the_surface(by_method: dict[str, Roughness], surface: Roughness | None) -> dict[str, Roughness]:
-    """Return the roughness by method, with the field `surface` of each set to `surface`; unchanged if this is None."""
-    return {
-        name: one if one is surface or surface is None else one.model_copy(update={"surface": surface})
-        for name, one in by_method.items()
-    }
 
 
 def _one_map(solvable: SolvableMaps) -> "HeightMap | None":
@@ -368,23 +365,12 @@ def _validity_warnings(maps: "list[HeightMap]", numbers: bool, wanted: MeasuredR
     )
 
 
-def _scan(scan: "Scan | HeightMap", folder: Path, body: str) -> "HeightMap":
-    return surface_of(scan, folder, body) if isinstance(scan, Scan) else scan
-
-
-def _prepared(surface: "HeightMap", wanted: MeasuredRoughness, scan: Any, body: str) -> "HeightMap":
+def _prepared(surface: "HeightMap", wanted: MeasuredRoughness, scan: Any, body: str, period: bool = False) -> "HeightMap":
     from stiction.surfaces.prepare import prepared
 
     own = f"{body}.file" if isinstance(scan, Scan) else body
     with field_as(lambda field: f"roughness.{own if field == 'scan' else field}"):
-        return prepared(surface, wanted.form, wanted.spikes, wanted.fill, wanted.shortest, wanted.longest)
-
-
-def _to_solve(scan: "HeightMap", made_ready: "HeightMap", wanted: MeasuredRoughness) -> "HeightMap":
-    """Return the map to be solved point by point: the period of a periodic scan, prepared, or else `made_ready`."""
-    from stiction.surfaces.prepare import prepared_period
-
-    return prepared_period(scan, wanted.spikes, wanted.fill, wanted.shortest, wanted.longest) if scan.periodic else made_ready
+        return prepared(surface, wanted.form, wanted.spikes, wanted.fill, wanted.shortest, wanted.longest, period)
 
 
 def surface_of(scan: Scan, folder: Path, body: str) -> "HeightMap":

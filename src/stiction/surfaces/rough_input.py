@@ -27,6 +27,10 @@ def _rough(value):
     if isinstance(value, Mapping) and not value.keys() & {"first", "second"}:
         return value
     with field_as(lambda field: field.removeprefix("roughness").lstrip(".")):  # the field of the contact adds its own name
+        if not isinstance(value, Mapping):
+            from stiction.surfaces.held import as_height_map
+
+            value = {"first": as_height_map(value, "roughness")}
         return roughness_of(value)
 
 

@@ -10,12 +10,12 @@ from stiction.quantities.errors import InputError
 from stiction.quantities.progress import Steps
 from stiction.solving.accuracy.solved_near import kind_of_map
 from stiction.surfaces.areal_parameters import areal_parameters, profile_parameters
+from stiction.surfaces.fill import fill_missing
 from stiction.surfaces.finding import Asperities, asperities, methods
 from stiction.surfaces.height_model import HeightModel, height_model
 from stiction.surfaces.heightmap import HeightMap, metres
 from stiction.surfaces.held import as_height_map
 from stiction.surfaces.measured import default_method, separate_count
-from stiction.surfaces.prepare import fill_missing
 from stiction.surfaces.spectrum import BinnedSpectrum, power_spectrum, radial_average
 from stiction.surfaces.spikes import spikes as spikes_of
 from stiction.surfaces.statistics import ProfileMoments, Statistics, moments_by_differences, moments_by_spectrum, statistics

@@ -23,12 +23,12 @@ from stiction.solving.solve import solve
 from stiction.studies.case_results import require_choice
 from stiction.studies.prediction.predict import case_given, predict
 from stiction.studies.prediction.unused import refusal_of
+from stiction.surfaces.filters import filter_band, filter_period
 from stiction.surfaces.finding import Asperities, asperities, method_of_moments, methods_for
 from stiction.surfaces.height_model import HeightModel, height_model, roughness
 from stiction.surfaces.heightmap import HeightMap, in_metres
 from stiction.surfaces.held import as_height_map
 from stiction.surfaces.measured import of_one_map
-from stiction.surfaces.prepare import filter_band, filter_period
 from stiction.surfaces.spectrum import POINTS_PER_WAVE
 
 if TYPE_CHECKING:

@@ -16,7 +16,7 @@ from pydantic import Field, create_model
 from stiction.quantities.errors import InputError, field_below
 from stiction.quantities.inputs import Input
 from stiction.surfaces.heightmap import HeightMap
-from stiction.surfaces.measured import MeasuredRoughness, Scan, measure, surface_of
+from stiction.surfaces.measured import MeasuredRoughness, Scan, roughness_of, surface_of
 from stiction.surfaces.roughness import Roughness
 
 PLACE = "place"  # name of the dimension along which the maps lie
@@ -102,7 +102,7 @@ class MapOfPlace:
                 table["first"] = self.entry.surface(self.index)
             else:
                 table = {"first": self._patch(), **{name: getattr(self.entry, name) for name in _PREPARED}}
-            return measure(MeasuredRoughness(**table)).roughness()
+            return roughness_of(table)
 
     def _patch(self) -> HeightMap:
         whole = _surface(self.entry, self.folder, self.content)
