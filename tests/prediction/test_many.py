@@ -59,6 +59,15 @@ def test_a_row_of_many_is_the_prediction_of_one(kind):
             )  # where it adheres the faint adhesion is one for all
 
 
+def test_a_stated_number_of_samples_is_used_and_said():
+    contact, name, values = CONTACTS["bare"]
+    content = {"solve": {"load": "1 N"}, "uncertainty": {"count": 64}}
+    found = st.predict(content | {"contact": with_value(contact, name, values)})
+    one = st.predict(content | {"contact": with_value(contact, name, values[0])})
+    assert found.attrs["draws"] == one.sizes["sample"] == 64
+    np.testing.assert_allclose(found["friction_coefficient_low"].values[0], one["friction_coefficient_low"].values, rtol=1e-3)
+
+
 @pytest.mark.parametrize("kind", ["bare", "stated"])
 def test_contacts_along_sample_are_no_draws(kind):
     """As those of a sweep whose points are a list or drawn: each is its own prediction, whatever their dimension is called."""

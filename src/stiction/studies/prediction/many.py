@@ -33,8 +33,10 @@ _CONTACTS = "contacts along sample"  # replaces a dimension SAMPLE of the contac
 _AT_ONCE = 128  # points of a batch, which bounds the memory; errors on benchmark surfaces are computed for as many at once
 
 
-def count_of(points: int) -> int:
-    """Return the number of samples per prediction: 512 if points <= 128, else 256."""
+def count_of(case: Case, points: int) -> int:
+    """Return the number of samples per prediction: that of the case or, if it states none, 512 if points <= 128, else 256."""
+    if "count" in case.uncertainty.model_fields_set:
+        return case.uncertainty.count
     return COUNT if points <= _AT_ONCE else COUNT // 2
 
 
@@ -193,7 +195,8 @@ def predict_swept(case: Case, level: float = 0.9) -> "xarray.Dataset":
     if case.load is None:
         raise InputError("solve.separation", InWords("given"), "a load; for separations, name a model as solve.model")
     sizes = dimensions([*case.swept.values(), xarray.DataArray(case.load, dims=("load",))])
-    count, contacts = count_of(math.prod(sizes.values())), math.prod(size for dim, size in sizes.items() if dim != "load")
+    count = count_of(case, math.prod(sizes.values()))
+    contacts = math.prod(size for dim, size in sizes.items() if dim != "load")
     pressing = np.flatnonzero(case.load > 0.0)
     if not pressing.size:
         raise InputError(

@@ -70,7 +70,7 @@ def solved_of(plan: Plan, choice: Choice, piece: Region, keep: list[str] | None)
         yield piece, None
         return
     if choice.model == RECOMMENDED:
-        found = predict_many(case, arrays, plan.load, plan.uncertain, count=count_of(plan.size), refuse=False)
+        found = predict_many(case, arrays, plan.load, plan.uncertain, count=count_of(plan.case, plan.size), refuse=False)
     else:
         found = evaluate_many(case, arrays, None, choice, keep, along=tuple(piece))
     yield from ((region, _along_places(solved) if plan.maps and solved else solved) for region, _, solved in found)
