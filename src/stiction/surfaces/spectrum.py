@@ -303,7 +303,7 @@ def _complete(surface: HeightMap) -> np.ndarray:
         raise InputError(
             "heights",
             InWords(f"{surface.missing} of {heights.size} points missing"),
-            "no missing points; fill or crop the map first",
+            "no missing points; fill them first",
         )
     short = heights.shape[1] if surface.is_profile else min(heights.shape)
     if short < LEAST_POINTS:
