@@ -60,7 +60,7 @@ class Contact(Subject):
         Fraction of the energy released by shear that peels an adhesive asperity off, by default 1; coefficient of variation of
         the junction strength; Burgers vector, which only the law `hurtado_kim_1999` uses.
     weakening_slip, residual_strength : float [m] and float, str with a unit, or array, optional
-        Slip over which the strength of the interface falls, and fraction of the strength that remains; a slip needs a fraction.
+        Slip over which the strength of the interface falls, and fraction of it that remains. A slip requires the fraction.
     liquid, hold_time, reference_time, ageing_rate : optional
         Liquid that condenses between asperities. The other three describe ageing of the interface at rest: all or none.
 

@@ -99,7 +99,8 @@ class Liquid(Input):
     def kelvin_radius(self) -> "NumberOrArray":
         """Return the Kelvin radius [m], the radius of a meniscus in equilibrium with the vapour.
 
-        It is gamma_L V/(R_g T ln(p_s/p)), with surface tension, molar volume, gas constant and 1/humidity p_s/p (Thomson 1871).
+        It is gamma_L V/(R_g T ln(p_s/p)), with surface tension, molar volume, gas constant and p_s/p = 1/relative_humidity
+        (Thomson 1871).
         """
         volume = WATER if self.molar_volume is None else self.molar_volume
         potential: Any = -np.log(self.relative_humidity)

@@ -282,7 +282,7 @@ def class_of(body: Material) -> str:
     """Return the specified material class of a body, or guess it from Young's modulus E and hardness H.
 
     Below E = 0.1 GPa the class is "elastomer", below 10 GPa "polymer". Otherwise it is "ceramic" if H/E is 0.038 or more, else
-    "metal". Of arrays, the means decide.
+    "metal". For arrays, the mean values are used.
     """
     if body.material_class is not None:
         return body.material_class

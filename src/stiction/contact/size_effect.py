@@ -12,7 +12,7 @@ cone or pyramid whose faces lie at the angle beta to the surface, and for a sphe
 
 so that R* = (2/3) h*/tan^2(beta), 5.20 h* for Berkovich's and Vickers's pyramids, each as a cone of 70.3 degrees. An asperity
 is a sphere, so it has one hardness at every depth h. H_0 is the hardness of large imprints. h* is the characteristic depth,
-from a fit of hardness against the depth under a pyramid. The yield stress is assumed to grow as the hardness does.
+from a fit of hardness against the depth under a pyramid. The yield stress is assumed to grow in proportion to the hardness.
 
 *Limit*: h* -> 0 or R -> infinity: H_0. *Unknown*: what limits the growth. Measured hardness is reported to be lower than this
 formula predicts at depths below some 100 nm, where the dislocations spread beyond the hemisphere; a result with R* above 10 R
