@@ -95,7 +95,7 @@ class FilmLaw(Record):
     - wants: traits that the asperity law must have, each with the reason (a dict)
     - own_asperity: whether the film law has its own asperity law and ignores the one in `law`
     - one_body: whether film and substrate count as one body with the film's surface. The groups that the other laws use
-      if known (field `takes`) are then unused. So is the work of adhesion of the bodies if the film has its own
+      if known (field `takes`) are then unused. If the film has a work of adhesion, that of the bodies is unused too
     - solved_as_one: whether its elastic asperity is a sphere on a layered solid; tangential laws with `layered` then suit it
       too
     - bares_substrate: whether the substrate can be exposed. A tangential law of the interface then applies only where the film
@@ -262,7 +262,7 @@ class Addition(Record):
 
 @dataclass(frozen=True, kw_only=True)
 class Criterion(Record):
-    """Describe a ratio that distinguishes two kinds of behaviour of a rough contact: one for ratios below 1, one above 1.
+    """Describe a ratio that is below 1 for one kind of behaviour of a rough contact, and above 1 for another kind.
 
     - ratio(groups): function that returns the ratio (n,) from the dimensionless groups of n contacts, computed from the
       spectral moments of the surface
