@@ -1,6 +1,6 @@
 """Define the command line `stiction`.
 
-Slow libraries are imported inside the commands that need them, so that `stiction --help` answers at once.
+Slow libraries are imported inside the commands that need them, so that `stiction --help` is printed at once.
 """
 
 import atexit

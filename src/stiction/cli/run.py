@@ -92,9 +92,9 @@ def slide(
 ) -> None:
     """Compute the tangential force of a contact against its tangential displacement, from rest to sliding.
 
-    Asperities slip one after another; with --model boundary_elements, the points of a map do. At most five loads or separations
-    of the case are computed. --out writes sliding.csv, sliding.nc (netCDF4), a picture and, for a map, the animation
-    sliding.gif.
+    Asperities slip one after another. With --model boundary_elements, the points of a map slip instead. At most five loads or
+    separations of the case are computed. --out writes sliding.csv, sliding.nc (netCDF4), a picture and, for a map, the
+    animation sliding.gif.
     """
     chosen = read(case, load, ranges)
     laws = chosen_laws(context, chosen)
