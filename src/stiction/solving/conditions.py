@@ -176,8 +176,8 @@ def rules_of(problem: Problem) -> list[Validity]:
 def excludes(rule: Validity) -> bool:
     """Return whether a sample of uncertain inputs is excluded if its results violate this range.
 
-    This holds for ranges beyond which results are impossible, and for the limit of the mean contact pressure at the
-    hardness.
+    The result is True for ranges beyond which results are impossible, and for the range that limits the mean contact
+    pressure to the hardness.
     """
     return rule.kind == "impossible" or rule.quantity == "mean_pressure_over_hardness"
 

@@ -94,7 +94,7 @@ def evaluate(
 
     Notes
     -----
-    Equations: docs/explanation/theory.md, sections 2 to 4. The computation is fastest if h varies along separate axes.
+    Equations: docs/explanation/theory.md, sections 2 to 4. The computation is fastest if h varies along axes of its own.
 
     Examples
     --------

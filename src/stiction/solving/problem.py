@@ -264,7 +264,7 @@ class AsperitySum(Problem):
 def _wanted(name: str) -> str:
     """Return a text for error messages that states which values of a required quantity are allowed.
 
-    If `name` is not a quantity but a part of a contact, the text asks for that part. A work of adhesion must be above 0.
+    If `name` is not a quantity but a part of a contact, the text names that part. A work of adhesion must be above 0.
     """
     if name not in QUANTITIES:
         return f"a {name}"

@@ -1,9 +1,8 @@
 """Compute the tangential force of a rough surface from rest to sliding, asperity by asperity.
 
 Each asperity first sticks, then slips from its rim inwards, and slides at its own displacement. The sum over asperities
-therefore shows how many of them bear their full strength at the same time. The mean separation stays as it is under the normal
-load alone. For each displacement, a separate tangential law is summed over the heights (equations:
-`laws/presliding/mindlin_1949.py`).
+therefore shows how many of them reach their full strength at the same time. Shear does not change the mean separation. For
+each displacement, a separate tangential law is summed over the heights (equations: `laws/presliding/mindlin_1949.py`).
 """
 
 import math
@@ -280,7 +279,7 @@ class Sliding:
 
         static: normalised results at rest. With constant strength (Coulomb's law) the force only approaches its largest value;
         the displacement is then where it reaches 99 % of the sum of strengths. The displacement is NaN without strength or
-        stiffness, or if it is not found.
+        stiffness, or if the search fails.
         """
         h, strength, stiffness = (static[name] for name in ("mean_separation", "friction_force", "tangential_stiffness"))
         held = (strength > 0.0) & (stiffness > 0.0)

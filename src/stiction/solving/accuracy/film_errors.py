@@ -118,7 +118,7 @@ def _outside(ranges: Mapping[str, tuple[float, float]], given: Mapping[str, np.n
 def on_solved_maps(problem: Problem, points: int) -> ErrorsNear | None:
     """Return the errors of the area law for films, measured on rough surfaces with similar films; None for other models.
 
-    The result is None too if the roughness parameter is unknown. points: number of loads of each contact, which all get the
+    The result is also None if the roughness parameter is unknown. points: number of loads of each contact, which all get the
     same errors. Source: truth/films.csv. A film thinner or thicker than the measured films gets the errors at the end of the
     measured range, because the law then approaches the law of the bare body or of the film alone. A film modulus outside the
     measured range also gets the errors at the end of the range, but the result then has a larger `distance`.
