@@ -157,7 +157,7 @@ def answer_table(findings: ReportData) -> Table:
 def card(findings: ReportData) -> Markup:
     """Return the summary card as HTML; empty if there is no prediction.
 
-    The result of a model that the user named stands above the prediction.
+    The result of a model that the user named is shown above the prediction.
     """
     if findings.recommended is None:
         return Markup("")

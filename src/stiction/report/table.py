@@ -53,8 +53,8 @@ class Table:
     """Store a table as rows of cells; the first cell of a row is its name.
 
     A cell is a text or, on a page, a list of lines. looks: style of each row, "bold", "dim" or "". ruled: whether a line
-    separates heads and rows. gap: number of spaces between columns. whole: never shorten a name; a name that does not fit
-    stands on a line above its row. stacked: on a narrow page, put the cells of a row below one another, each with the head of
+    separates heads and rows. gap: number of spaces between columns. whole: never shorten a name; a name that does not fit is
+    printed on a line above its row. stacked: on a narrow page, put the cells of a row below one another, each with the head of
     its column. ranked: whether the first rows are the most important.
     """
 
@@ -104,7 +104,7 @@ class Table:
     def _printed(self, names: list[Any], head: str = "") -> Printed:
         """Return a rich table with these row names.
 
-        A name that is _MARK stands for a long name: its cells are moved down by one line, to make room for the name.
+        The name _MARK replaces a long name. The cells of its row are moved down by one line, to make room for the long name.
         """
         headed = any(self.heads)
         box = SIMPLE_HEAD if self.ruled else None

@@ -91,7 +91,7 @@ def design_notes(data: "xarray.Dataset") -> Iterator[Text]:
 def _which(data: "xarray.Dataset", row: int) -> str:
     """Return the list entries that were chosen for a design, in brackets; "" if there is only one design.
 
-    If nothing was chosen from lists, it is "design N" in brackets, with N counted from 1.
+    If nothing was chosen from lists, the text is "design N" in brackets, with N counted from 1.
 
     row: index of the design.
     """
