@@ -29,7 +29,7 @@ def encoded(tables: Mapping[str, Any]) -> str:
 def decoded(text: str) -> dict[str, Any]:
     """Return the tables of a case from the text of an address, the inverse of `encoded`.
 
-    Raises InputError for damaged text, for more than 20,000 characters, or for a case above 200,000 bytes.
+    Raises InputError for damaged text, for more than 20,000 characters, or for a case larger than 200,000 bytes.
     """
     if len(text) > _LONGEST:
         raise InputError("address", InWords(f"{len(text)} characters"), f"at most {_LONGEST} characters")

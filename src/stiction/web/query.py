@@ -93,7 +93,7 @@ class Answer:
     def middle(self) -> int:
         """Return the index of the curve point at the working load, or at the middle compressive load.
 
-        A prediction has a working load; for a model it is the middle one of the compressive loads, and 0 if there are none.
+        Only a prediction has a working load. For a model without compressive loads the index is 0.
         """
         load = np.atleast_1d(self.curve["load"].values)
         if "working_load" in self.curve.attrs:
@@ -217,8 +217,8 @@ def remarks(answer: Answer) -> list[str]:
     """Return sentences on an answer: model and grade, warnings and remarks.
 
     A prediction has no sentence on model and grade. The first warning of a prediction is left out, because the card shows it.
-    The other sentences list input warnings, inputs that were not used, remarks, and arrays of which the curves show only the
-    first value.
+    The other sentences list input warnings, inputs that were not used, remarks, and array parameters for which the curves
+    show only the first value.
     """
     attrs, (*arrays, _) = answer.data.attrs, answer.data["load"].dims or ("",)
     lines = [] if answer.is_prediction else [f"Model {model_line(attrs)}; grade {grade_line(attrs)}."]

@@ -28,7 +28,7 @@ def query_of(case: Path | None) -> Query:
     """Return the case that the page starts with, from a case file or the default one, as a `Query`.
 
     Raises InputError if the case cannot be solved. The case is solved before the server starts. Errors of the file are thus
-    reported at once, and kernels are compiled and laws imported before the first visitor comes.
+    reported at once, and kernels are compiled and laws imported before the first visit.
     """
     if case is None:
         query = Query(first_case())

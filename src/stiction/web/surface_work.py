@@ -99,7 +99,7 @@ def spectrum_of(surface: HeightMap, band: Band) -> BinnedSpectrum:
 def friction_with(query: Query, scan: Scan, band: Band, load: float) -> str:
     """Return HTML with the friction of a case at a load [N], if the prepared scan is the roughness of the first body.
 
-    An error is returned as text, and so is a hint if the case states dimensionless groups.
+    An error is returned as text. If the case states dimensionless groups, a hint is returned.
     """
     if "contact" not in query.tables:
         return "Friction with this surface needs a case in units: choose an example."
