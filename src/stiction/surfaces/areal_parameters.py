@@ -14,9 +14,9 @@ The height d of a point is measured from the mean of the map. Level and filter t
                     below the core
 
 The curve has 10,001 quantiles. On maps with more than 1024 points along a side the autocorrelation uses every second (third,
-...) point. Checked against surfalize 0.19.2, scikit-image and shapely to 1e-8 (tests/surfaces/test_areal_parameters.py). The
-autocorrelation is linear between neighbouring points; a cubic spline changes Sal by up to 4e-4. surfalize takes Sal, Str, Spk
-and Svk at the nearest of its points and differs by up to 2.2e-3.
+...) point. The parameters agree with surfalize 0.19.2, scikit-image and shapely to 1e-8
+(tests/surfaces/test_areal_parameters.py). The autocorrelation is linear between neighbouring points; a cubic spline changes
+Sal by up to 4e-4. surfalize takes Sal, Str, Spk and Svk at the nearest of its points and differs by up to 2.2e-3.
 """
 
 import math

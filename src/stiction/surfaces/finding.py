@@ -1,7 +1,7 @@
 """Find the asperities of a measured surface by a selected method, and compute sigma, R and N from them.
 
-sigma is the standard deviation of the asperity heights, R the tip radius and N the number per area. They depend on the method
-as strongly as on the point spacing of the map. Each method is a record of the class AsperityMethod, in a file of
+sigma is the standard deviation of the asperity heights, R the tip radius and N the number per area. They depend strongly on
+the method and on the point spacing of the map. Each method is a record of the class AsperityMethod, in a file of
 `asperity_method` or in another package, which registers it through an entry point.
 """
 

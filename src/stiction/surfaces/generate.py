@@ -308,8 +308,8 @@ def _alternate(start, amplitudes, wanted, steps):
     - wanted: all heights [m] of the wanted distribution, ascending
     - steps: largest number of iterations after the first one
 
-    Returns four values: the heights with the exact distribution; the heights with the exact spectrum; the relative rms error of
-    the amplitudes of the first of these; and the number of steps.
+    Returns four values: the heights with the exact distribution; the heights with the exact spectrum; the relative rms error
+    of the amplitudes of the heights with the exact distribution; and the number of steps.
     """
     spectral, last = start, math.inf
     size = math.sqrt(float(np.sum(amplitudes**2)))

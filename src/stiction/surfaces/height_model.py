@@ -49,8 +49,8 @@ class HeightModel:
 def height_model(found: Asperities, wanted: str | None = None) -> HeightModel:
     """Choose the simplest distribution that fits the heights of asperities: Gaussian, else Weibull, else empirical.
 
-    A distribution fits if its Kolmogorov-Smirnov distance from the heights is at most a limit. Of samples drawn from the
-    distribution itself, 1 in 20 exceeds this limit. Every distribution has the mean and standard deviation of the heights; the
+    A distribution fits if its Kolmogorov-Smirnov distance from the heights is at most a limit. One in 20 samples drawn from
+    the distribution itself exceeds this limit. Every distribution has the mean and standard deviation of the heights; the
     Weibull exponent also reproduces their skewness.
 
     - found: the asperities

@@ -86,11 +86,11 @@ class Roughness(Input):
         Parameters of the distribution, e.g. {"exponent": 3.4} for "weibull"; see `stiction.height_distribution`.
     kind : str, optional
         Kind of surface: gaussian, skewed, worn, lay (rougher across than along), two-scale (fine roughness on coarse), or the
-        name of a finish ("ground"). It changes no result of a model, only the benchmark surfaces that the result is compared
-        to.
+        name of a finish ("ground"). It does not change the result of a model; it selects the benchmark surfaces with which the
+        result is compared.
     skewness, kurtosis : float, optional
-        Ssk and Sku of the surface heights (ISO 25178-2), 0 and 3 for a Gaussian surface. Like `kind`, they choose the benchmark
-        surfaces that the result is compared to, and so narrow the interval of a prediction.
+        Ssk and Sku of the surface heights (ISO 25178-2), 0 and 3 for a Gaussian surface. Like `kind`, they select the
+        benchmark surfaces with which the result is compared. They thus narrow the interval of a prediction.
     texture_aspect_ratio : float, optional
         Str of the surface (ISO 25178-2), 1 for an isotropic surface and small for a surface with a lay. It is used like the
         skewness.
@@ -217,8 +217,8 @@ class Roughness(Input):
     def of_surface(self) -> "Roughness | None":
         """Return the asperities that have the spectral moments of the surface; None if they are unknown.
 
-        They are the field `surface`, with the kind of surface, skewness, kurtosis and texture aspect ratio that are specified
-        for this roughness.
+        The result is the field `surface`, with the kind of surface, skewness, kurtosis and texture aspect ratio that are
+        specified for this roughness.
         """
         more = self.shape | ({} if self.kind is None else {"kind": self.kind})
         return self.surface if self.surface is None or not more else self.surface.replace(**more)
@@ -235,7 +235,7 @@ class Roughness(Input):
 
     @property
     def measured(self) -> "Measured | None":
-        """Return what all asperity methods found in the scans (surfaces.measured.Measured).
+        """Return the results of all asperity methods for the scans (surfaces.measured.Measured).
 
         The result is None if the numbers do not come from scans, or belong to one method in `Measured.by_method`.
         """

@@ -85,7 +85,7 @@ class PowerSpectrum:
     def waves(self) -> np.ndarray:
         """Return how many waves each column of `density` represents, (columns // 2 + 1,).
 
-        It is two where the wave at -q is not stored, and otherwise one.
+        The number is two where the wave at -q is not stored, and one elsewhere.
         """
         return waves_of(self.columns)
 

@@ -25,7 +25,7 @@ of the mean slope tensor. Hence
     m2 = (<z_x^2><z_y^2> - <z_x z_y>^2)^(1/2),        m4 = m2^2 times the geometric mean of m4/m2^2 along x and y           (1)
 
 are the moments of an isotropic surface with the same number of summits per area. Its curvature is the geometric mean of the
-two principal curvatures. (Derived here from the affine map.) For an isotropic surface, (1) equals the means above.
+two principal curvatures. (1) is derived here from the affine map. For an isotropic surface, (1) equals the means above.
 
 On a surface without a shortest wave, m2 and m4 grow without bound as the cutoff decreases: state the cutoff with them.
 """

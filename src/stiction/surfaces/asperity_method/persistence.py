@@ -1,9 +1,9 @@
 r"""Find the summits of a map that stand out by more than a threshold, by joining hills from the highest saddle down.
 
 Only a few points matter: maxima and saddles. A maximum has no higher neighbour. A saddle has two or more separate groups of
-higher neighbours, and may be where two hills meet. At any other point all higher neighbours are connected and belong to one
-hill, and so does the point. Of two points of the same height the one with the larger flat index counts as higher, so that the
-order of the points is unique.
+higher neighbours, and may be where two hills meet. At any other point all higher neighbours are connected; they and the point
+belong to one hill. Of two points of the same height the one with the larger flat index counts as higher, so that the order of
+the points is unique.
 
 *Assumes*: an asperity is the top of a hill from which every path to a higher top descends by more than a threshold; its
 curvature is computed from the least-squares paraboloid around it. *Source*: [iso_25178_2_2012], hills and Wolf pruning.

@@ -8,9 +8,9 @@ asperity models give the same conversion with N R sigma:
     sigma^2 = m0 - 3.717e-4 / (N R)^2,   mean height of the summits = 0.045944 / (N R).
 
 Common errors: m2 and m4 are those of a profile along a line. The mean square gradient is 2 m2 and the mean square Laplacian
-is 8 m4 / 3. The mean curvature of the summits depends on m4 alone, (8/3) sqrt(m4 / pi); a form with m4 / m2 is wrong. The
-separations measured from the mean plane and from the mean of the summits differ by `summit_height`. This package measures
-from the mean of the summits.
+is 8 m4 / 3. The mean curvature of the summits depends on m4 alone, (8/3) sqrt(m4 / pi); a formula with m4 / m2 is wrong. The
+separations measured from the mean plane and from the mean of the summits differ by `summit_height`. This package measures from
+the mean of the summits.
 """
 
 import math
