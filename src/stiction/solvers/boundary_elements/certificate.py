@@ -8,8 +8,8 @@ because E exceeds its minimum by at least <e C e>/2:
 
     E(p) - E(p*) <= 1/2 <s C^-1 s>        <e C e> <= <s C^-1 s>                                                             (1)
 
-where the mean of s is omitted if C(0) is not defined. Derived here. For a map with free edges, C^-1 is not known, and the
-weaker bound
+where the mean of s is omitted if C(0) is not defined. (1) is derived here. For a map with free edges, C^-1 is not known, and
+the weaker bound
 
     <e C e> <= <g p> - min <g q>   over all q of the same mean and bounds                                                   (2)
 

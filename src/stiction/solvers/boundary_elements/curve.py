@@ -88,7 +88,7 @@ def of_map(surface: HeightMap, bodies: Bodies, every: int) -> dict[str, float]:
     """Return the quantities of a map that do not depend on load, by name.
 
     They are points in the shortest wave, longest waves on a side, rms gradient, sampling step and, if one of the bodies has a
-    film, the number of points in its thickness; if both have films, of the first one. every: sampling step.
+    film, the number of points in its thickness; if both have films, the number for the first film. every: sampling step.
     """
     seen = waves(surface.heights, surface.size, surface.periodic)
     numbers = {

@@ -52,7 +52,7 @@ class Edges:
 
     @property
     def excess(self) -> float:
-        """Return by how many pixels the contact area is too large if every pixel in contact is counted whole.
+        """Return the number of pixels by which the contact area is too large if each pixel in contact counts fully.
 
         It is c times the number of pixel sides at the contact edge; c is larger if most edges run along one axis (equation (2)
         of this module).

@@ -9,9 +9,9 @@ contact pressure plus s on B. The pressure is p = q - s on B, and q solves the c
 
 B and q are computed alternately, beginning with B of the dry contact. Additional suction opens no gap: where a gap would open
 most, the contact pressure q would have to fall, which more suction does not cause. Therefore B only grows, up to the smallest
-set that satisfies (1). This is the set that vapour fills as it condenses around dry contacts. The model is the attraction of
-Maugis & Dugdale (Maugis 1992) at every point of a map; derived here. As in that model, the pressure at the edge of contact is
--s.
+set that satisfies (1). This is the set that vapour fills as it condenses around dry contacts. The model applies the attraction
+of Maugis & Dugdale (Maugis 1992) at every point of a map; it is derived here. As in that model, the pressure at the edge of
+contact is -s.
 """
 
 from collections.abc import Callable

@@ -40,7 +40,8 @@ from stiction.solvers.boundary_elements.arrays import blocks, clip_into, dot, fa
 class Boundary(Protocol):
     """Define the compliance operator of a map, which computes displacements from pressures.
 
-    Results have the precision of the argument. inverts: whether `inverse` is exact. has_mean: whether means are defined.
+    Results have the precision of the argument. inverts: whether `inverse` is exact. has_mean: whether mean displacements are
+    defined.
     """
 
     inverts: bool

@@ -5,7 +5,7 @@ radius r and angle theta from the direction of the traction it is
 
     M = A s^2 + 2 B s q cos(theta) + [C + (D - C) cos^2(theta)] q^2.
 
-The maximum over theta has a closed form. The maximum over r and z is searched on a grid that is dense where stresses vary, and
+The maximum over theta has a closed form. The maximum over r and z is located on a grid that is dense where stresses vary, and
 refined by parabolas. The root of the maximum, N(s, q), is the largest von Mises stress. It is a norm of (s, q). Film and body
 each have their own N, and yield where N reaches their yield stress. For very small contacts the film acts as a half-space. For
 contacts much wider than the film, the body acts as a half-space and stretches the film like its own surface.
@@ -105,8 +105,8 @@ def norms(stresses: Stresses, angles: np.ndarray) -> np.ndarray:
 def table_of_norms(pair: tuple[Layer, ...], bodies: tuple[CoatedBody, ...]) -> np.ndarray:
     """Return ln of the largest von Mises stress in film and body: (2, PLACES, ANGLES).
 
-    pair, bodies: layers and elastic constants of the coated bodies; of two bodies, the larger value is taken. PLACES:
-    contact sizes z = (p - 1)/(p + 1), p = (a/t)^(1/2), with the contact radius a and the film thickness t. ANGLES:
+    pair, bodies: layers and elastic constants of the coated bodies; for two coated bodies, the larger stress is returned.
+    PLACES: contact sizes z = (p - 1)/(p + 1), p = (a/t)^(1/2), with the contact radius a and the film thickness t. ANGLES:
     arctan(q/s) for mean traction q and mean pressure s, s^2 + q^2 = 1. The stress in the body is multiplied by 1 + (t/a)^2
     before the logarithm is taken, so that the table stays finite for small contacts.
     """

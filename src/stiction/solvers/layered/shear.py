@@ -10,7 +10,7 @@ across it have a different ratio than on a half-space. For a wave in the directi
 T is the tangential force. Q0 is a sum of the spherical Bessel functions of orders 0, 2, 4 ..., and Q2 of orders 2, 4, 6 ....
 These are transforms of tractions inside the unit circle. On a half-space Q0 has order 0 only, and T = 8 delta/(C_L + C_T),
 which is Mindlin's 8 a/beta (a: contact radius, beta: tangential compliance). As in Mindlin's theory, the traction is assumed
-not to change the pressure. Derived here; the half-space is Mindlin (1949).
+not to change the pressure. The equation is derived here; the half-space is the case of Mindlin (1949).
 """
 
 from functools import lru_cache

@@ -1,4 +1,4 @@
-"""Interpolate the response curves of a film on one body from a table that holds for any materials.
+"""Interpolate the response curves of a film on one body from a table that is valid for all materials.
 
 The table makes sweeps over thousands of material pairs fast. Running `python -m stiction.solvers.layered.table` (two minutes)
 computes it from exact solutions and writes `curves.npz`. It has three coordinates: ln r / ln 200, where r is the ratio of

@@ -177,7 +177,8 @@ class _Strengths:
 
     A turn solves the pressure once and then the traction once. Without a limit, some points at the edge would touch in one turn
     and not in the next. After the third turn, the strength of a point that has begun or ceased to touch changes by only 30 % of
-    the difference in each turn. When the point does so a second time, its strength is fixed. misfit: as in `CoupledState`.
+    the difference in each turn. When the point begins or ceases to touch a second time, its strength is fixed. misfit: as in
+    `CoupledState`.
     """
 
     def __init__(self) -> None:
