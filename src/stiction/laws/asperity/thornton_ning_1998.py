@@ -23,7 +23,7 @@ and gives a slightly smaller $P$; without adhesion both agree. Load and stiffnes
 JKR's central pressure at zero displacement, $(2E^{*2}\gamma/(\pi^2R))^{1/3}$, the asperity yields at first touch, and the same
 formulas hold afterwards.
 
-The source does not say how to choose $p_y$. With `limiting_pressure="first_yield"`, the default, it is $H/k$ times the exact
+The source does not state how to choose $p_y$. With `limiting_pressure="first_yield"`, the default, it is $H/k$ times the exact
 $p_0/Y$ of the table under [`hertz`](#hertz); with `"hardness"` it is $H$. *Check*: at $\theta=40$, $\lambda=10$, $\nu=0.3$,
 $k=2.8$ it yields at $w=0.0776$ under the tension $P=-0.0741$ with the first choice, and at $w=0.4116$, $P=0.1769$ with the
 second.

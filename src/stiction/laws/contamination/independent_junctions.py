@@ -13,7 +13,7 @@ $$
 $s_\mu$ is the standard deviation of the friction coefficient $\mu$ between contacts under the same load $P$, due to the
 scatter of strength alone. $A_i$ are the areas of the $n$ junctions in contact, and angle brackets denote their mean. The
 second formula holds if the force is $\tau_0A$ alone. Different contacts also touch at different asperities. This scatter is
-not included, and a validity warning says so. The mean of $\mu$ does not change. Theories without single junctions do not
+not included, and a validity warning states this. The mean of $\mu$ does not change. Theories without single junctions do not
 support this law, nor do films, whose junctions belong to two bodies.
 
 *Limit*: many junctions, or $c_\tau=0$: no scatter. *Check*: Hertz's asperities with exponential heights, for which $\langle

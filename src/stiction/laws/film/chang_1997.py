@@ -12,8 +12,8 @@ $$
 
 where a negative bracket is replaced by 0. Load and area are continuous at $w=\tau$. Only the substrate resists shear, unless
 the tangential law describes the interface. *Check* of the abstract's statements: at a high plasticity index the film changes
-area and load less; a thin film stiffens a lightly loaded contact. *Unknown*: all equations of the source. *Trap*: even at zero
-film thickness a rim of film around elastic contacts carries load.
+area and load less than at a low index; a thin film stiffens a lightly loaded contact. *Unknown*: all equations of the source.
+*Trap*: even at zero film thickness a rim of film around elastic contacts carries load.
 
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ in units of $KR^{1/2}\sigma^{3/2}$ and contact area $A$ in units of
 $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$

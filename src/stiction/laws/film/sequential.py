@@ -11,7 +11,7 @@ $$
 P=\begin{cases}n_EP_c(w)&w<\tau\\n_EP_c(\tau)+P_s(w-\tau)&w\ge\tau\end{cases},\qquad A=A_c(w)
 $$
 
-and the same for the tangential force; a law of the interface uses the total load and the outer area instead. But film and
+The tangential force follows the same rule, but a law of the interface uses the total load and the outer area. Film and
 substrate transmit the same force in series, so their forces do not add up. The paper's sum is therefore too large by the force
 of the film. With `film_shear="in_series"` the smaller tangential force applies: the film's at the full displacement, or the
 substrate's at the displacement minus the film thickness,
