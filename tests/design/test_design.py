@@ -85,7 +85,12 @@ def test_a_target_out_of_reach_is_missed_and_it_is_said_by_how_much(tmp_path):
     said = f"friction_coefficient = {mu:.4g}, {100.0 * (mu / 0.0002 - 1.0):.3g} % above 0.0002"
     assert data.attrs["missed"] == said and least.attrs["missed"] == ""
     assert f"objective missed: {said.replace('_', ' ')}" in "\n".join(map(str, design_notes(data)))
-    assert said.replace("_", " ") in design_figure(data).get_suptitle()
+    figure = design_figure(data)
+    assert said.replace("_", " ") in figure.get_suptitle()
+    figure.draw_without_rendering()
+    (panel,) = figure.axes
+    legend = panel.get_legend()
+    assert legend.get_window_extent().y0 > panel.bbox.y1 and "designs evaluated" in legend.get_title().get_text()
     assert said in run_design(plan_of_design(table), lambda count, text: None).case_text(tmp_path)
 
 

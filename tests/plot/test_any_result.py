@@ -155,6 +155,8 @@ def test_a_film_has_no_plasticity_map_of_bare_bodies():
     (figure,) = regime_picture(adhering, data, "").values()
     (adhesion,) = figure.draw().axes
     assert "Tabor" in adhesion.get_xlabel()
+    highest = max(line.zorder for line in adhesion.lines)  # the contact is a line across the map here
+    assert all(text.zorder > highest and text.get_bbox_patch() for text in adhesion.texts)
 
 
 def test_measured_friction_is_drawn_with_its_errors(path):

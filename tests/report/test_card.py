@@ -8,9 +8,16 @@ from scipy.stats import norm
 
 import stiction as st
 from stiction.quantities.shown import show
-from stiction.report.answer import answer_lines, at_working_load, confidence, confidence_in, working_load_in_words
+from stiction.report.answer import (
+    answer_lines,
+    at_working_load,
+    confidence,
+    confidence_in,
+    confidence_in_words,
+    working_load_in_words,
+)
 from stiction.report.card import Card, card_of, shortened
-from stiction.studies.prediction.measured import interval_after_measuring
+from stiction.studies.prediction.measured import CONTRADICTS, interval_after_measuring
 from stiction.studies.prediction.regime import without_commands
 from stiction.studies.prediction.uncertainty_sources import main_sources, sources_in_words
 
@@ -125,15 +132,27 @@ def test_a_reader_without_a_terminal_gets_no_command(step, words):
     assert without_commands(step) == words
 
 
-def test_the_card_says_how_many_handbook_contacts_agree(predicted):
-    rows = dict(card_of(predicted.assign_attrs(in_handbooks=(5, 6))).lines)
-    assert rows["Confidence"] == "low (wide interval); 5 of 6 handbook contacts agree"
+def test_card_and_terminal_say_why_confidence_is_low(predicted):
     names = [f"friction_coefficient{end}" for end in ("_low", "_high")]
-    narrow = predicted.assign({name: predicted["friction_coefficient"] for name in names}).assign_attrs(in_handbooks=(1, 2))
-    assert dict(card_of(narrow).lines)["Confidence"] == "low; only 1 of 2 handbook contacts agree"
+    narrow = predicted.assign({name: predicted["friction_coefficient"] for name in names})
+    few, contradicted = {"in_handbooks": (1, 2)}, {"measured": 3, "warnings": [CONTRADICTS]}
+    for data, words in (
+        (predicted.assign_attrs(in_handbooks=(5, 6)), "low (wide interval)"),  # beside "low" their number would contradict it
+        (narrow.assign_attrs(few), "low (only 1 of 2 handbook contacts agree)"),
+        (narrow.assign_attrs(contradicted), "low (measured friction contradicts the contact)"),
+    ):
+        said = confidence_in_words(data)
+        assert said == words == dict(card_of(data).lines)["Confidence"]
+    assert answer_lines(narrow.assign_attrs(few))[0][1].endswith("; confidence: low (only 1 of 2 handbook contacts agree)")
+
+
+def test_the_card_says_how_many_handbook_contacts_agree(predicted):
+    fair = predicted.assign(friction_coefficient_low=0.5 * predicted.friction_coefficient)
+    fair["friction_coefficient_high"] = 2.0 * predicted.friction_coefficient
+    assert dict(card_of(fair.assign_attrs(in_handbooks=(5, 6))).lines)["Confidence"] == "fair; 5 of 6 handbook contacts agree"
     fitted = {"measured": 3, "strength": (2e7, 1e7, 3e7), "grows_with_pressure": True}
     for none in ({"in_handbooks": (0, 0)}, {"in_handbooks": (5, 6)} | fitted):
-        assert "handbook" not in dict(card_of(predicted.assign_attrs(**none)).lines)["Confidence"]
+        assert "handbook" not in dict(card_of(fair.assign_attrs(**none)).lines)["Confidence"]
 
 
 def test_a_warning_leaves_at_most_fair_confidence(predicted):

@@ -16,6 +16,7 @@ import stiction as st
 from collisions import collisions
 from stiction import cli
 from stiction.quantities.errors import InputError
+from stiction.report import view
 from stiction.report.sensitivity_pictures import sensitivity_figure
 from stiction.report.table import Table
 from stiction.report.view import in_short
@@ -311,6 +312,15 @@ def test_a_short_answer_has_both_tables_and_then_every_range_of_the_materials():
     parts = [*in_short(sensitivity_view(data).parts(), written=True)]
     assert [len(part.rows) for part in parts if isinstance(part, Table)] == [4, 4]
     assert str(parts[0]).startswith("excluded: 100% of the samples, pressure above hardness")
+
+
+def test_an_answer_that_fits_is_laid_out_once(monkeypatch):
+    layouts, fitting = [], view._fitting
+    monkeypatch.setattr(view, "_fitting", lambda parts, rows, *rest: layouts.append(rows) or fitting(parts, rows, *rest))
+    assert [*in_short(["first", "second"])] == ["first", "second", "Details: --details"]
+    assert layouts == [5]
+    assert [*in_short(["first", "long\n" * 20])] == ["first", "Details: --details"]
+    assert layouts == [5, 5, 4, 3]
 
 
 def test_the_numbers_of_a_named_interface_are_among_the_sensitivities():

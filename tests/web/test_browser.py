@@ -207,6 +207,16 @@ def test_the_first_screen_has_the_answer_and_the_whole_form_in_110_words(opened,
     page.get_by_text(letters(answer["regime"]), exact=True).wait_for()
 
 
+def test_the_next_step_opens_its_tab_also_where_no_room_shows_it(opened):
+    opened.set_viewport_size({"width": 390, "height": 844})
+    opened.get_by_role("status").get_by_role("button", name="tab Studies", exact=True).click()
+    tab = opened.get_by_role("tab", name="Studies", selected=True)
+    tab.wait_for()
+    opened.wait_for_timeout(0.5 * SECOND)  # the tabs are moved gradually
+    box = tab.bounding_box()
+    assert 0 <= box["x"] and box["x"] + box["width"] <= 390
+
+
 FORM = ["Load", "Bodies", "Film", "Roughness", "Adhesion", "Interface"]
 
 

@@ -87,6 +87,21 @@ def confidence_in(data: "xarray.Dataset") -> str:
     return "fair" if word == "high" and (few or data.attrs["warnings"]) else word
 
 
+def confidence_in_words(data: "xarray.Dataset") -> str:
+    """Return the confidence in mu of a prediction, with the reason for a low one, such as "low (wide interval)".
+
+    data: result of `predict`.
+    """
+    word, (held, contacts) = confidence_in(data), data.attrs["in_handbooks"]
+    if word != "low":
+        return word
+    if confidence(*ends_of_mu(data)) == "low":
+        return "low (wide interval)"
+    if "measured" in data.attrs:
+        return "low (measured friction contradicts the contact)"
+    return f"low (only {held} of {contacts} handbook contacts agree)"
+
+
 def confidence_scale(word: str) -> str:
     """Return a text with a confidence, "high", "fair" or "low", and an explanation of these three words."""
     high, fair, _ = (f"{factor:g}" for factor in _CONFIDENCE)
@@ -245,11 +260,11 @@ def answer_lines(data: "xarray.Dataset", terminal: bool = True) -> list[tuple[st
     point, attrs = at_working_load(data), data.attrs
     force = show(float(point[_FORCE]), _FORCE, 2)
     area = show(float(point[_AREA]), _AREA, 2).replace("m^2", "m²")
-    warnings, sure, worn = attrs["warnings"], confidence_in(data), worn_through(attrs["bare_metal"])
-    at = f"at {working_load_in_words(data)}; confidence: {sure}"
+    warnings, worn = attrs["warnings"], worn_through(attrs["bare_metal"])
+    at = f"at {working_load_in_words(data)}; confidence: {confidence_in_words(data)}"
     rows = [
         (f"mu = {number(float(point[_MU]))}", f"{attrs['level']:.0%} interval {span(point, _MU)}, {at}"),
-        ("confidence", "" if terminal else confidence_scale(sure)),
+        ("confidence", "" if terminal else confidence_scale(confidence_in(data))),
         ("friction force", f"{force} ({span(point, _FORCE, _FORCE)}); real contact {area}"),
         ("along the load", _along(data)),
         ("measured", _of_measured(data)),

@@ -7,8 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from stiction.quantities import html
 from stiction.report.answer import (
     answer_lines,
-    confidence,
-    confidence_in,
+    confidence_in_words,
     ends_of_mu,
     next_in_words,
     number,
@@ -102,7 +101,7 @@ class Card(NamedTuple):
         folded = f"<details><summary>why</summary>{html.table('', self.rows)}</details>" if why else ""
         return (
             f'<div class="card">{named}<p><span {big}>μ = {number(self.mu)}</span> '
-            f"{self.interval} ({self.level:.0%} interval) at {escape(unbroken(self.load))}{more}</p>"
+            f"{self.interval} ({self.level:.0%} interval) at\N{NO-BREAK SPACE}{escape(unbroken(self.load))}{more}</p>"
             f"{self.bar()}<dl>{rows}</dl>{folded}</div>"
         )
 
@@ -124,15 +123,15 @@ def card_of(data: "xarray.Dataset", named: str = "") -> Card:
 
 
 def _confidence(data: "xarray.Dataset") -> str:
-    """Return the confidence and its reasons, such as "low (wide interval); 5 of 6 handbook contacts agree".
+    """Return the confidence with a reason, such as "low (wide interval)" or "fair; 5 of 6 handbook contacts agree".
 
-    Handbook contacts are left out if there are none, or if the user measured friction.
+    Handbook contacts do not support a low confidence. They are also left out if there are none, or if the user measured
+    friction.
     """
-    word, (held, contacts) = confidence_in(data), data.attrs["in_handbooks"]
-    wide = " (wide interval)" if word == "low" and confidence(*ends_of_mu(data)) == "low" else ""
-    if not contacts or "measured" in data.attrs:
-        return word + wide
-    return f"{word}{wide}; {'' if wide or word != 'low' else 'only '}{held} of {contacts} handbook contacts agree"
+    words, (held, contacts) = confidence_in_words(data), data.attrs["in_handbooks"]
+    if not contacts or "measured" in data.attrs or words.startswith("low"):
+        return words
+    return f"{words}; {held} of {contacts} handbook contacts agree"
 
 
 def shortened(warning: str) -> str:

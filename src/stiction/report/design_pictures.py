@@ -63,6 +63,13 @@ def _along_result(axes: Axes, which: str, name: str, values: np.ndarray, log: bo
     along(axes, which, quantity, values, log, f"{end} end of the interval of the\n" if end else "", **named)
 
 
+def _legend_above(axes: Axes, columns: int = 1) -> None:
+    """Move title and legend above the panel, where the legend covers no points and no limits. columns: of the legend."""
+    place: dict[str, Any] = {"loc": "lower center", "bbox_to_anchor": (0.5, 1.0), "ncols": columns, "frameon": False}
+    axes.legend(title=axes.get_title(), title_fontsize=9, fontsize=8, **place)
+    axes.set_title("")
+
+
 def _front(axes: Axes, data: "xarray.Dataset", objectives: list[str]) -> None:
     if not data.sizes.get("pareto"):
         say(axes, "no design meets the limits")
@@ -91,6 +98,7 @@ def _chosen(axes: Axes, data: "xarray.Dataset", objective: str) -> None:
         axes.plot(x, (values - low) / (high - low), linewidth=0.8, label=text, **look_of("", number))
     title = "design variables along the front"
     _along_result(axes, "x", objective, x, ylabel="0: lower search limit; 1: upper search limit", title=title)
+    _legend_above(axes)
 
 
 def _draw_evaluated(axes: Axes, data: "xarray.Dataset", objective: str) -> None:
@@ -109,7 +117,7 @@ def _draw_evaluated(axes: Axes, data: "xarray.Dataset", objective: str) -> None:
         )
     best = data.isel(design=0)
     chosen = columns_of(data, "design")
-    axes.plot(float(best[chosen[name]]), float(best[chosen[objective]]), "*", color=RED, markersize=14, label="best")
+    axes.plot(float(best[chosen[name]]), float(best[chosen[objective]]), "*", color=RED, markersize=14, label="best", zorder=3)
     for end_number, end in enumerate(("searched_from", "searched_to")):
         axes.axvline(number.attrs[end], color=ORANGE, linestyle="--", label=None if end_number else "search limits")
     seen = value[feasible & np.isfinite(value)] if feasible.any() else value[np.isfinite(value)]
@@ -119,3 +127,4 @@ def _draw_evaluated(axes: Axes, data: "xarray.Dataset", objective: str) -> None:
     if seen.size and seen.min() > 0.0:
         scale_friction(axes, seen)
         finish(axes)
+    _legend_above(axes, 2)

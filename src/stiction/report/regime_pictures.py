@@ -53,7 +53,7 @@ def _adhesion(axes: Axes, contact: "Contact", data: "xarray.Dataset", load: floa
         (0.7, 0.1, "Maugis"),
         (60.0, 0.1, "JKR"),
     ):
-        axes.text(x, y, text, ha="center", fontsize=9)
+        axes.text(x, y, text, ha="center", fontsize=9, zorder=4, bbox={"color": "white", "pad": 1.5})
     touching = (
         float(data["touching_asperities"].values.flat[int(np.argmax(data["load"].values))])
         if "touching_asperities" in data

@@ -37,8 +37,11 @@ def in_short(parts: Iterable[Any], columns: int = _COLUMNS, written: bool = Fals
     about the written files.
     """
     parts, most = [*filter(None, parts)], MOST_LINES - 1 - 2 * written
-    by_rows = (_fitting(parts, rows, columns, most) for rows in range(_ROWS, _LEAST_ROWS - 1, -1))
-    yield from max(by_rows, key=_tables_in)
+    shown = _fitting(parts, _ROWS, columns, most)
+    if len(shown) < len(parts):
+        fewer = (_fitting(parts, rows, columns, most) for rows in range(_ROWS - 1, _LEAST_ROWS - 1, -1))
+        shown = max(shown, *fewer, key=_tables_in)
+    yield from shown
     yield "Details: --details"
 
 

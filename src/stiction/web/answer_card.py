@@ -1,5 +1,6 @@
 """Build the summary card above the tabs: mu, its interval, confidence and sources of uncertainty; "Why" shows details."""
 
+import re
 from html import escape
 
 import xarray
@@ -8,7 +9,7 @@ from nicegui import ui
 from stiction.laws.validity import warnings_of
 from stiction.quantities.shown import show
 from stiction.records.claims import KINDS_OF_WARNING
-from stiction.report.answer import answer_lines, at_working_load
+from stiction.report.answer import answer_lines, at_working_load, confidence_in_words
 from stiction.report.card import Card, card_of, shortened
 from stiction.report.html_words import letters
 from stiction.studies.prediction.regime import without_commands
@@ -16,6 +17,9 @@ from stiction.web.background import Latest
 from stiction.web.elements import Rows
 from stiction.web.explorer import Explorer
 from stiction.web.query import Answer, predicted_beside, remarks
+
+# What a click on a button in the card sends to the server.
+_NAME_OF_TAB = "(event) => event.target.dataset.tab && emit(event.target.dataset.tab)"
 
 
 class AnswerCard:
@@ -31,6 +35,7 @@ class AnswerCard:
         self._predicted = Latest(_beside, self._show_beside)
         with ui.element("div").classes("w-full answer").props('role="status" aria-live="polite"'):
             self._card = ui.html("", sanitize=False).classes("where")
+            self._card.on("click", lambda event: explorer.open_tab(event.args), js_handler=_NAME_OF_TAB)
             self._load_moved = ui.label().classes("text-sm")
             self._old = ui.label("This is the last answer without an error: see the field in red.").classes("text-negative")
         with ui.expansion("Why").classes("w-full").props("dense dense-toggle"):
@@ -65,6 +70,7 @@ class AnswerCard:
         else:
             card = card_on_page(prediction, named)
             html = (card._replace(warning=shortened(warnings[0].why)) if warnings else card).html(why=False)
+            html = re.sub(r": (tab (\w+))", r': <button type="button" data-tab="\2">\1</button>', html)
             rows += answer_lines(prediction, terminal=False)[1:]
         self._card.set_content(html)
         self._rows.show([*rows, *(("computed", letters(one)) for one in remarks(answer))])
@@ -98,9 +104,9 @@ def card_on_page(prediction: xarray.Dataset, named: str = "") -> Card:
     """
     card = card_of(at_working_load(prediction), named)  # without the range of loads: the form shows the load
     if named:
-        return card._replace(decides="", next_step="", confidence=card.confidence.partition("; ")[0])
+        return card._replace(decides="", next_step="", confidence=confidence_in_words(prediction))
     # the interval after a measurement stands below "Why"
-    action = without_commands(str(prediction.attrs["next_step"]), " (tab Studies)", " (tab Surface)")
+    action = without_commands(str(prediction.attrs["next_step"]), ": tab Studies", ": tab Surface")
     repeated = action.startswith("state") and card.warning.removesuffix(" is not stated").lower() in action
     return card._replace(next_step=action, warning="" if repeated else card.warning)
 

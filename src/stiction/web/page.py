@@ -59,6 +59,8 @@ _STYLE = """
 .card > p > span { margin-right: .3em } .card > p, .card > svg { grid-column: 1; margin: 0 } .card svg { width: 100% }
 .card > dl { grid-column: 2; grid-row: 1 / span 3; margin: 0; align-self: center }
 .card dl { display: grid; grid-template-columns: max-content minmax(0, 1fr); gap: 2px 12px } .card dd { margin: 0 }
+.card button { border: 0; padding: 0; background: none; color: inherit; font: inherit; cursor: pointer }
+.card button { text-decoration: underline }
 .knobs { position: sticky; top: 56px; align-self: start; max-height: calc(100vh - 64px); overflow-y: auto; flex-wrap: nowrap }
 .section { aspect-ratio: 2; max-width: 900px }
 .under-chart { margin: 0 18px 0 74px; width: auto; align-self: stretch }

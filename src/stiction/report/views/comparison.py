@@ -217,7 +217,9 @@ def groups_table(groups: list[Group], room: int | None = None, silent: int = 0, 
     room: None for all groups; otherwise physically impossible groups are left out too. silent: number of models without
     friction because the interface is not stated. more: text on where every model is listed.
     """
-    shown = groups if room is None else [group for group in groups if group.possible]
+    shown = groups
+    if room is not None:  # a group takes at least one line, and so do the heads and the count
+        shown = [group for group in groups if group.possible][: max(room - 2, 0)]
 
     def left_out() -> Text:
         text = left_out_in_words(groups, shown, silent)

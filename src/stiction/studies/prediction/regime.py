@@ -45,10 +45,8 @@ def regime_of(mixture: Mixture, samples: Samples, index: int) -> tuple[str, str]
     area, pull, pressure = (_median(table, samples, index) for table in (samples.area, samples.pull, samples.pressure))
     sentences, added = [], " plus the pressure coefficient" if mixture.strength.has_coefficient else ""
     times = _times(mixture, samples, index)
-    stated = mixture.sampled.contact.interface
-    is_dry = stated is not None and stated.name in _DRY
-    weaker = "a weaker interface (e.g. lubricated)" if is_dry else "lower interface strength"
     by_area = _by_strength(samples, index) > _BY_STRENGTH  # otherwise friction is nearly alpha W, for any area
+    weaker = _weaker(mixture.sampled.contact, by_area)
     if area > _FLAT * float(np.median(mixture.sampled.drawn.nominal_area)):
         lever = f"more load, a smaller nominal area or {weaker}" if by_area else weaker
         flat = "pulled" if pull > _STICKS else "pressed"
@@ -75,6 +73,17 @@ def regime_of(mixture: Mixture, samples: Samples, index: int) -> tuple[str, str]
             shown = show(force, "pull_off_force", 2)
             sentences.insert(0, f"The pull-off force, {shown}, exceeds the load: use the friction force, not mu.")
     return " ".join(sentences), lever
+
+
+def _weaker(contact: Contact, by_area: bool) -> str:
+    """Return what would weaken the interface, in words that name a field of a case.
+
+    by_area: whether the shear strength causes a notable part of friction; otherwise the pressure coefficient does.
+    """
+    if contact.interfacial_shear_strength is not None:
+        return "a lower shear strength tau_0" if by_area else "a lower pressure coefficient alpha"
+    is_dry = contact.interface is not None and contact.interface.name in _DRY
+    return f"a weaker interface{' (e.g. lubricated)' if is_dry else ''}"
 
 
 def _median(table: np.ndarray, samples: Samples, index: int) -> float:
