@@ -328,7 +328,7 @@ class Contact(Subject):
 
     @property
     def touching(self) -> tuple[Material, Material]:
-        """Return the materials of the two surfaces that meet: those of both bodies, or the film and what it touches."""
+        """Return the materials of the two surfaces that meet: those of both bodies, or the film and the opposite material."""
         return (self.first, self.second) if self.coating is None else (self.coating.material, self._against_film(self.coating))
 
     def interface_at(self, level: "ArrayLike" = 0.5) -> tuple["Values | None", "Values | None"]:
@@ -354,7 +354,7 @@ class Contact(Subject):
 
     @property
     def kelvin_radius_over_confirmed(self) -> "NumberOrArray | None":
-        """Return the Kelvin radius divided by the smallest at which Kelvin's equation was confirmed; None without a liquid."""
+        """Return Kelvin radius over smallest radius at which Kelvin's equation is confirmed; None without a liquid."""
         return None if self.liquid is None else self.liquid.kelvin_radius_over_confirmed
 
     @property
