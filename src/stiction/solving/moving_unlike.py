@@ -85,7 +85,7 @@ class UnlikeBodies(MovingMap):
 
     @property
     def _hardness(self) -> float:
-        """Return the largest pressure that the bodies can bear [Pa]; infinite if they do not yield."""
+        """Return the largest pressure that the bodies can carry [Pa]; infinite if they do not yield."""
         hardness = bodies_of(self.problem.contact).hardness
         return math.inf if hardness is None or self.problem.options["yielding"] == "none" else float(hardness)
 
