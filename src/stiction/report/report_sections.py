@@ -348,7 +348,10 @@ def measured_table(findings: ReportData) -> Table | None:
 
 
 def sources_of(findings: ReportData) -> tuple[list[str], list[str], list[str]]:
-    """Return three lists of bibliography keys: of the answer, of the materials, and of the other models that were compared."""
+    """Return three lists of bibliography keys: of the answer, of the materials, and of the other models that were compared.
+
+    Each list leaves out the keys of the lists before it.
+    """
     measured = findings.case.measured
     own = dict.fromkeys(findings.data.attrs.get("sources", "").split())
     own |= dict.fromkeys([] if measured is None else measured.sources())

@@ -131,7 +131,7 @@ def _swept_view(case: "Case", data: "xarray.Dataset", details: bool) -> View:
 
 
 def _details(case: "Case", data: "xarray.Dataset") -> Iterator[Any]:
-    """Yield what only the detailed answer shows: curve, warnings, weights of models, samples, inputs and interface state."""
+    """Yield the parts that only the detailed answer has: curve, warnings, model weights, samples, inputs, interface state."""
     if data["load"].size > 1:
         yield from ("", curve_table(data, heads=PREDICTION_HEADS))
     yield ""

@@ -111,7 +111,7 @@ def _signed(value: float, digits: int) -> str:
 
 
 def share_tables(data: "xarray.Dataset") -> Iterator[Table]:
-    """Yield two tables: the share of the variance of ln mu of each source, and the logarithmic sensitivities of mu."""
+    """Yield two tables: the fraction of the variance of ln mu that each source causes, and logarithmic sensitivities."""
     parts = zip(data["input"].values.tolist(), data["friction_coefficient_share"].values.tolist(), strict=True)
     rows = [(part_name(name), f"{share:.0%}") for name, share in parts]
     yield Table([Column("mu varies with"), *numbers("share")], rows, ranked=True)
