@@ -89,7 +89,7 @@ class Progress:
             return work(self)
 
     def check(self) -> None:
-        """Raise KeyboardInterrupt, as Ctrl+C in a terminal does, if the study was stopped or its time is over."""
+        """Raise KeyboardInterrupt, as Ctrl+C in a terminal does, if the study was stopped or has timed out."""
         self.too_long = time.monotonic() > self._end
         if self._stop.is_set() or self.too_long:
             raise KeyboardInterrupt

@@ -150,7 +150,7 @@ class Explorer:
         return str(path)
 
     def close(self) -> None:
-        """Forget the visitor's listeners, and delete the uploads."""
+        """Remove the visitor's listeners, and delete the uploads."""
         self._listeners.clear()
         if self._uploads is not None:
             self._uploads.cleanup()

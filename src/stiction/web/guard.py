@@ -1,4 +1,4 @@
-"""Refuse requests that are too long, uploads that are too large, and callers from other pages."""
+"""Refuse requests that are too long, uploads that are too large, and requests from other pages."""
 
 from collections.abc import Awaitable, Callable, MutableMapping
 from typing import Any
