@@ -87,6 +87,7 @@ class _Touching:
     """Represent the points whose strength is above 0.
 
     Fields at these points are stored as (components, points), which saves memory.
+
     strength: (rows, columns) [Pa]; the attribute of this name holds it at the points, (points,).
     """
 
