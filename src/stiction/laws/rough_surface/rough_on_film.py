@@ -31,7 +31,7 @@ solved uses the law alone. The result `area_by` names the method.
 
 *Limit*: the area law of bare surfaces, with the modulus of the bodies for zero film thickness and the modulus of the film for
 infinite thickness. *Check*: if film and bodies have the same modulus, the area equals the bare surface's, for example at
-$p=0.05\,E^*h'$ and $NR\sigma=0.05$ (Nayak's $\alpha=6.93$); it also does for a film of ten times the modulus if
+$p=0.05\,E^*h'$ and $NR\sigma=0.05$ (Nayak's $\alpha=6.93$); the areas are also equal for a film of ten times the modulus if
 $a/t\to\infty$.
 """
 
@@ -227,8 +227,8 @@ def _flowing(elastic: np.ndarray, pressure: np.ndarray, groups: Groups) -> np.nd
     """Return the ratio (n, H) of contact area to nominal area after plastic flow has limited the contact pressure.
 
     elastic (n, H): the same ratio without this limit. pressure (n, H): nominal pressure divided by E* h'. The limit is the film
-    hardness, or the pressure that the body below carries through the film if that pressure is lower. It depends on the mean
-    size of a contact spot, which is computed from the number of asperities in contact.
+    hardness, or the pressure that the body below carries through the film if that pressure is lower. This pressure depends
+    on the mean size of a contact spot, which is computed from the number of asperities in contact.
     """
     from stiction.surfaces.theory.widened_area import with_hardness  # slow to import
 

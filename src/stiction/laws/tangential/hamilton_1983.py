@@ -20,8 +20,9 @@ which avoid the cancellation of powers of $1/r$ near the axis. Short closed form
 With $s=p_0/Y$ and $q=q_0/Y$, the position of first yield moves as $s$ grows. It is first on the surface inside the contact,
 from the centre ($s=0$, $q=1/\sqrt3$) towards the trailing edge, where the stresses depend on $s$ only through $(1-2\nu)s$. It
 is then the trailing edge itself (never for $\nu$ above about 0.39). Finally it is below the surface ahead of the axis, until
-the load alone causes yield at $s=s_0$, where $q$ vanishes in proportion to $\sqrt{s_0-s}$. $q(s,\nu)$ of the first and the last
-position has no closed form; it is a Chebyshev series in $s$ and $\nu$, computed from the stresses and accurate to $10^{-9}$.
+the load alone causes yield at $s=s_0$, where $q$ vanishes in proportion to $\sqrt{s_0-s}$. $q(s,\nu)$ at the first and at the
+last of these positions has no closed form; it is a Chebyshev series in $s$ and $\nu$, computed from the stresses and accurate
+to $10^{-9}$.
 
 *Check*: first yield of the sheared contact, $\nu=0.3$; the last column is $p_0/Y$ for yield at the trailing edge:
 
