@@ -123,7 +123,8 @@ def _by_blocks(problem: Problem, targets: np.ndarray, refuse: bool) -> Iterator[
         try:
             yield *_of_block(some, targets[rows], refuse), some
         except Unreachable as error:
-            raise Unreachable(rows.start + error.law, error.at, error.low, error.high) from None
+            error.law += rows.start
+            raise
 
 
 def _whole(parts: list[Inversion]) -> Inversion:
@@ -138,9 +139,7 @@ def _of_block(problem: Problem, targets: np.ndarray, refuse: bool) -> tuple[Inve
     at separations where they were not computed, and None in place of the array if none were computed.
     """
     sums = None
-    if isinstance(problem, ClosedFormProblem):
-        if problem.record.separation_near is None:
-            return _robustly(problem, targets, refuse), None
+    if isinstance(problem, ClosedFormProblem) and problem.record.separation_near is not None:
         quick, good = _from_tables(problem, targets)
     elif isinstance(problem, AsperitySum) and problem.heights.density is gaussian_density:
         quick, good, sums = _quickly(problem, targets)
@@ -152,7 +151,8 @@ def _of_block(problem: Problem, targets: np.ndarray, refuse: bool) -> tuple[Inve
     try:
         slow = _robustly(problem.with_groups(rest), targets[rest], refuse)
     except Unreachable as error:
-        raise Unreachable(rest[error.law], error.at, error.low, error.high) from None
+        error.law = rest[error.law]
+        raise
     if sums is not None:
         sums[:, rest] = np.nan
     return quick.with_rows(rest, slow), sums

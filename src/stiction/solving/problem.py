@@ -313,12 +313,7 @@ def with_surface_moments(subject: Subject, model: str) -> Subject:
     For a theory of the whole surface these are asperity numbers computed from the spectral moments of the surface. For other
     models the contact is returned unchanged.
     """
-    return subject.with_surface_moments() if takes_surface_moments(model) else subject
-
-
-def takes_surface_moments(model: str) -> bool:
-    """Return whether the model with this key is a theory of the whole surface, which uses spectral moments."""
-    return find(model, RoughSurface).takes_surface_moments
+    return subject.with_surface_moments() if find(model, RoughSurface).takes_surface_moments else subject
 
 
 def make_problem(subject: Subject, choice: Choice, heights: Heights | str | None = None, threads: int = 1) -> Problem:

@@ -94,7 +94,8 @@ def solve(
     array([0.0798, 0.0767])
     """
     choice = choice_of(model, laws, as_subject(contact))
-    measured = with_surface_moments(as_subject(contact), choice.model_key).measured
+    bodies = with_surface_moments(contact, choice.model_key)
+    measured = bodies.measured
     try:
         data = _at_points(contact, separation, load, choice, heights, threads)
     except InputError as error:
@@ -106,10 +107,8 @@ def solve(
         return with_warnings(data, map(ValidityWarning, measured.validity_warnings)).assign_attrs(
             measured.solvable.attributes()
         )
-    bodies = with_surface_moments(contact, choice.model_key)
     assert isinstance(bodies, Contact)  # no other subject has scans
-    contacts = measured.contacts(bodies)
-    return as_measured(with_method_spread(data, contacts, measured.counts, choice, heights), measured)
+    return as_measured(with_method_spread(data, measured.contacts(bodies), measured.counts, choice, heights), measured)
 
 
 def _at_points(

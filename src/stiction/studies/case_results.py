@@ -191,7 +191,8 @@ def choice_of_case(case: Case, choice: Choice) -> Choice:
     InputError.
     """
     require_choice(choice)
-    laws = {law: key for law, key in choice.laws().items() if law != "model"}
+    laws = choice.laws()
+    del laws["model"]
     if choice.model != case.choice.model:
         model = find(choice_of(choice.model, {}, case.subject).model_key, RoughSurface)
         if not model.asperity:  # a theory in closed form has its own laws

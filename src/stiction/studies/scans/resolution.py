@@ -18,7 +18,6 @@ from stiction.records.registry import RoughSurface, find
 from stiction.solving.candidates import choice_of, with_interface
 from stiction.solving.choice import Choice
 from stiction.solving.method_spread import METHOD
-from stiction.solving.problem import takes_surface_moments
 from stiction.solving.solve import solve
 from stiction.studies.case_results import require_choice
 from stiction.studies.prediction.predict import case_given, predict
@@ -120,7 +119,7 @@ class _Friction:
         asperity methods, by method.
         """
         assert self.contact is not None and self.choice is not None
-        if takes_surface_moments(self.choice.model_key):
+        if find(self.choice.model_key, RoughSurface).takes_surface_moments:
             key = method_of_moments()
             found = asperities(seen, key, **options.get(key, {}))
             heights = height_model(found)
@@ -238,8 +237,8 @@ def _resolved(choice: Choice, contact: Contact | None) -> Choice:
     Without a contact, the choice is returned unchanged.
     """
     require_choice(choice)
-    laws = {law: key for law, key in choice.laws().items() if law != "model"}
-    return choice if contact is None else choice_of(choice.model, laws | dict(choice.options), contact)
+    given = choice.arguments()
+    return choice if contact is None else choice_of(given.pop("model"), given, contact)
 
 
 def _cutoffs(cutoffs: Iterable[float | str]) -> np.ndarray:

@@ -97,12 +97,9 @@ class MapOfPlace:
         Raises InputError if the map cannot be read or made, or has no asperities.
         """
         with field_below("sweep.roughness"):
-            table: dict[str, Any] = {}
             if isinstance(self.entry, Realisations):
-                table["first"] = self.entry.surface(self.index)
-            else:
-                table = {"first": self._patch(), **{name: getattr(self.entry, name) for name in _PREPARED}}
-            return roughness_of(table)
+                return roughness_of({"first": self.entry.surface(self.index)})
+            return roughness_of({"first": self._patch(), **{name: getattr(self.entry, name) for name in _PREPARED}})
 
     def _patch(self) -> HeightMap:
         whole = _surface(self.entry, self.folder, self.content)
@@ -123,7 +120,7 @@ def _surface(entry: Any, folder: Path, _content: str) -> HeightMap:
     entry: settings of the file. folder: folder at which its path starts. _content: digest of the file, an argument only so that
     a changed file is read again.
     """
-    return surface_of(Scan(**{name: getattr(entry, name) for name in Scan.model_fields}), folder, "first")
+    return surface_of(entry, folder, "first")
 
 
 def maps_of(listed: Sequence[Any], shared: Any, folder: Path) -> tuple[MapOfPlace, ...]:
