@@ -42,9 +42,9 @@ class _Solve(Input):
     def _options_by_name(cls, table):
         """Move options of models and laws specified directly in [solve] to its table `options`, and return [solve].
 
-        An option that is also in `options` keeps the value there. Any argument that is not a table is returned unchanged.
-        Raises InputError for an option specified directly with a value that it does not allow. It also raises InputError if
-        `options` has a key of [solve], or one of the arguments contact, heights and threads of `solve`.
+        An option that is also in `options` keeps its value in `options`. Any argument that is not a table is returned
+        unchanged. Raises InputError for an option specified directly with a value that it does not allow. It also raises
+        InputError if `options` has a key of [solve], or one of the arguments contact, heights and threads of `solve`.
         """
         if not isinstance(table, Mapping):
             return table
