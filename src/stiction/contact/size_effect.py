@@ -15,7 +15,7 @@ is a sphere, so it has one hardness at every depth h. H_0 is the hardness of lar
 from a fit of hardness against the depth under a pyramid. The yield stress is assumed to grow in proportion to the hardness.
 
 *Limit*: h* -> 0 or R -> infinity: H_0. *Unknown*: what limits the growth. Measured hardness is reported to be lower than this
-formula predicts at depths below some 100 nm, where the dislocations spread beyond the hemisphere; a result with R* above 10 R
+formula predicts at depths below about 100 nm, where the dislocations spread beyond the hemisphere; a result with R* above 10 R
 gets a validity warning.
 """
 
