@@ -37,8 +37,8 @@ def up_to(holds: Callable) -> Any:
 
     holds(u, arguments): a formula, the condition; it may change once, from true to false. u is the number at which it changes,
     found by bisection; low if the condition is false at low; last if it is still true at last. If last is infinite, the search
-    tries low + step with a step that grows fourfold up to `farthest`, until the condition is false. If it never is, u is
-    infinite.
+    tries low + step with a step that grows fourfold up to `farthest`, until the condition is false. If the
+    condition is never false, u is infinite.
     """
     halve = halving(holds)
 
