@@ -55,7 +55,7 @@ def growing_force(of_interface, of_full_stick, share):
     """Return the tangential force T of a growing junction, from 1/T^2 = (1 - c^2)/(tau_0 A)^2 + 1/T_s^2.
 
     of_interface: tau_0 A, strength of the interface times area before growth. of_full_stick: T_s, force of a junction in
-    full stick. share: c, strength of the interface divided by that of the bulk, at most 1. T is T_s for c = 1; it is tau_0
+    full stick. share: c, strength of the interface divided by the bulk's, at most 1. T is T_s for c = 1; it is tau_0
     A/sqrt(1 - c^2) for T_s -> infinity, and 0 if tau_0 A or T_s is 0.
     """
     if of_interface == 0.0 or of_full_stick == 0.0:
@@ -70,7 +70,7 @@ def resistance(u, w, load, area, L_c, eta, shear_strength, share):
 
     The force is slip-limited if the interface is weaker than the bulk (share < 1), else yield-limited. L_c: load at first
     yield in full stick. eta: hardness group. shear_strength: strength of the interface divided by hardness. share: strength
-    of the interface divided by that of the bulk. Units: loads and forces in K R^(1/2) sigma^(3/2), area in pi R sigma.
+    of the interface divided by the bulk's. Units: loads and forces in K R^(1/2) sigma^(3/2), area in pi R sigma.
     """
     _, of_full_stick = _force_of_full_stick(u, w, load, area, L_c)
     force = growing_force(shear_force(area, eta, shear_strength), of_full_stick, share)

@@ -1,7 +1,7 @@
 r"""Tangential force at which a coated asperity first yields anywhere: film, interface or body; von Mises.
 
-*Assumes*: a sphere on a bonded film fails when film or body first yields anywhere (von Mises). The pressure is that of
-frictionless contact, and the shear traction is proportional to it, as in [`hamilton_1983`](#hamilton_1983). *Source*:
+*Assumes*: a sphere on a bonded film fails when film or body first yields anywhere (von Mises). The pressure is the pressure of
+a frictionless contact, and the shear traction is proportional to it, as in [`hamilton_1983`](#hamilton_1983). *Source*:
 [osullivan_king_1988] computed such stresses, below a sphere dragged over a layer, by least squares. Here they are solved for
 each wave of a Fourier transform (`solvers/layered`). The mean pressure $s$ and the mean traction $q$ cause the largest von
 Mises stress $N_f$ in the film and $N_s$ in the body. The asperity with the contact radius $a$ yields at

@@ -21,7 +21,7 @@ $$
 
 In this equation $P$ and $T$ are in SI, $a$ is the contact radius, $Y_f$ the yield stress of the film; the coefficients $A$,
 $B$ and $D$ are functions of $a/t$ ($t$ film thickness) and the elastic constants (`solvers/layered/edge`). It is accurate to
-0.5 % in $T$ up to $a/t=300$, and to some per cent near the point where $T$ vanishes. Earlier yield inside the film or at its
+0.5 % in $T$ up to $a/t=300$, and to a few per cent near the point where $T$ vanishes. Earlier yield inside the film or at its
 interface is not checked; [`layered_first_yield`](#layered_first_yield) does this, without adhesion. *Limit*: the law without a
 film, if film and body have the same moduli, and with the film's groups for $t\to\infty$.
 
