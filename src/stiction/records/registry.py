@@ -95,7 +95,8 @@ class FilmLaw(Record):
     - wants: traits that the asperity law must have, each with the reason (a dict)
     - own_asperity: whether the film law has its own asperity law and ignores the one in `law`
     - one_body: whether film and substrate count as one body with the film's surface. The groups that the other laws use
-      if known (field `takes`) are then unused. If the film has a work of adhesion, that of the bodies is unused too
+      if known (field `takes`) are then unused. If the film has a work of adhesion, the work of adhesion of the bodies is
+      unused too
     - solved_as_one: whether its elastic asperity is a sphere on a layered solid; tangential laws with `layered` then suit it
       too
     - bares_substrate: whether the substrate can be exposed. A tangential law of the interface then applies only where the film
