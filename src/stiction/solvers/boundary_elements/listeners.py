@@ -1,6 +1,6 @@
 """Report the progress of map solutions to registered listeners.
 
-A caller that displays progress, but does not call the solver itself, registers a listener here.
+A caller that displays progress, but does not call the solver itself, registers a listener with this module.
 """
 
 from collections.abc import Callable, Iterator

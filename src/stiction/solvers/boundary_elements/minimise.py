@@ -22,7 +22,7 @@ where points flow, in a number of steps that hardly grows with the map size.
 - The energy must fall in each step. If not, a projected gradient step is taken, and shortened until the energy falls (Bertsekas
   1999, Nonlinear Programming, section 2.3; it converges from any start).
 - Steps are in single precision. From time to time the gap is recomputed in double precision (iterative refinement: Moler 1967,
-  J. ACM 14, 316), as is the reported `residual`.
+  J. ACM 14, 316). The reported `residual` is computed in double precision too.
 """
 
 import math
