@@ -1,8 +1,8 @@
 """Check validity conditions for the results of every model, in addition to the ranges that the authors of the laws state.
 
 A rule limits one quantity: a number from `solving.state`, a result, or a property of the contact. Each rule has a function
-that returns whether the rule applies to a problem. Bounds are round numbers. The text of each rule states what fails beyond
-its bounds. A model with an "impossible" result is never recommended.
+that returns whether the rule applies to a problem. Bounds are round numbers. The text of each rule states which assumption
+fails beyond its bounds. A model with an "impossible" result is never recommended.
 """
 
 from collections.abc import Callable, Iterable, Mapping

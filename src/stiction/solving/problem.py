@@ -297,7 +297,8 @@ def lost_in_rounding(carried: np.ndarray, asked: np.ndarray) -> np.ndarray:
     """Return a mask of the requested loads that round-off makes unattainable.
 
     Such loads are small differences of large tension and compression. A load counts as unattainable if the computed load
-    differs by more than 1e-6 of it; a requested load of 0 never counts. carried, asked: computed and requested loads.
+    differs by more than 1e-6 of the requested load; a requested load of 0 never counts. carried, asked: computed and requested
+    loads.
     """
     return (np.abs(carried - asked) > _RESOLVED * np.abs(asked)) & (asked != 0.0)
 

@@ -54,7 +54,7 @@ def solve(
         Key of a rough-surface model (`st.models()`), or a name that `st.compare` shows for this contact. By default
         "soft_coating_2015", which raises an error if the contact specifies an interfacial shear strength.
     heights : Heights or str, optional
-        Height distribution, or its name; by default that of the contact, or Gaussian.
+        Height distribution, or its name; by default the distribution of the contact, or Gaussian.
     threads : int
         Number of threads; it does not affect the results.
     **laws : str, optional

@@ -148,9 +148,9 @@ def on_other_kinds(problem: Problem, features: ContactFeatures, found: ErrorsNea
 
     features: features of the contact at k points. found: errors of the law on Gaussian surfaces. area: normalised contact area.
     Two further errors widen the distribution of `found`. The first is the error of the law for bare surfaces of all kinds. It
-    is taken for a bare surface that has the same elastic area (Persson 2001) and the same yielded fraction of it as the
-    contact; its pressure and hardness follow from these. The second is the additional error due to a film, from the benchmark
-    surfaces with films; it is omitted for the kind "gaussian". If the kind is known, both also shift the mean.
+    is taken for a bare surface that has the same elastic area (Persson 2001) as the contact, and the same yielded fraction of
+    this area; its pressure and hardness follow from these. The second is the additional error due to a film, from the
+    benchmark surfaces with films; it is omitted for the kind "gaussian". If the kind is known, both also shift the mean.
     """
     from stiction.surfaces.theory.widened_area import MEETING
 
@@ -182,7 +182,7 @@ def on_other_kinds(problem: Problem, features: ContactFeatures, found: ErrorsNea
 def _pressure_of(share: np.ndarray) -> np.ndarray:
     """Return the pressure divided by E* h' at which a bare elastic surface has the area fraction `share` (Persson 2001).
 
-    E*: contact modulus. h': rms slope. share: an array of any shape, as is the result.
+    E*: contact modulus. h': rms slope. share: an array of any shape; the result has the same shape.
     """
     from scipy.special import erfinv
 

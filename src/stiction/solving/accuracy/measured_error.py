@@ -9,8 +9,8 @@ computed over Gaussian surfaces, for which models are ranked; the interval is co
 with two wave bands). If the kind is specified, mean and interval are computed over surfaces of that kind.
 
 Friction of an interface is its shear strength times the area, so the relative errors of friction and area are equal. The error
-of friction is smaller if the strength rises with pressure, and unknown if the strength exceeds that of the bodies. Adhesion is
-not included.
+of friction is smaller if the strength rises with pressure, and unknown if the strength exceeds the strength of the bodies.
+Adhesion is not included.
 
 A solution on the map itself has a discretisation error, and a sampling error if the map is a window of a larger surface.
 """
