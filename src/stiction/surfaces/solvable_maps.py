@@ -37,7 +37,7 @@ class SolvableMaps:
         return [replace(one, heights=np.where(np.isnan(one.heights), np.nanmean(one.heights), one.heights)) for one in maps]
 
     def attributes(self) -> dict[str, str]:
-        """Return dataset attributes for results solved on the maps: "none" as asperity method, and the processing steps."""
+        """Return the dataset attributes roughness_method ("none: the map itself") and scans (processing steps of the maps)."""
         scans = "\n".join(f"{body} body: {step}" for body, one in self.maps.items() for step in one.history)
         return {"roughness_method": "none: the map itself", "scans": scans}
 

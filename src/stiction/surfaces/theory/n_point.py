@@ -167,7 +167,7 @@ def make() -> np.ndarray:
 def solved_mean_height(level: float, correlation: float, heights: int = 48, fineness: float = 1.7, least: int = 2) -> float:
     """Return the mean height of n-point asperities above one level >= -3, from the integral equation of the module docstring.
 
-    - level: height of the level, in standard deviations of the profile, as is the result; correlation: of neighbouring heights
+    - level: height of the level, in standard deviations of the profile, like the result; correlation: of neighbouring heights
     - heights: number of heights z in the quadrature
     - fineness, least: a panel between two heights z has `least` Gauss points, plus `fineness` for every width of the kernel
 
