@@ -62,7 +62,7 @@ def _at_width(options: Mapping[str, Any], room: int, narrow: bool) -> dict[str, 
 def _columns(options: Mapping[str, Any], room: int) -> tuple[int, int]:
     """Return the width of a legend entry in pixels, and the number of legend lines.
 
-    The width is that of the longest name. A name that is longer than `room` pixels is broken into lines.
+    The longest name sets the width. A name that is longer than `room` pixels is broken into lines.
     """
     names = dict.fromkeys(options["legend"].get("data") or [one["name"] for one in options["series"]])
     wanted = [_LETTER * len(name) for name in names] or [0.0]

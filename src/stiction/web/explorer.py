@@ -121,7 +121,7 @@ class Explorer:
 
     @property
     def point(self) -> int:
-        """Return the index of the shown load or separation on the curve; for a prediction, that of its working load."""
+        """Return the index of the shown load or separation on the curve; for a prediction, the index of its working load."""
         if self.view.point is None or self.answer.is_prediction:
             return self.answer.middle()
         return min(self.view.point, self.answer.curve["load"].size - 1)

@@ -200,7 +200,10 @@ class Form:
             self._inputs[path] = attributes(menu.props("hide-bottom-space"), aria_label=label)
 
     def _points(self) -> None:
-        """Add fields for the loads or separations of the curve: both ends, their number and spacing."""
+        """Add a switch between loads and separations, and fields for their range: both ends, number and spacing.
+
+        A list of loads or separations is only shown.
+        """
         tables = self._explorer.query.tables
         solve = tables.get("solve", {})
         by = "load" if "load" in solve else "separation"
