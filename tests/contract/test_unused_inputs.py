@@ -121,7 +121,7 @@ def test_what_a_preset_brings_was_not_given():
 def test_the_laws_that_would_use_it_are_named_and_do():
     said = json.loads(st.solve(BARE, load="1 N", model=PAPER).attrs["unused_inputs"])
     laws = {row["input"]: row["laws"] for row in said}["interfacial_shear_strength"]
-    assert laws == {"tangential": ["bowden_tabor_1943", "briscoe_tabor_1978", "tabor_1959"]}
+    assert list(laws) == ["tangential"] and {"bowden_tabor_1943", "briscoe_tabor_1978", "tabor_1959"} <= set(laws["tangential"])
     for key in laws["tangential"]:
         words = st.solve(BARE, load="1 N", tangential=key).attrs["inputs_not_used"]
         assert "interfacial_shear_strength" not in words
