@@ -64,7 +64,7 @@ class Free:
         return np.where(share >= 1.0, self.high, np.where(share <= 0.0, self.low, inner))
 
     def share(self, value: Any) -> np.ndarray:
-        """Return the positions of values [SI unit] in the interval: 0 at `low`, 1 at `high`. Inverse of `at`."""
+        """Return the positions of values [SI unit] in the interval, 0 at `low` and 1 at `high`; this inverts `at`."""
         value = np.asarray(value, dtype=float)
         if self.log:
             return np.log(value / self.low) / np.log(self.high / self.low)

@@ -323,8 +323,8 @@ def with_files_read(content: Mapping, folder: Path) -> tuple[Mapping, dict[Addre
 def with_single_numbers(content: Mapping[str, Any], folder: Path, allowed: str) -> tuple[Mapping, dict[Address, Uncertain]]:
     """Return the tables of a case without tables of studies, after reading all files, and its uncertain numbers by address.
 
-    An address is a tuple of keys. folder: base folder of relative paths. allowed: text that states what a list of values
-    may be instead, for the error. Raises InputError if a number is swept.
+    An address is a tuple of keys. folder: base folder of relative paths. allowed: text for the error, which states what is
+    allowed in place of a list of values. Raises InputError if a number is swept.
     """
     content, numbers = with_files_read(without_studies(content), folder)
     uncertain = {}
