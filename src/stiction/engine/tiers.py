@@ -85,7 +85,7 @@ def interpreted(little: bool) -> bool:
     """Return whether to run a loop in plain Python instead of compiling it.
 
     little: whether the loop has done so little work so far that compiling it would not pay. This decides if STICTION_LOOPS is
-    "auto", except within `all_compiled`, which compiles every loop. Other values of STICTION_LOOPS decide alone.
+    "auto", except within `all_compiled`, which compiles every loop. Every other value of STICTION_LOOPS decides instead.
     """
     wanted = tier()
     return little and not _compiled.get() if wanted == TIERS[0] else wanted == TIERS[1]
