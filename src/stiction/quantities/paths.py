@@ -37,8 +37,8 @@ def require_place(path: Path, allowed: str, in_place: bool = False) -> None:
 
     path: value of the option --out. allowed: allowed values, for the error message. in_place: whether an existing file is
     overwritten; otherwise a new file is made next to it and moved. The error is raised for a name that the operating system
-    does not accept, for a path with a file in place of a parent folder, and for a lack of write permission: of the path itself
-    if it is a folder or a file to be overwritten, else of its nearest existing parent folder.
+    does not accept, for a path with a file in place of a parent folder, and without write permission. The permission is
+    checked for the path itself if it is a folder or a file to be overwritten, else for its nearest existing parent folder.
     """
     try:
         path.stat()
