@@ -147,7 +147,7 @@ class RoughSurface(Record):
     2. A closed form in the separation (asperity is ""):
        - curve(h, groups, **own_options): load and area (n, H) at separations h (H,)
        - separation_near(load, groups, **own_options): estimated separations (n, H) at loads (n, H), NaN if unknown. `curve`
-         then also takes separations (n, H). Only for models without adhesion.
+         then also takes separations (n, H). Only models without adhesion may define it.
     3. A closed form in the load, for theories without a separation:
        - area_at_load(load, groups, **own_options): area (n, H) at loads (n, H)
        - area_on_map(load, groups, map): the same for a HeightMap that represents the roughness of both faces
