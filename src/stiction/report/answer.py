@@ -113,11 +113,11 @@ class PredictionAnswer(TypedDict):
     """Define the JSON answer of a prediction at its working load, in SI units.
 
     Every interval is a list [low, high]. level: coverage probability of the intervals. efficiency: friction force over the
-    summed strength of all contact spots, or None. lowered_by: what would lower mu. shares: fraction of the variance of ln mu by
-    source of uncertainty. next: recommended next step. after_measuring: expected interval of mu after one measurement of mu, or
-    None. models: weight of each combined model of the contact area. excluded: fraction of the samples that were excluded as
-    impossible. bare_metal: interval of mu after film or oxide has worn through, or None. checked_against: text on the
-    benchmarks and measurements that support the prediction.
+    summed strength of all contact spots, or None. lowered_by: changes that would lower mu. shares: fraction of the variance of
+    ln mu by source of uncertainty. next: recommended next step. after_measuring: expected interval of mu after one measurement
+    of mu, or None. models: weight of each combined model of the contact area. excluded: fraction of the samples that were
+    excluded as impossible. bare_metal: interval of mu after film or oxide has worn through, or None. checked_against: text on
+    the benchmarks and measurements that support the prediction.
     """
 
     load: float

@@ -31,7 +31,7 @@ class Card(NamedTuple):
     load: working load as text. confidence: "high", "fair" or "low", with reasons. decides: main sources of uncertainty.
     warning: one short warning, or "". next_step: recommended next step. rows: the full answer as pairs (heading, text). named:
     result of the model that the user named, as text; "" if none was named. worn_through: mu after film or oxide has worn
-    through, as text. lowered_by: what would lower mu.
+    through, as text. lowered_by: changes that would lower mu.
     """
 
     mu: float

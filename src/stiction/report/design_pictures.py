@@ -64,7 +64,10 @@ def _along_result(axes: Axes, which: str, name: str, values: np.ndarray, log: bo
 
 
 def _legend_above(axes: Axes, columns: int = 1) -> None:
-    """Move title and legend above the panel, where the legend covers no points and no limits. columns: of the legend."""
+    """Move title and legend above the panel, where the legend covers no points and no limits.
+
+    columns: number of columns of the legend.
+    """
     place: dict[str, Any] = {"loc": "lower center", "bbox_to_anchor": (0.5, 1.0), "ncols": columns, "frameon": False}
     axes.legend(title=axes.get_title(), title_fontsize=9, fontsize=8, **place)
     axes.set_title("")
