@@ -191,7 +191,7 @@ def _through(pressure, grid, kernel):
 
 
 def _corner_of(values, shape):
-    """Return a copy of the first rows and columns of a map; shape: their numbers."""
+    """Return a copy of the corner of a map with the first rows and columns; shape: (rows, columns) of the corner."""
     return namespace(values).asarray(values[: shape[0], : shape[1]], copy=True)
 
 

@@ -203,7 +203,8 @@ def _of_pixels(shape, pitch, S, N) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return the displacement of half-spaces at every grid point per unit traction on the first pixel [m/Pa].
 
     The three arrays (rows, columns) are xx, xy and yy: displacement along the first letter, traction along the second. S, N:
-    sums of 1/G and nu/G over the bodies [1/Pa], with the shear modulus G and Poisson's ratio nu. Equation (1) of this module.
+    sums of 1/G and nu/G over the bodies [1/Pa], with the shear modulus G and Poisson's ratio nu. The result is equation (1) of
+    this module.
     """
     y, x = (np.fft.fftfreq(count, 1.0 / (count * step)) for count, step in zip(shape, pitch, strict=True))
     xx, xy, yy = np.zeros(shape), np.zeros(shape), np.zeros(shape)

@@ -120,8 +120,8 @@ def through_spring(path: SlidingPath, stiffness: float) -> tuple[np.ndarray, np.
     """Return the drive displacement [m] at each state of a map that a spring pulls, and a mask of the states that are reached.
 
     path: states of the map. stiffness: stiffness of the spring [N/m], > 0. At the shift U and the force F the drive is at U +
-    F/stiffness. The drive only moves forward. A state that would need it to move back is not reached; the map jumps to the next
-    reachable state (slow drive, no inertia). Raises InputError for a stiffness that is not positive.
+    F/stiffness. The drive only moves forward. A state at which the drive would have to move back is not reached; the map jumps
+    to the next reachable state (slow drive, no inertia). Raises InputError for a stiffness that is not positive.
     """
     if not stiffness > 0.0:
         raise InputError("stiffness", stiffness, "> 0 N/m")
