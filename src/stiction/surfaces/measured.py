@@ -121,8 +121,8 @@ class Measured:
     """Store the roughness of a contact, as every asperity method finds it in the scans.
 
     Dicts have the keys of the methods, unless stated otherwise. by_method: Roughness. method: the chosen method. failures: why
-    a method found no asperities. history: processing steps of each body's scan, by "first" or "second". notes: what was found,
-    in words. counts: number of separate asperities; 0 for a method that only computes averages, and for two bodies.
+    a method found no asperities. history: processing steps of each body's scan, by "first" or "second". notes: remarks on the
+    results, as text. counts: number of separate asperities; 0 for a method that only computes averages, and for two bodies.
     mean_heights: mean asperity height above the mean plane [m]. validity_warnings: warnings on scans and on their combination.
     of_moments: the method that computes spectral moments. stated: which of "method" and "heights" the user chose. solvable:
     maps for a point-by-point solution.
