@@ -134,8 +134,8 @@ class Uncertain(SweptNumber):
 def uncertain_numbers(content: Mapping, folder: Path = Path(), of_materials: Path | None = None) -> dict[Address, Uncertain]:
     """Return the uncertain numbers of the tables [contact], [indices] and [materials] by address (tuple of keys).
 
-    content: tables of a case. folder: folder at which relative paths of sample files start. of_materials: folder at which those
-    of [materials] start; None if it is `folder` too. Raises InputError for an invalid entry.
+    content: tables of a case. folder: folder at which relative paths of sample files start. of_materials: start folder for
+    [materials]; None if it is `folder`. Raises InputError for an invalid entry.
     """
     entries = {path: entry for path, entry in numbers_in(content, ("contact", "indices", "materials")) if with_error(entry)}
     read = {}
