@@ -79,8 +79,7 @@ STIFF = 5.0  # film modulus over the bodies' from which on this law is inaccurat
 class Waves(NamedTuple):
     """Hold a spectrum: the wavenumber of each wave and its fraction of the mean square gradient.
 
-    wavevector: (n, m) for n surfaces, or (m,), in the inverse unit of the film thickness. share: the same shape; its sum is 1
-    for each surface.
+    wavevector: (n, m) for n surfaces, or (m,), in the inverse unit of the film thickness. share: same shape, sum 1.
     """
 
     wavevector: np.ndarray

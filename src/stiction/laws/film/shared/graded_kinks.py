@@ -259,9 +259,8 @@ def _sample(j, law, places, values):
 def _insert(kinks, law, places, values, size):
     """Insert samples of all signals at the coordinates `kinks`, and return the total number of samples.
 
-    At a kink of one signal the others may have an extremum. Coordinates already sampled are skipped. No coordinate is inserted
-    once the arrays are full. places, values: coordinates u and signals, in ascending order, `size` of each. law: parameters of
-    a graded film.
+    At a kink of one signal the others may have an extremum. Coordinates already sampled are skipped; full arrays are not
+    extended. places, values: coordinates u and signals, in ascending order, `size` of each. law: parameters of a graded film.
     """
     for u in kinks:
         position = size
