@@ -254,7 +254,8 @@ def force_when_all_slide(
 def _of_pixels(shape: tuple[int, ...], pitch: tuple[float, float]) -> list[np.ndarray]:
     """Return x/(2 pi r^2) and y/(2 pi r^2), each integrated over a pixel, at every point of a periodic grid: (rows, columns).
 
-    x, y, r: distance from the first point. shape: (rows, columns). pitch: point spacings (y, x) [m].
+    x, y: coordinates relative to the first point; r: distance from it. shape: (rows, columns). pitch: point spacings (y, x)
+    [m].
     """
     y, x = (np.fft.fftfreq(count, 1.0 / (count * step)) for count, step in zip(shape, pitch, strict=True))
     kernels = [np.zeros(shape), np.zeros(shape)]
