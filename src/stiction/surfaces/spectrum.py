@@ -109,7 +109,7 @@ class PowerSpectrum:
 class BinnedSpectrum:
     """Store a power spectrum averaged over bins of the wavevector |q|; arrays (bins,) run from long to short waves.
 
-    - wavevector: mean |q| of the waves in a bin [rad/m]; waves: their number, q and -q counted as two
+    - wavevector: mean |q| of the waves in a bin [rad/m]; waves: number of waves in a bin, q and -q counted as two
     - density: mean power spectral density C in a bin, [m^4] for a map and [m^3] for a profile
     - longest, shortest: ends of the reliable wavelengths [m]
     - is_profile: whether it is the spectrum of a profile; window: a key of WINDOWS
