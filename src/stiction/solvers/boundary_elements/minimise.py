@@ -40,7 +40,7 @@ from stiction.solvers.boundary_elements.arrays import blocks, clip_into, dot, fa
 class Boundary(Protocol):
     """Define the compliance operator of a map, which computes displacements from pressures.
 
-    Results have the argument's precision. inverts: whether `inverse` is exact. has_mean: whether the mean is defined.
+    Results have the argument's precision. inverts: whether `inverse` is exact. has_mean: whether mean displacement is defined.
     """
 
     inverts: bool
