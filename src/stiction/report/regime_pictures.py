@@ -84,7 +84,7 @@ def _plasticity(axes: Axes, contact: "Contact", pressure: float) -> None:
     rough = contact.roughness
     density = rough.asperity_density * rough.asperity_radius * rough.asperity_height_deviation
     psi = np.geomspace(0.1, 100.0, 200)
-    onset = np.array([pressure_of_first_flow(float(value), float(density)) for value in psi])
+    onset = pressures_of_first_flow(psi, float(density))
     axes.fill_between(psi, onset, 10.0, color=RED, alpha=0.12, linewidth=0.0)
     axes.plot(psi, onset, color=GREY)
     axes.text(10.0, 1e-3, "plastic", ha="center", fontsize=9)
@@ -103,27 +103,28 @@ def _dot(axes: Axes, place: tuple[float, float], ends: tuple[tuple[float, float]
     axes.plot(x, y, "o", color=colour, markersize=9, label=name, clip_on=False, zorder=5)
 
 
-def pressure_of_first_flow(index: float, density: float) -> float:
-    """Return the nominal pressure over the hardness at which F_1(s + index^-2) reaches 2 % of F_1(s).
+def pressures_of_first_flow(indices: np.ndarray, density: float) -> np.ndarray:
+    """Return the nominal pressures over the hardness (n,) at which F_1(s + index^-2) reaches 2 % of F_1(s).
 
     Greenwood & Williamson (1966) take this as the onset of plastic contact. F_1(s) is the integral of (z - s) phi(z) over z >
-    s, with the standard Gaussian density phi and the separation s over sigma. index: plasticity index. density: N R sigma. The
-    result is infinite if no s from -4 to 6 reaches 2 %.
+    s, with the standard Gaussian density phi and the separation s over sigma. indices (n,): plasticity indices. density: N R
+    sigma. The pressure is infinite where no s from -4 to 6 reaches 2 %.
     """
-    z, heights, area, load = _gaussian_sums()
-    flowing = np.trapezoid(heights * np.clip(z - index**-2.0, 0.0, None), z, axis=1)
-    first = np.flatnonzero(flowing >= _FLOWING * area)
-    return float(4.0 / 3.0 * density * index * load[first[-1]]) if first.size else np.inf
+    z, weights, area, load = _gaussian_sums()
+    flows = np.clip(z - indices[:, None] ** -2.0, 0.0, None) @ weights >= _FLOWING * area
+    last = area.size - 1 - np.argmax(flows[:, ::-1], axis=1)
+    return np.where(flows.any(axis=1), 4.0 / 3.0 * density * indices * load[last], np.inf)
 
 
 @cache
 def _gaussian_sums() -> tuple[np.ndarray, ...]:
-    """Return the table from which `pressure_of_first_flow` reads, for Gaussian asperity heights with sigma = 1.
+    """Return the table from which `pressures_of_first_flow` reads, for Gaussian asperity heights with sigma = 1.
 
-    Returns compressions z (n,), the density (201, n) of the heights s + z at 201 separations s, and its integrals over z with
-    the weights z and z^1.5, each (201,).
+    Returns compressions z (n,), the density (n, 201) of the heights s + z at 201 separations s times the weights of the
+    trapezoidal rule over z, and the integrals over z of the density times z and z^1.5, each (201,).
     """
-    z = np.linspace(0.0, 12.0, 1201)
-    separation = np.linspace(-4.0, 6.0, 201)[:, None]
-    heights = np.exp(-0.5 * (separation + z) ** 2) / np.sqrt(2.0 * np.pi)
-    return z, heights, np.trapezoid(heights * z, z, axis=1), np.trapezoid(heights * z**1.5, z, axis=1)
+    z, step = np.linspace(0.0, 12.0, 1201, retstep=True)
+    density = np.exp(-0.5 * (np.linspace(-4.0, 6.0, 201) + z[:, None]) ** 2) / np.sqrt(2.0 * np.pi)
+    density[[0, -1]] *= 0.5
+    weights = step * density
+    return z, weights, z @ weights, z**1.5 @ weights
