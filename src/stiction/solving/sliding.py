@@ -24,10 +24,10 @@ from stiction.quantities.quotient import quotient
 from stiction.solving.candidates import choice_of
 from stiction.solving.choice import LawKeywords
 from stiction.solving.on_map import MapProblem
-from stiction.solving.points import coordinates_of, in_words, normalised, points_of, requested_points, solve_points
+from stiction.solving.points import coordinates_of, in_words, normalised, points_of, solve_points
 from stiction.solving.problem import SLIP_LIMITED, AsperitySum, Problem, make_problem
 from stiction.solving.results import labelled, summary_of
-from stiction.solving.sliding_on_map import Move, slide_on_map, used_by_sliding
+from stiction.solving.sliding_on_map import Move, requested_displacements, slide_on_map, used_by_sliding
 
 if TYPE_CHECKING:
     import xarray
@@ -203,12 +203,7 @@ def _displacements(subject: Subject, given: Any, slides_at: np.ndarray) -> Any:
         if not farthest > 0.0:
             raise InputError("displacement", None, "one or more values, because a contact without friction has no default")
         given = np.linspace(0.0, 1.5 * farthest, _POINTS)
-    moved = requested_points(subject, "displacement", given)
-    if not np.size(moved):
-        raise InputError("displacement", InWords("no values"), "at least one value")
-    if float(np.min(moved)) < 0.0:
-        raise InputError("displacement", subject.show(float(np.min(moved)), "displacement"), "0 or more")
-    return moved
+    return requested_displacements(subject, given)
 
 
 @dataclass(frozen=True)

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from stiction.contact.subject import Subject
 from stiction.quantities.errors import InputError, InWords
 from stiction.quantities.quotient import quotient
 from stiction.solving.moving_adhesive import AdhesiveMap, PeelingMap, without_mode_mixity
@@ -58,10 +59,8 @@ def slide_on_map(problem: MapProblem, points: Points, move: Move) -> "xarray.Dat
     static = solve_points(replace(points, problem=unsheared)).tables
     loads = static["load"]
     moving = _moving(problem, loads.reshape(-1))
-    moved = requested_points(problem.subject, "displacement", _displacements(problem, moving, weakening, move))
+    moved = requested_displacements(problem.subject, _displacements(problem, moving, weakening, move))
     shifts = np.atleast_1d(np.asarray(moved, dtype=float))
-    if shifts.min() < 0.0:
-        raise InputError("displacement", problem.contact.show(float(shifts.min()), "displacement"), "0 or more")
     paths = [moving.path(index, shifts, weakening) for index in range(len(moving.contacts))]
     whole = float(problem.contact.nominal_area) / moving.nominal_area
     ends = _ends(moving, paths, whole, factors) | moving.results(paths)
@@ -92,6 +91,16 @@ def slide_on_map(problem: MapProblem, points: Points, move: Move) -> "xarray.Dat
     peels = ("peeling",) if problem.options["mode_mixity"] != "none" else ()
     known |= used_by_sliding(problem, ("residual_strength", "weakening_slip", *peels))
     return data.assign_attrs(known | _attributes(known, moving, move.residual, weakening, paths))
+
+
+def requested_displacements(subject: Subject, given: Any) -> Any:
+    """Return displacements as `requested_points` does; raise InputError for a negative displacement and for an empty array."""
+    moved = requested_points(subject, "displacement", given)
+    if not np.size(moved):
+        raise InputError("displacement", InWords("no values"), "at least one value")
+    if float(np.min(moved)) < 0.0:
+        raise InputError("displacement", subject.show(float(np.min(moved)), "displacement"), "0 or more")
+    return moved
 
 
 def _moving(problem: MapProblem, loads: np.ndarray) -> MovingMap:
