@@ -30,7 +30,7 @@ from stiction.contact.contact import Contact
 from stiction.contact.subject import Subject
 from stiction.laws.proportion import input_warnings
 from stiction.quantities.dimensions import dimensions
-from stiction.quantities.errors import InputError, InputWarning, field_as
+from stiction.quantities.errors import InputError, InputWarning, field_below
 from stiction.quantities.inputs import require_names
 from stiction.quantities.paths import read_text
 from stiction.quantities.table import QUANTITIES
@@ -392,7 +392,7 @@ def _measured(content: Mapping, folder: Path) -> Mapping:
     surface = roughness_in(content)
     if not (isinstance(surface, Mapping) and surface.keys() & {"first", "second"}) or is_finished(surface):
         return content
-    with field_as(lambda field: "contact." + (field if field.startswith("roughness") else f"roughness.{field}")):
+    with field_below("contact.roughness"):
         return {**content, "contact": {**content["contact"], "roughness": roughness_of(surface, folder)}}
 
 

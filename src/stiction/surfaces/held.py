@@ -36,7 +36,7 @@ def as_height_map(value: Any, field: str = "scan") -> HeightMap:
     """
     if isinstance(value, HeightMap):
         return value
-    with field_as(lambda own: field if own == "scan" else f"{field}.{own}"):
+    with field_as(lambda own: field if own == "scan" else f"{field}.{own}".lstrip(".")):
         if _is_topography(value):
             return _of_topography(value)
         if _is_labelled(value):

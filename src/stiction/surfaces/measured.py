@@ -239,11 +239,9 @@ def measure(wanted: MeasuredRoughness, folder: Path = Path()) -> Measured:
     known = [of_numbers(body) for body in bodies.values() if isinstance(body, Roughness)]
     alone = len(maps) + len(known) == 1
     if wanted.heights not in (None, *MODELS):
-        raise InputError("roughness.heights", wanted.heights, ", ".join(MODELS))
+        raise InputError("heights", wanted.heights, ", ".join(MODELS))
     if wanted.heights not in (None, "gaussian") and not alone:
-        raise InputError(
-            "roughness.heights", wanted.heights, "gaussian, because the heights of the two rough bodies are combined"
-        )
+        raise InputError("heights", wanted.heights, "gaussian, because the heights of the two rough bodies are combined")
     found: dict[str, Asperities] = {}
     surfaces: dict[str, Roughness] = {}
     counts: dict[str, int] = {}
@@ -260,7 +258,7 @@ def measure(wanted: MeasuredRoughness, folder: Path = Path()) -> Measured:
             failures[method] = str(error)
     if not found:
         raise InputError(
-            "roughness",
+            "",
             InWords("no asperities by any method"),
             "scans with asperities; run `stiction surface` on each scan to see the asperities it has",
         )
@@ -276,7 +274,7 @@ def measure(wanted: MeasuredRoughness, folder: Path = Path()) -> Measured:
     method = wanted.method or default_method(found, counts)
     if method not in found:
         why = f"; nothing by {method}: {failures[method]}" if method in failures else ""
-        raise InputError("roughness.method", method, ", ".join(found) + why)
+        raise InputError("method", method, ", ".join(found) + why)
     validity_warnings = _validity_warnings(list(maps.values()), bool(known), wanted)
     return Measured(
         by_method=surfaces,
@@ -369,7 +367,7 @@ def _prepared(surface: "HeightMap", wanted: MeasuredRoughness, scan: Any, body: 
     from stiction.surfaces.prepare import prepared
 
     own = f"{body}.file" if isinstance(scan, Scan) else body
-    with field_as(lambda field: f"roughness.{own if field == 'scan' else field}"):
+    with field_as(lambda field: own if field == "scan" else field):
         return prepared(surface, wanted.form, wanted.spikes, wanted.fill, wanted.shortest, wanted.longest, period)
 
 
@@ -381,6 +379,6 @@ def surface_of(scan: Scan, folder: Path, body: str) -> "HeightMap":
     from stiction.surfaces.read import read_scan
 
     given = {name: getattr(scan, name) for name in ("size", "unit", "height_unit", "height_scale", "channel")}
-    with field_as(lambda field: f"roughness.{body}.{'file' if field == 'scan' else field}"):
+    with field_as(lambda field: f"{body}.{'file' if field == 'scan' else field}"):
         surface = read_scan(folder / scan.file, **given)
     return replace(surface, periodic=scan.periodic or surface.periodic)

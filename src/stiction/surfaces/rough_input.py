@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Annotated
 
 from pydantic import BeforeValidator
 
-from stiction.quantities.errors import field_as
 from stiction.quantities.keywords import Converted
 from stiction.surfaces.finished import is_finished, roughness_of_finish
 from stiction.surfaces.measured import roughness_of
@@ -26,12 +25,11 @@ def _rough(value):
         return roughness_of_finish(value)
     if isinstance(value, Mapping) and not value.keys() & {"first", "second"}:
         return value
-    with field_as(lambda field: field.removeprefix("roughness").lstrip(".")):  # the field of the contact adds its own name
-        if not isinstance(value, Mapping):
-            from stiction.surfaces.held import as_height_map
+    if not isinstance(value, Mapping):
+        from stiction.surfaces.held import as_height_map
 
-            value = {"first": as_height_map(value, "roughness")}
-        return roughness_of(value)
+        value = {"first": as_height_map(value, "")}
+    return roughness_of(value)
 
 
 if TYPE_CHECKING:
