@@ -196,7 +196,7 @@ def model_choices() -> list[tuple[str, Choice, bool]]:
     for key, film in of_kind(FilmLaw).items():
         if not film.interchangeable:
             continue
-        if key == usual.default_film or "2015" in film.wants:
+        if key == usual.default_film or "2015" in film.required_traits:
             rows.append((f"{usual.key}, {key} film", Choice(usual.key, film=key), True))
         else:
             suited = next(law.key for law in laws.values() if not incompatibility(film, law))

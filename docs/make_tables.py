@@ -130,7 +130,7 @@ def takes(model: dict) -> tuple[str, ...]:
 
 def asperities_of(model: dict) -> str:
     """Which asperity laws a tangential or film law goes with."""
-    wanted = model["wants"]
+    wanted = model["required_traits"]
     marked = f"with the propert{'y' if len(wanted) == 1 else 'ies'} {', '.join(wanted)}" if wanted else "any"
     if not getattr(record_of(model), "own_asperity", False):
         return marked
@@ -192,7 +192,10 @@ def record_lines(model: dict) -> str:
     lines += [f"- Relative error of {good}: at most {model['accuracy']:.0e}"] if record.keyword else []
     lines += [f"- Jumps {jump}" for jump in model.get("jumps", ())]
     lines += [f"- In the limit: {departure}" for departure in model.get("departures", ())]
-    lines += [f"- Requires an asperity law with the property {trait}: {why}" for trait, why in model.get("wants", {}).items()]
+    lines += [
+        f"- Requires an asperity law with the property {trait}: {why}"
+        for trait, why in model.get("required_traits", {}).items()
+    ]
     lines += [f"- Error for a sphere (area at a given load, load at a given approach): {one}" for one in off_by(model)]
     lines += [f"- Properties: {', '.join(model['traits'])}"] if model.get("traits") else []
     lines += more(record)

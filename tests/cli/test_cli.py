@@ -215,7 +215,7 @@ def test_options_override_the_case_and_a_model_without_them_is_not_asked(tmp_pat
         "computes no friction" in command("run", adhesive(tmp_path), "--model", "greenwood_williamson_1966", "--details").stdout
     )
     asperity = find(find("soft_coating_2015", RoughSurface).asperity, AsperityLaw)
-    suitable = [law for law in of_kind(FilmLaw).values() if law.interchangeable and "2015" in law.wants]
+    suitable = [law for law in of_kind(FilmLaw).values() if law.interchangeable and "2015" in law.required_traits]
     assert suitable and not any(incompatibility(law, asperity) for law in suitable)
     for key in ["sequential", *(law.key for law in suitable)]:
         read = strict(command("run", PAPER, "--film", key, "--json").stdout)["attrs"]

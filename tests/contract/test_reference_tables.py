@@ -79,7 +79,7 @@ def test_one_sheared_asperity(law):
     load = column(rows, "load") if "load" in rows[0] else w**1.5
     area = column(rows, "area") if "area" in rows[0] else w
     ends = np.full(len(rows), np.inf)
-    segment = jkr.elastic(given.theta, "loading", ends) if "JKR" in law.wants else hertz.elastic(ends)
+    segment = jkr.elastic(given.theta, "loading", ends) if "JKR" in law.required_traits else hertz.elastic(ends)
     tangential_resistance = law.tangential_resistance(segment, given, **resolve_options([law], {}))
     parameters = [np.broadcast_to(one, len(rows)) for one in tangential_resistance.parameters]
     found = np.array(

@@ -144,7 +144,7 @@ def test_nothing_is_negative(choice, coated):
 def test_load_falls_where_declared(choice, coated):
     """dP/dh <= 0 wherever the load is compressive, if all the records say so."""
     found = problem(choice, draw(400, coated, 43))
-    if not all(record.load_falls for record in found.records()):
+    if not all(record.load_is_monotonic for record in found.records()):
         pytest.skip("a record does not claim it")
     load = found.loads_on_grid(np.linspace(-5.0, 7.0, 97))
     compressive = load[:, 1:] > 0.0
@@ -299,7 +299,7 @@ def test_any_asperity_law_with_any_tangential_law(asperity, tangential):
         with pytest.raises(InputError) as caught:
             problem_of(given, choice)
         assert all(why in str(caught.value) for why in [tangential.key, asperity.key])
-        assert any(why in reason for why in tangential.wants.values())
+        assert any(why in reason for why in tangential.required_traits.values())
         return
     found = problem_of(given, choice)
     sums = scattered(found.regimes, np.linspace(-2.0, 3.0, 40), gaussian())
@@ -441,7 +441,7 @@ def test_theories_in_closed_form(record):
         np.testing.assert_allclose(pairs, [single[3, 1], single[0, 0], single[3, 2]], rtol=1e-9)
     load, area = results["load"], results["contact_area"]
     assert np.isfinite(load).all() and (load > 0.0).all()
-    assert not record.load_falls or (np.diff(load, axis=1) > 0.0).all()
+    assert not record.load_is_monotonic or (np.diff(load, axis=1) > 0.0).all()
     assert (area > 0.0).all() and (np.diff(area, axis=1) >= 0.0).all()
     expected = given.eta[:, None] * given.shear_strength[:, None] * area
     np.testing.assert_allclose(results["friction_force"], expected, rtol=1e-12)
@@ -477,7 +477,7 @@ def test_record_refers_to_what_exists(record):
         assert set(limit.groups) <= GROUP_NAMES
         assert set(limit.quantities) <= (FOUND if record.kind == "asperity method" else LIMITED)
         assert 0.0 < limit.within <= 0.05
-    assert set(getattr(record, "traits", ())) | set(getattr(record, "wants", ())) <= TRAITS.keys()
+    assert set(getattr(record, "traits", ())) | set(getattr(record, "required_traits", ())) <= TRAITS.keys()
     if record.kind == "rough surface" and record.asperity:
         asperity = find(record.asperity, AsperityLaw)
         assert record.tangential == "none" or not incompatibility(find(record.tangential, TangentialLaw), asperity)

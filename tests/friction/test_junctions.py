@@ -302,7 +302,7 @@ def test_what_is_needed_is_asked_for():
 def plastic_segments(law, given):
     """The plastic segments of asperity laws that the law goes with."""
     for asperity in of_kind(AsperityLaw).values():
-        if not incompatibility(law, asperity) and all(given.knows(name) for name in asperity.needs):
+        if not incompatibility(law, asperity) and all(given.has(name) for name in asperity.needs):
             yield from (one for one in asperity.segments(given, **resolve_options([asperity], {})) if one.state == "plastic")
 
 

@@ -303,8 +303,8 @@ def test_never_negative_never_nan(law):
     alpha, share = 10.0 ** rng.uniform(-4, -0.9, n), 10.0 ** rng.uniform(-6, 0, n)
     given = given.with_changes(shear_strength=alpha, pressure_coefficient=rng.uniform(0, 1, n), peeling=share)
     given = given.with_changes(size_over_burgers=10.0 ** rng.uniform(0, 6, n), sharpness=10.0 ** rng.uniform(-3, -1, n))
-    segments = [] if "JKR" in law.wants else [hertz_segment(n)]
-    segments += [] if "no adhesion" in law.wants else [jkr_segment(given), jkr_segment(given, "unloading")]
+    segments = [] if "JKR" in law.required_traits else [hertz_segment(n)]
+    segments += [] if "no adhesion" in law.required_traits else [jkr_segment(given), jkr_segment(given, "unloading")]
     for segment in segments:
         tangential_resistance = law.tangential_resistance(segment, given, **resolve_options([law], {}))
         first = segment.edges[:, 0]

@@ -356,7 +356,7 @@ def test_refused_with_a_film():
 def test_every_asperity_law_is_known_or_refused():
     groups = INDICES.resolved()
     for key, record in of_kind(AsperityLaw).items():
-        if not all(groups.knows(name) for name in record.needs):
+        if not all(groups.has(name) for name in record.needs):
             assert key not in KNOWN
             continue
         try:

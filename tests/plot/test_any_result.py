@@ -13,7 +13,7 @@ from stiction.case.read import read_case
 from stiction.quantities.errors import InputError
 from stiction.report.model_pictures import models_figure
 from stiction.report.pictures import canvas, finish, friction_panel
-from stiction.report.prediction_pictures import prediction_figure, rests_panel
+from stiction.report.prediction_pictures import prediction_figure, sources_panel
 from stiction.report.regime_pictures import negligible_load_of_jkr, pressures_of_first_flow, regime_figure
 from stiction.report.view import regime_picture
 from stiction.report.views.comparison import comparison_view
@@ -126,7 +126,7 @@ def test_a_single_load_stands_on_the_curve_around_it(tmp_path):
 def test_the_parts_of_an_interval_are_shorter_than_it(path):
     data = st.predict(path, load="1 N")
     _, (axes,) = canvas(5, 4)
-    rests_panel(axes, data)
+    sources_panel(axes, data)
     widths = [np.ptp(np.log(bars.get_segments()[0][:, 0])) for bars in axes.collections]
     low, high = (float(data[f"friction_coefficient_{end}"]) for end in ("low", "high"))
     share = max(data.attrs["shares"].values())

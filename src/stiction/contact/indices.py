@@ -260,7 +260,7 @@ class Indices(Subject):
         strengths: Any = self.shear_strength, self.body_shear_strength
         return None if self.shear_strength is None else np.minimum(*strengths)
 
-    def knows(self, group: str) -> bool:
+    def has(self, group: str) -> bool:
         """Return whether the group of this name has a value or is one of _FOLLOWS, which follow from other groups."""
         return group in _FOLLOWS or getattr(self, group) is not None
 

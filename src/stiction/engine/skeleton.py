@@ -127,24 +127,24 @@ def _add_four(few, row, column, tile, product):
 
 
 @loop
-def _store(product, sums, size, doubtful_below, doubtful):
-    """Copy one row of the matrix product to `sums`, and mark inaccurate sums as True in `doubtful`.
+def _store(product, sums, size, threshold, inaccurate):
+    """Copy one row of the matrix product to `sums`, and mark inaccurate sums as True in `inaccurate`.
 
-    A sum is marked if it is below doubtful_below times size (the same sum without the height density), because cancellation may
+    A sum is marked if it is below threshold times size (the same sum without the height density), because cancellation may
     then have cost digits of the product.
     """
     for to in range(sums.size):
         sums[to] = product[to]
-        doubtful[to] = doubtful[to] | (product[to] < size * doubtful_below[to])
+        inaccurate[to] = inaccurate[to] | (product[to] < size * threshold[to])
 
 
 @kernel
-def carry_over(few, tiles, doubtful_below, nodes, signed, sums, doubtful):
+def carry_over(few, tiles, threshold, nodes, signed, sums, inaccurate):
     """Extend sums at a few separations to many by a matrix, mark inaccurate sums, and return whether any is inaccurate.
 
     few (rows of all laws, rounded up to a multiple of four, L): sums at the L separations of the skeleton. tiles: the matrix
-    (L, H), cut into tiles by `skeleton`. sums (n, rows, H): filled with the product. doubtful (n, H): set to True where
-    cancellation may have cost digits: a sum of positive terms is below doubtful_below (H,) times its size, the same sum without
+    (L, H), cut into tiles by `skeleton`. sums (n, rows, H): filled with the product. inaccurate (n, H): set to True where
+    cancellation may have cost digits: a sum of positive terms is below threshold (H,) times its size, the same sum without
     the height density. nodes: (displacements, weights times values, numbers of nodes) from which `few` was summed. signed:
     index of the row that holds the load; it changes sign and is not checked, because it is as accurate as the area. The product
     is written as a loop here, because a threaded library would compete with the threads of the caller.
@@ -152,7 +152,7 @@ def carry_over(few, tiles, doubtful_below, nodes, signed, sums, doubtful):
     _, values, used = nodes
     laws, rows, separations = sums.shape
     product, width = np.empty(4 * _TILE), tiles.shape[2]
-    doubtful[:laws] = False
+    inaccurate[:laws] = False
     for first in range(0, laws * rows, 4):
         for number in range(len(tiles)):
             product[:] = 0.0
@@ -162,6 +162,6 @@ def carry_over(few, tiles, doubtful_below, nodes, signed, sums, doubtful):
             for beside in range(min(4, laws * rows - first)):
                 i, row = (first + beside) // rows, (first + beside) % rows
                 size = -np.inf if row == signed else np.sum(values[i, row, : used[i]])
-                part = doubtful[i, start:stop]
-                _store(product[beside * _TILE :], sums[i, row, start:stop], size, doubtful_below[start:stop], part)
-    return doubtful[:laws].any()
+                part = inaccurate[i, start:stop]
+                _store(product[beside * _TILE :], sums[i, row, start:stop], size, threshold[start:stop], part)
+    return inaccurate[:laws].any()

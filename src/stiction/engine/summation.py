@@ -284,7 +284,7 @@ def _by_skeleton(regimes, h, heights, sums, threads) -> bool:
     w_low = max(min(regime.lowest for regime in regimes), lowest)
     nearest = h.min()
     w_high = heights.window(nearest + w_low, np.inf, heights.shape)[1] - nearest
-    few_h, tiles, doubtful_below = skeleton(h.tobytes(), w_low, w_high, heights)
+    few_h, tiles, threshold = skeleton(h.tobytes(), w_low, w_high, heights)
     if not few_h.size:
         return False
     reach = np.array([heights.window(few + w_low, np.inf, heights.shape)[1] for few in few_h]) - few_h
@@ -300,7 +300,7 @@ def _by_skeleton(regimes, h, heights, sums, threads) -> bool:
     def fill(share: slice) -> None:
         places, values = np.empty((_BLOCK, room)), np.empty((_BLOCK, rows, room))
         few, every = np.empty((_BLOCK, rows, few_h.size)), np.ones((_BLOCK, few_h.size), dtype=np.bool_)
-        doubtful = np.empty((_BLOCK, h.size), dtype=np.bool_)
+        inaccurate = np.empty((_BLOCK, h.size), dtype=np.bool_)
         appenders = [placed.on(_BLOCK, (_RULES, _COUNTS)) for placed in placing]
         for start in range(share.start, share.stop, _BLOCK):
             block = slice(start, min(start + _BLOCK, share.stop))
@@ -308,8 +308,8 @@ def _by_skeleton(regimes, h, heights, sums, threads) -> bool:
             for append in appenders:
                 append((w_low, np.inf, nearest), heights.shape, block, nodes)
             sum_rows(few_h, reach, heights.shape, nodes, every, few)
-            if carry_over(few.reshape(-1, few_h.size), tiles, doubtful_below, nodes, signed, sums[block], doubtful):
-                sum_rows(h, everywhere, heights.shape, nodes, doubtful, sums[block])
+            if carry_over(few.reshape(-1, few_h.size), tiles, threshold, nodes, signed, sums[block], inaccurate):
+                sum_rows(h, everywhere, heights.shape, nodes, inaccurate, sums[block])
 
     in_threads(fill, _slices(len(sums), threads), threads)
     return True

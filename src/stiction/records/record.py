@@ -33,7 +33,7 @@ class Record:
     - needs, takes: dimensionless groups that the model requires, and those that it uses if they are known
     - validity, limits: ranges in which it is valid, and cases in which it agrees with another model
     - own_options: allowed values of each option, by name, the default first
-    - load_falls: whether, in the source, a compressive load always decreases with growing separation
+    - load_is_monotonic: whether, in the source, a compressive load always decreases with growing separation
     - accuracy: relative accuracy of sums over asperities; coarser if kinks of the law are located numerically
     - notes: remarks for users
     - entries: BibTeX by key, for sources that are not in the package's bibliography
@@ -52,7 +52,7 @@ class Record:
     validity: tuple[Validity, ...] = ()
     limits: tuple[Limit, ...] = ()
     own_options: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
-    load_falls: bool = True
+    load_is_monotonic: bool = True
     accuracy: float = 1e-10
     notes: str = ""
     entries: Mapping[str, str] = field(default_factory=dict)
@@ -133,8 +133,8 @@ def plug_in_error(error: BaseException) -> InputError | None:
     packages = {module.partition(".")[0] for module in modules}
     for record, module in _from_plug_ins():
         if module.partition(".")[0] in packages:
-            said = f"{type(error).__name__}: {error}"
-            return InputError(record.keyword or record.kind, record.key, f"a law that works; its plug-in raised {said}")
+            cause = f"{type(error).__name__}: {error}"
+            return InputError(record.keyword or record.kind, record.key, f"a law that works; its plug-in raised {cause}")
     return None
 
 

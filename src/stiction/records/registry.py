@@ -53,7 +53,7 @@ class TangentialLaw(Record):
 
     - tangential_resistance(segment, groups, **own_options): TangentialResistance of one segment of an asperity law, or None if
       the asperity has no resistance there. groups: dimensionless groups of n contacts (contact.indices.Groups)
-    - wants: traits that the asperity law must have, each with the reason (a dict)
+    - required_traits: traits that the asperity law must have, each with the reason (a dict)
     - interfacial: whether the law describes the interface and not the bodies. On a coated asperity it then uses the whole load
       and the outer contact area, whether film or substrate carries the load
     - layered: whether it treats film and body as one layered elastic solid; it then suits film laws with `solved_as_one`
@@ -67,7 +67,7 @@ class TangentialLaw(Record):
 
     kind = keyword = "tangential"
     tangential_resistance: Callable
-    wants: Mapping[str, str] = field(default_factory=dict)
+    required_traits: Mapping[str, str] = field(default_factory=dict)
     interfacial: bool = False
     layered: bool = False
     of_half_space: str = ""
@@ -92,7 +92,7 @@ class FilmLaw(Record):
 
     - regimes(groups, law, **own_options): list of engine.regime.Regime. groups: dimensionless groups of n contacts. law:
       asperity law and tangential law of film and substrate (laws.joining.Law)
-    - wants: traits that the asperity law must have, each with the reason (a dict)
+    - required_traits: traits that the asperity law must have, each with the reason (a dict)
     - own_asperity: whether the film law has its own asperity law and ignores the one in `law`
     - one_body: whether film and substrate count as one body with the film's surface. The groups that the other laws use
       if known (field `takes`) are then unused. If the film has a work of adhesion, the work of adhesion of the bodies is
@@ -104,7 +104,7 @@ class FilmLaw(Record):
     - confined: whether the film can carry more than its own hardness, up to the hardness of the substrate
     - tangential: tangential laws that suit it: "" for all, "interface" for those that describe the interface, or the key of a
       single law
-    - asperity: key of the asperity law in its source; another asperity law with the traits in `wants` may replace it
+    - asperity: key of the asperity law in its source; another asperity law with the traits in `required_traits` may replace it
     - interchangeable: whether it can be combined with other models; False if it belongs to one variant of one model
     - departures: its errors for a thin film, for a thick film, and for a film equal to its substrate
     - composites: default key by option, for each joint property of film and substrate that a Composite computes
@@ -112,7 +112,7 @@ class FilmLaw(Record):
 
     kind = keyword = "film"
     regimes: Callable
-    wants: Mapping[str, str] = field(default_factory=dict)
+    required_traits: Mapping[str, str] = field(default_factory=dict)
     own_asperity: bool = False
     one_body: bool = False
     solved_as_one: bool = False
@@ -218,12 +218,12 @@ class Addition(Record):
 
     - default: key of the law used if the contact has the inputs of this kind (see `is_stated`); "" for none
     - order: position of the kind in lists, the lowest first
-    - wants: traits that the asperity law must have, each with the reason (a dict)
+    - required_traits: traits that the asperity law must have, each with the reason (a dict)
     """
 
     default: ClassVar[str] = ""
     order: ClassVar[int] = 100
-    wants: Mapping[str, str] = field(default_factory=dict)
+    required_traits: Mapping[str, str] = field(default_factory=dict)
 
     @classmethod
     def allowed(cls, model: RoughSurface, tangential: TangentialLaw | None, film: FilmLaw | None) -> str:
@@ -354,7 +354,7 @@ def _first(key: str, known: Iterable[str]) -> tuple[str, ...]:
 
 def incompatibility(law: TangentialLaw | FilmLaw | Addition, asperity: AsperityLaw) -> str:
     """Return the reason why a tangential, film or added law cannot be combined with an asperity law, as text; "" if it can."""
-    missing = [why for trait, why in law.wants.items() if trait not in asperity.traits]
+    missing = [why for trait, why in law.required_traits.items() if trait not in asperity.traits]
     reasons = " and ".join(missing).replace(" and it ", " and ")
     return f"the {law.keyword} law {law.key} does not suit the asperity law {asperity.key}: {reasons}" if missing else ""
 

@@ -60,7 +60,7 @@ def sources_figure(prediction: "xarray.Dataset") -> Figure:
     prediction: result of `predict`.
     """
     figure, (axes,) = canvas(5.0, 3.4)
-    rests_panel(axes, prediction)
+    sources_panel(axes, prediction)
     return figure
 
 
@@ -89,7 +89,7 @@ def validation_panel(axes: Axes, data: "xarray.Dataset") -> None:
     axes.legend(fontsize=8, ncols=2, loc="upper center")
 
 
-def rests_panel(axes: Axes, data: "xarray.Dataset") -> None:
+def sources_panel(axes: Axes, data: "xarray.Dataset") -> None:
     """Draw the interval of mu, and for each main source of uncertainty the interval that it would cause alone.
 
     The width of the interval of a source, in ln mu, is the width of the interval of mu, times the square root of the share of

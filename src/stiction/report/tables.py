@@ -147,11 +147,11 @@ def in_brief(case: "Case", data: "xarray.Dataset") -> Iterator[Any]:
             _without_band(data) if ends is None else f", {answer['level']:.0%} interval {number(ends[0])} to {number(ends[1])}"
         )
         if mu is None:
-            said = "not computed: state the strength of the interface"
+            text = "not computed: state the strength of the interface"
         else:
             at = f" at {case.subject.show(answer['load'], 'load', 3)}" if data["load"].size > 1 else ""
-            said = f"{number(mu)}{at}{band}" if np.isfinite(mu) else f"not defined{at or ' at this load'}"
-        rows.insert(0, ("mu", said))
+            text = f"{number(mu)}{at}{band}" if np.isfinite(mu) else f"not defined{at or ' at this load'}"
+        rows.insert(0, ("mu", text))
     unused = data.attrs.get("inputs_not_used", "")
     yield facts([*rows, ("not used", unused), ("outside", f"{warnings[0]}{more}" if warnings else "")])
 
@@ -285,7 +285,7 @@ def model_in_full(row: Mapping[str, Any]) -> Group:
         value = row.get(name) or []
         lines = [value] if isinstance(value, str) else [", ".join(value)] if name in ("needs", "traits") else value
         pairs += [(head if number == 0 else "", line) for number, line in enumerate(lines)]
-    pairs += [("only with", f"asperity laws marked {trait}: {why}") for trait, why in row.get("wants", {}).items()]
+    pairs += [("only with", f"asperity laws marked {trait}: {why}") for trait, why in row.get("required_traits", {}).items()]
     means = row.get("options_mean", {})
     for name, values in row["options"].items():
         pairs.append(("option", f"{name}: {', '.join(values)}" + (f" ({means[name]})" if name in means else "")))

@@ -145,5 +145,5 @@ def with_interface(choice: Choice, groups: Groups) -> Choice:
     if choice.tangential is not None or find(choice.model_key, RoughSurface).tangential != "none":
         return choice
     laws = [law for law in of_kind(TangentialLaw).values() if law.interfacial]
-    known = [law for law in laws if all(groups.knows(name) for name in law.needs)]
+    known = [law for law in laws if all(groups.has(name) for name in law.needs)]
     return replace(choice, tangential=max(known, key=lambda law: len(law.needs)).key if known else "none")

@@ -115,18 +115,18 @@ def _on_the_tail(data: "xarray.Dataset") -> str:
     if "touching_asperities" not in data:
         return ""
     loads = _over(data["load"], data[_MU])
-    said = []
+    texts = []
     for method in data[METHOD].values:
         touching = data["found_touching_by_method"].sel({METHOD: method}).values
         few = (touching < FEW_TOUCH) & (loads > 0.0)
         if few.any():
-            said.append(f"{method} up to {show(loads[few].max(), 'load', 3)}")
+            texts.append(f"{method} up to {show(loads[few].max(), 'load', 3)}")
         elif np.isnan(touching).all():
-            said.append(f"{method} at every load")
-    if not said:
+            texts.append(f"{method} at every load")
+    if not texts:
         return ""
     return (
-        f"fewer than {FEW_TOUCH} of the detected asperities touch ({', '.join(said)}): mu then follows from the assumed tail "
+        f"fewer than {FEW_TOUCH} of the detected asperities touch ({', '.join(texts)}): mu then follows from the assumed tail "
         "of the height distribution, not from measured heights"
     )
 

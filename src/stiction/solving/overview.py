@@ -35,7 +35,7 @@ class ModelRow(TypedDict):
     measured_film_error: NotRequired[list[str]]
     options_mean: NotRequired[dict[str, str]]
     traits: NotRequired[list[str]]
-    wants: NotRequired[dict[str, str]]
+    required_traits: NotRequired[dict[str, str]]
     jumps: NotRequired[list[str]]
     departures: NotRequired[list[str]]
     asperity: NotRequired[str]
@@ -149,7 +149,7 @@ def _limit(limit: Limit) -> str:
 # Fields that only some kinds of records have, and the function that converts each for `models`.
 _MORE: dict[str, Callable[[Any], Any]] = {
     "traits": sorted,
-    "wants": dict,
+    "required_traits": dict,
     "jumps": lambda jumps: [f"{jump.where}: load times {jump.load:g}, contact area times {jump.area:g}" for jump in jumps],
     "departures": lambda departures: [str(one) for one in departures],
     "asperity": str,

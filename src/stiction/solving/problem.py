@@ -380,7 +380,7 @@ def problem_of(groups: Groups, choice: Choice, heights: Heights | None = None, s
     chosen = resolve_laws(with_interface(choice, groups), groups.has_film, groups)
     for record in chosen.records():
         for name in record.needs:
-            if not groups.knows(name):
+            if not groups.has(name):
                 given = subject.given_as(name) if subject is not None else name
                 whose = "" if record is chosen.model else f", which {chosen.model.key} uses here,"
                 allowed = f"{_wanted(given)}, because {record.key}{whose} needs it"

@@ -131,7 +131,7 @@ def _uses(record: Record, group: str, known: Groups) -> bool:
 
     known: groups of the contact.
     """
-    if not all(known.knows(name) for name in record.needs):
+    if not all(known.has(name) for name in record.needs):
         return False
     if group in (_ADHESION, _OF_FILM):
         return isinstance(record, AsperityLaw) and "no adhesion" not in record.traits

@@ -81,8 +81,8 @@ def height_model(found: Asperities, wanted: str | None = None) -> HeightModel:
     }  # fmt: skip
     bounds = (_LEAST_EXPONENT, _LARGEST_EXPONENT)
     clipped = "; Weibull's exponent at its bound: no such skewness" if exponent in bounds else ""
-    said = ", ".join(f"{one} {distance:.3g}" for one, distance in distances.items())
-    reason = f"distances {said}; allowed {allowed:.3g}; skewness {found.skewness:.3g}{clipped}"
+    shown = ", ".join(f"{one} {distance:.3g}" for one, distance in distances.items())
+    reason = f"distances {shown}; allowed {allowed:.3g}; skewness {found.skewness:.3g}{clipped}"
     reason = f"as wanted; {reason}" if wanted else reason
     return HeightModel(name, parameters[name], reason, found.skewness, allowed, distances, likelihoods)
 

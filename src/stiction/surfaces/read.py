@@ -182,8 +182,8 @@ def check_scale(heights: np.ndarray, size: tuple[float, float], name: str) -> No
     with np.errstate(over="ignore"):
         range_ = float(np.nanmax(heights) - np.nanmin(heights))
     if not _FLATTEST * max(size) <= range_ <= _STEEPEST * max(size):
-        told = f"{name}: peak to valley {range_:.3g} m on a size of {max(size):.3g} m"
-        raise InputError("scan", told, f"{_FLATTEST:g} to {_STEEPEST:g} of the size; check unit, height unit and size")
+        value = f"{name}: peak to valley {range_:.3g} m on a size of {max(size):.3g} m"
+        raise InputError("scan", value, f"{_FLATTEST:g} to {_STEEPEST:g} of the size; check unit, height unit and size")
 
 
 def _scale_warning(heights: np.ndarray, size: tuple[float, float]) -> tuple[str, ...]:

@@ -114,8 +114,8 @@ class SelfAffine:
 
     def __str__(self) -> str:
         lengths = {"roll-off": self.rolloff, "shortest wave": self.shortest, "longest wave": self.longest}
-        said = [f"{name} {show(value, 'mean_separation')}" for name, value in lengths.items() if math.isfinite(value)]
-        return f"self-affine, H {self.hurst:g}, {', '.join(said)}, rms height {show(self.deviation, 'mean_separation')}"
+        texts = [f"{name} {show(value, 'mean_separation')}" for name, value in lengths.items() if math.isfinite(value)]
+        return f"self-affine, H {self.hurst:g}, {', '.join(texts)}, rms height {show(self.deviation, 'mean_separation')}"
 
     @property
     def rms_slope(self) -> float:

@@ -255,9 +255,9 @@ def share_chart(curve: xarray.Dataset, what: str, against: str, dark: bool) -> d
     x, x_axis = _against(curve, against)
     series = []
     for at, (name, share) in enumerate(zip(parts, shares_of(curve, parts), strict=True)):
-        said = part_in_words(name, total)
+        label = part_in_words(name, total)
         area = {"opacity": 0.75, "decal": {"symbol": _HATCHES[at % len(_HATCHES)], "color": "rgba(255,255,255,0.5)"}}
-        series.append(line(said, x, share, at, stack="all", areaStyle=area))
+        series.append(line(label, x, share, at, stack="all", areaStyle=area))
     tension = any(np.nanmin(curve[name].values, initial=0.0) < 0.0 for name in parts)
     named = f"share of {what}" + (", absolute values: some parts are in tension" if tension else "")
     return chart(named, x_axis, {"name": f"share of {what.partition(',')[0]}", "min": 0, "max": 1}, series, dark)

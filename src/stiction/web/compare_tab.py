@@ -77,16 +77,16 @@ class CompareTab:
         case, data, prediction = compared(answer.query, load if load > 0.0 else None, progress)
         groups = groups_of(data) if "working_load" in data.attrs else []
         silent = silent_models(case, data)
-        said = [left_out_in_words([], [], silent), letters(why_apart(groups, prediction))]
+        texts = [left_out_in_words([], [], silent), letters(why_apart(groups, prediction))]
         if prediction is None and (refusal := refusal_of(case)) is not None:
-            said.append(f"no prediction: {refusal}")
+            texts.append(f"no prediction: {refusal}")
         if not groups:
-            said.append("no model gives friction for this contact at a load above 0")
+            texts.append("no model gives friction for this contact at a load above 0")
         every = Shown.of(comparison_view(case, data, None, every=True), self._explorer.view.narrow)
-        return list(tables_of(data, groups)), said, every
+        return list(tables_of(data, groups)), texts, every
 
     def _show(self, found: tuple[Any, ...]) -> None:
-        tables, said, every = found
+        tables, texts, every = found
         narrow = self._explorer.view.narrow
         self._body.clear()
         keys = {human_name(row["key"]): row["key"] for row in models()}
@@ -98,7 +98,7 @@ class CompareTab:
             for title, table in tables:
                 ui.label(title).classes("text-lg")
                 Shown([table], []).show(narrow, opened)
-            for words in filter(None, said):
+            for words in filter(None, texts):
                 ui.label(words).classes("text-sm")
             with ui.expansion("Every model").classes("w-full"):
                 every.show(narrow, _open)

@@ -74,15 +74,15 @@ def _show_table(table: Table, narrow: bool, opened: Callable[[str], object] | No
         shown.on("opened", lambda event: opened(event.args))
 
 
-def drawing_of(figure: Any, told: str, narrow: bool = False) -> str:
+def drawing_of(figure: Any, description: str, narrow: bool = False) -> str:
     """Return a matplotlib figure as HTML: a drawing in the colours of the page, or an image if the drawing is large.
 
-    told: description for screen readers. narrow: whether the page is narrow.
+    description: description for screen readers. narrow: whether the page is narrow.
     """
     if narrow and figure.get_figwidth() > _NARROW:
         _make_narrow(figure)
     width = _PIXELS * figure.get_figwidth()
-    return f'<div style="max-width: {width:.0f}px">{inline(figure, f"drawing{next(_NUMBERS)}", told)}</div>'
+    return f'<div style="max-width: {width:.0f}px">{inline(figure, f"drawing{next(_NUMBERS)}", description)}</div>'
 
 
 def _make_narrow(figure: Any) -> None:

@@ -128,8 +128,8 @@ def map_picture(found: Analysis, method: str, narrow: bool) -> str:
     found: analysis of the scan. narrow: whether the page is narrow.
     """
     named = methods().get(method)
-    told = "the heights in colours, and their histogram" + (f"; marked: {named.label}" if named else "")
-    return drawing_of(map_figure(found.surface, asperities=found.asperities.get(method)), told, narrow)
+    description = "the heights in colours, and their histogram" + (f"; marked: {named.label}" if named else "")
+    return drawing_of(map_figure(found.surface, asperities=found.asperities.get(method)), description, narrow)
 
 
 def example_scan(path: Path) -> dict[str, str]:
@@ -204,8 +204,8 @@ def solid_chart(surface: HeightMap, dark: bool) -> dict[str, Any]:
     ink = INK[dark]
     look = {"axisLine": {"lineStyle": {"color": ink}}, "axisLabel": {"color": ink}, "nameTextStyle": {"color": ink}}
     axes = {
-        f"{name}Axis3D": {"type": "value", "name": said, "nameGap": 30, "splitNumber": 3, **look}
-        for name, said in zip("xyz", ("x [µm]", "y [µm]", "z [nm]"), strict=True)
+        f"{name}Axis3D": {"type": "value", "name": label, "nameGap": 30, "splitNumber": 3, **look}
+        for name, label in zip("xyz", ("x [µm]", "y [µm]", "z [nm]"), strict=True)
     }
     return axes | {
         "grid3D": {"boxHeight": 30, "viewControl": {"distance": 230}},

@@ -78,6 +78,6 @@ RECORD = AsperityLaw(
     needs=("hardness_group", "nu"),
     validity=(NEAR_YIELD,),
     limits=(elastic_limit("hertz"),),
-    load_falls=False,
+    load_is_monotonic=False,
     notes="At first yield the mean pressure jumps from (2/3) K_H H to K_H H, with K_H = 0.454 + 0.41 nu.",
 )

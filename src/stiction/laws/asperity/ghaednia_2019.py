@@ -233,7 +233,7 @@ RECORD = AsperityLaw(
         Limit("hertz", {"hardening": 1.0 - 1e-12}, ("contact_area",), 1e-9),
         elastic_limit("hertz"),
     ),
-    load_falls=False,
+    load_is_monotonic=False,
     notes="The yield stress Y is hardness over hardness_to_yield. The law uses E* of the pair, and E and E_t of the asperity. "
     "`other_body` states how E follows from E*: two equal bodies (alike, as in most figures of the source) or one rigid body. "
     "For E_t -> E the area becomes Hertz's, and the load rises by 96 % of the difference between Hertz's load and the load "

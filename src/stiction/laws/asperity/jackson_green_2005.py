@@ -171,7 +171,7 @@ RECORD = AsperityLaw(
     needs=("hardness_group", "nu", "hardness_to_yield", "sharpness"),
     limits=(elastic_limit("hertz"),),
     validity=(FITTED_TO_METALS,),
-    load_falls=False,
+    load_is_monotonic=False,
     notes="The yield stress Y is hardness over hardness_to_yield. The mean pressure does not tend to the hardness H but to "
     "H_G, which is 2.84 Y at most and falls as contact radius divided by R grows. The fit is for metals: the exponent of the "
     "area, 0.14 exp(23 Y/E*), would become very large for soft elastic materials; it is kept constant beyond Y/E* = 0.1.",

@@ -168,6 +168,6 @@ RECORD = AsperityLaw(
         ELASTIC,
     ),
     limits=(Limit("hertz", {"theta": 1e14}, ("load", "contact_area"), 1e-4),),
-    load_falls=False,
+    load_is_monotonic=False,
     own_options={"branch": ("loading", "unloading")},
 )

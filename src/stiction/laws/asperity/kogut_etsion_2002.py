@@ -114,7 +114,7 @@ RECORD = AsperityLaw(
         ),
     ),
     limits=(elastic_limit("hertz"),),
-    load_falls=False,
+    load_is_monotonic=False,
     notes="The published segments do not meet: load and area jump at 1, 6 and 110 omega_c. At 110 omega_c the load rises by "
     "37 % for nu = 0 and falls by 5 % for nu near 1/2, because the power laws depend on nu only through omega_c.",
 )

@@ -225,7 +225,7 @@ RECORD = AsperityLaw(
         Limit("hertz", {"theta": 1e14}, ("load", "contact_area"), 1e-4),
     ),
     own_options={"branch": ("loading", "unloading")},
-    load_falls=False,
+    load_is_monotonic=False,
     notes="Asperities attract only while they touch, during loading only after zero displacement, as in jkr and dmt. In the "
     "source they attract before contact. lambda_M is 1.157 times the Tabor parameter; this sets the attracting stress to the "
     "largest stress between two Lennard-Jones half-spaces. The law is close to DMT for Tabor parameters below about 0.1 and to "

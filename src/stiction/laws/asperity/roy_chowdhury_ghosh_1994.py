@@ -133,7 +133,7 @@ RECORD = AsperityLaw(
         Limit("jkr", {"lam": 1e30}, ("load", "contact_area"), 1e-9, {"branch": "unloading"}),
     ),
     own_options={"branch": ("loading", "unloading")},
-    load_falls=False,
+    load_is_monotonic=False,
     notes="The load of an asperity jumps where it becomes plastic; without adhesion it doubles. Under strong adhesion it falls "
     "there, and becomes tensile if lambda^(1/4) theta^(-1/6) is below 0.184.",
 )

@@ -325,7 +325,7 @@ RECORD = AsperityLaw(
     ),
     limits=(Limit("jkr", {"lam": 1e30}, ("load", "contact_area"), 1e-9),),
     own_options={"limiting_pressure": tuple(_LIMITS)},
-    load_falls=False,
+    load_is_monotonic=False,
     notes="The source takes the limiting pressure as given. Here it is the largest pressure of a Hertz contact at first "
     "yield, 1.61 times the yield stress at nu = 0.3 (first_yield, the default), or the hardness. The contact area is that of "
     "JKR at the same displacement and does not grow by plastic flow. Under strong adhesion an asperity yields at first touch, "

@@ -32,7 +32,7 @@ class Contamination(Addition, TangentialLaw):
 
     @classmethod
     def is_stated(cls, groups: Groups) -> bool:
-        return all(map(groups.knows, find(cls.default, cls).needs))
+        return all(map(groups.has, find(cls.default, cls).needs))
 
     def results(
         self, results: Mapping[str, np.ndarray], summed: Callable[[TangentialLaw], np.ndarray], asperities: np.ndarray | None

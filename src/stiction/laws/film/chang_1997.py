@@ -148,7 +148,7 @@ RECORD = FilmLaw(
     ),
     regimes=regimes,
     asperity="chang_etsion_bogy_1987",
-    wants=NO_ADHESION,
+    required_traits=NO_ADHESION,
     departures=DEPARTURES,
     verified="independent sums over heights; load and area continuous at w = tau; trends of the abstract",
     needs=("hardness_group", "n_H", "tau"),

@@ -208,11 +208,11 @@ RECORD = FilmLaw(
     "tau -> infinity",
     needs=("theta", "lam", "n_E", "n_H", "tau", "film_aspect"),
     takes=("hardness_to_yield",),
-    wants={"2015": "it needs the asperity law roy_chowdhury_ghosh_1994"},
+    required_traits={"2015": "it needs the asperity law roy_chowdhury_ghosh_1994"},
     own_asperity=True,
     one_body=True,
     tangential="soft_coating_2015",
-    load_falls=False,
+    load_is_monotonic=False,
     accuracy=2e-9,  # the worst of 400 000 parameter sets of the whole range; 1 in 10 000 is above 1e-10
     notes="This project's own composition. Where the load of an asperity would fall with growing displacement, it is kept "
     "constant until the law gives this load again.",

@@ -233,7 +233,7 @@ RECORD = FilmLaw(
         "counter_nu",
     ),
     limits=(Limit("greenwood_williamson_1966", {"theta": 1.0, "lam": 1e24, "n_E": 1.0}, ("load", "contact_area"), 1e-9),),
-    load_falls=False,
+    load_is_monotonic=False,
     notes="A reconstruction. soft_film_exponent is the exponent m of bhattacharya_nix_1988 for a soft film; a hard film has 3 "
     "- m. With a soft film on a hard substrate, friction rises with the film thickness and falls with load towards the "
     "Bowden-Tabor value, shear strength divided by substrate hardness. Friction has no minimum as a function of thickness.",

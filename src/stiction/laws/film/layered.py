@@ -135,7 +135,7 @@ RECORD = FilmLaw(
         Source("bhattacharya_nix_1988", "", "hardness against depth, unless another law is chosen"),
     ),
     regimes=regimes,
-    wants={"Hertz's shape": "it needs an asperity that is a Hertz, JKR or DMT contact while elastic"},
+    required_traits={"Hertz's shape": "it needs an asperity that is a Hertz, JKR or DMT contact while elastic"},
     tangential="interface",
     solved_as_one=True,
     composites={"hardness": "bhattacharya_nix_1988"},
@@ -145,7 +145,7 @@ RECORD = FilmLaw(
     needs=("nu", "n_E", "film_aspect", "films", "coated_share", "layer_nu", "coated_nu", "counter_nu"),
     validity=(Validity("n_E", 0.01, 100.0, "the elastic solution was checked only for these moduli"),),
     limits=(Limit("greenwood_williamson_1966", {"theta": 1.0, "lam": 1e24, "n_E": 1.0}, ("load", "contact_area"), 1e-6),),
-    load_falls=False,
+    load_is_monotonic=False,
     accuracy=1e-7,
     notes="Film and substrate carry the same load; results count it as the film's. The law beyond yield is a reconstruction: "
     "modulus and Poisson's ratio keep their values at yield, and the hardness changes with depth as in indentation of a film.",

@@ -52,7 +52,7 @@ RECORD = FilmLaw(
     ),
     regimes=regimes,
     asperity="chang_etsion_bogy_1987",
-    wants=NO_ADHESION,
+    required_traits=NO_ADHESION,
     departures=DEPARTURES,
     verified="independent sums over heights; chang_1997 without adhesion; trends of the abstract, see the note",
     needs=("theta", "hardness_group", "n_H", "n_g", "tau"),

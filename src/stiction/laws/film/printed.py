@@ -148,10 +148,10 @@ RECORD = FilmLaw(
             "soft_coating_2015 adds loads of film and substrate in different units, which are equal only for equal moduli",
         ),
     ),
-    wants={"2015": "it needs the asperity law roy_chowdhury_ghosh_1994"},
+    required_traits={"2015": "it needs the asperity law roy_chowdhury_ghosh_1994"},
     own_asperity=True,
     tangential="soft_coating_2015",
     interchangeable=False,
-    load_falls=False,
+    load_is_monotonic=False,
     notes="The printed equations add loads in units of the film to loads in units of the substrate (departure D4).",
 )

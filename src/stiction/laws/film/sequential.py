@@ -119,7 +119,7 @@ RECORD = FilmLaw(
             "the contact area of the film is used even for asperities that reach the substrate; area and mu are inaccurate",
         ),
     ),
-    load_falls=False,
+    load_is_monotonic=False,
     own_options={"film_shear": ("added", "in_series")},
     notes="film_shear: the forces of film and substrate are added, as in the paper, or the smaller one applies (in_series); "
     "laws of the interface are not affected. At zero thickness the adhesion of first touch on the film remains, a load of "

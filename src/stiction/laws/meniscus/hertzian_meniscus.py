@@ -116,7 +116,7 @@ RECORD = Meniscus(
         Source("thomson_1871", "", "Kelvin's equation: the radius of a meniscus at a given humidity"),
     ),
     pull=pull,
-    wants={"Hertz's shape": "it assumes the gap around a Hertz contact"},
+    required_traits={"Hertz's shape": "it assumes the gap around a Hertz contact"},
     verified="the energy of a ring of liquid on Hertz's gap, differentiated numerically at 30 digits",
     needs=("meniscus_index", "meniscus_height"),
     validity=(

@@ -13,8 +13,8 @@ class Meniscus(Addition):
     """Describe a law of the capillary force of a liquid around an asperity.
 
     pull(groups) returns a list of `Regime` objects with negative loads, without contact area or tangential resistance. It
-    does not depend on the asperity law, but `wants` may exclude asperity laws. A negative displacement is a gap that the
-    meniscus bridges.
+    does not depend on the asperity law, but `required_traits` may exclude asperity laws. A negative displacement is a gap
+    that the meniscus bridges.
     """
 
     kind = keyword = "meniscus"

@@ -132,7 +132,7 @@ RECORD = RoughSurface(
     takes_surface_moments=True,
     verified="simulated profiles; numbers of asperities in closed form; no numbers of the paper are known",
     needs=("roughness_parameter",),
-    load_falls=False,
+    load_is_monotonic=False,
     accuracy=1e-5,
     validity=(
         Validity(

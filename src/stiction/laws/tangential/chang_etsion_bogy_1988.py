@@ -170,7 +170,7 @@ RECORD = TangentialLaw(
     yielded="none",
     of_half_space="it checks only two places, at which a half-space first yields",
     like="layered_first_yield",
-    wants={
+    required_traits={
         "Hertz": "it uses the stresses of a Hertz contact",
         "no adhesion": "it neglects adhesion",
     },

@@ -335,7 +335,7 @@ RECORD = TangentialLaw(
     verified="stresses: equilibrium, surface tractions and independent integration of point loads; first yield by search",
     needs=("hardness_group", "nu", "hardness_to_yield"),
     accuracy=1e-9,
-    wants={
+    required_traits={
         "Hertz": "it uses the stresses of a Hertz contact",
         "no adhesion": "it neglects adhesion",
     },

@@ -100,7 +100,7 @@ RECORD = TangentialLaw(
     ),
     tangential_resistance=tangential_resistance,
     yielded="junction growth",
-    wants={"no adhesion": "it neglects adhesion"},
+    required_traits={"no adhesion": "it neglects adhesion"},
     of_half_space="its limit is full stick of a homogeneous sphere, and a film changes stick and yield",
     verified="shear stress and grown area solved together by bisection at 30 digits; the three limits",
     needs=("hardness_group", "nu", "hardness_to_yield", "shear_strength"),

@@ -96,7 +96,7 @@ RECORD = TangentialLaw(
     needs=("hardness_group", "nu", "hardness_to_yield"),
     accuracy=1e-3,
     limits=(Limit("hamilton_1983", {}, ("friction_force",), 1e-9),),
-    wants={
+    required_traits={
         "Hertz": "it uses the pressure of a Hertz contact",
         "no adhesion": "it neglects adhesion",
     },

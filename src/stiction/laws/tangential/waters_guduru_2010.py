@@ -162,7 +162,7 @@ RECORD = TangentialLaw(
     yielded="none",
     of_half_space="its energy balance uses the stiffness of a half-space",
     like="layered_peeling",
-    wants={"JKR": "it computes the peeling of a JKR contact"},
+    required_traits={"JKR": "it computes the peeling of a JKR contact"},
     verified="energy balance over all contact radii, solved independently at 30 digits; savkoor_briggs_1977 for zeta = 1",
     needs=("theta", "K_beta"),
     takes=("peeling",),

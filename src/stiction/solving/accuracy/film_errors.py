@@ -105,14 +105,14 @@ def _outside(ranges: Mapping[str, tuple[float, float]], given: Mapping[str, np.n
 
     ranges, given: measured range and values of each parameter, by name.
     """
-    said = []
+    texts = []
     for name, (low, high) in ranges.items():
         known = given[name][np.isfinite(given[name]) & (given[name] > 0.0)]
         beyond = known[(known < low / (1.0 + _ROUNDING)) | (known > high * (1.0 + _ROUNDING))]
         if beyond.size:
             share = "" if beyond.size == known.size else f" at {beyond.size} of {known.size} points"
-            said.append(f"{_WORDS[name]} is {span(_ends(beyond))}{share}, but measured only from {low:g} to {high:g}")
-    return "; ".join(said)
+            texts.append(f"{_WORDS[name]} is {span(_ends(beyond))}{share}, but measured only from {low:g} to {high:g}")
+    return "; ".join(texts)
 
 
 def on_solved_maps(problem: Problem, points: int) -> ErrorsNear | None:

@@ -284,9 +284,9 @@ def nearest_in_words(parts: Sequence[Difference], point: int, at: int) -> str:
         return table[point % len(table)]
 
     squared = [float(np.broadcast_to(of_point(one.squared), shape).flat[at]) for one in parts]
-    said: list[str] = []
+    texts: list[str] = []
     for part, one in sorted(zip(squared, parts, strict=True), key=lambda row: -row[0]):
-        if not said or part >= _SAID * sum(squared):
+        if not texts or part >= _SAID * sum(squared):
             their = np.broadcast_to(of_point(one.theirs), shape).flat[at]
-            said.append(f"{of_point(one.names)} {their:.2g} instead of {of_point(one.ours):.2g}")
-    return "the nearest has " + " and ".join(said)
+            texts.append(f"{of_point(one.names)} {their:.2g} instead of {of_point(one.ours):.2g}")
+    return "the nearest has " + " and ".join(texts)

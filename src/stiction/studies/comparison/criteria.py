@@ -14,7 +14,7 @@ def criteria_of(contact: Subject) -> list[str]:
     groups = Groups.of(whole.indices())[0].substrate()
     lines = []
     for criterion in of_kind(Criterion).values():
-        if all(groups.knows(name) for name in criterion.needs):
+        if all(groups.has(name) for name in criterion.needs):
             ratio = float((criterion.ratio(groups, whole.map) if criterion.on_map else criterion.ratio(groups))[0])
             statement = criterion.below if ratio < 1.0 else criterion.above
             lines.append(f"{criterion.key}: {statement} (ratio {ratio:.3g}, threshold 1)")

@@ -65,11 +65,11 @@ def _columns(search: "DesignSearch", rows: np.ndarray, along: str) -> dict[str, 
             index = one.index(shares[:, at])
             entries = one.entries if one.is_number else one.words
             values = np.array([entries[int(i)] for i in index])
-            said: dict[str, Any] = dict(QUANTITIES[one.path[-1]].attributes) if one.is_number else {"long_name": name}
+            attributes: dict[str, Any] = dict(QUANTITIES[one.path[-1]].attributes) if one.is_number else {"long_name": name}
         else:
             ends = {"searched_from": one.low, "searched_to": one.high, "spacing": "log" if one.log else "linear"}
-            values, said = one.at(shares[:, at]), dict(QUANTITIES[one.quantity].attributes) | ends
-        columns[name] = (along, values, said)
+            values, attributes = one.at(shares[:, at]), dict(QUANTITIES[one.quantity].attributes) | ends
+        columns[name] = (along, values, attributes)
     for name, values in known.items():
         if name not in columns:
             columns[name] = (along, values[rows], dict(QUANTITIES[quantity_of(name)].attributes))

@@ -210,8 +210,8 @@ def diagnostics(fit: Fitted) -> list[str]:
     groups = _indistinguishable(fit)
     for group in groups:
         names = [fit.parameters[at].name for at in group]
-        told = f"{names[0]} from {names[1]}" if len(names) == 2 else f"{', '.join(names[:-1])} and {names[-1]} apart"
-        found.append(f"these data cannot tell {told}: {_two_sets_that_fit(fit, group)} fit as well")
+        unresolved = f"{names[0]} from {names[1]}" if len(names) == 2 else f"{', '.join(names[:-1])} and {names[-1]} apart"
+        found.append(f"these data cannot tell {unresolved}: {_two_sets_that_fit(fit, group)} fit as well")
     entangled = {at for group in groups for at in group}
     for at, profile in enumerate(fit.profiles):
         if at not in entangled:

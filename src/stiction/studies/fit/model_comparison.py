@@ -75,10 +75,10 @@ def _cross_validation_error(plan: FitPlan, fit: Fitted) -> float:
         rest = np.setdiff1d(np.arange(len(data)), fold)
         try:
             other = refitted(fit, forward_model(plan, name, data.some(rest)))
-            said = forward_model(plan, name, data.some(fold)).values(other.best.shares)[0]
+            predicted = forward_model(plan, name, data.some(fold)).values(other.best.shares)[0]
         except InputError:
             return float("inf")
-        total[fold] = said - data.value[fold]
+        total[fold] = predicted - data.value[fold]
     total /= errors
     return float(np.sqrt(np.mean(total**2))) if np.isfinite(total).all() else float("inf")
 

@@ -184,17 +184,17 @@ def _standard_errors(fit: Fitted) -> np.ndarray:
 
 def _rows(fit: Fitted) -> dict[str, tuple]:
     data = fit.forward.data
-    said = fit.forward.values(fit.best.shares)[0]
+    fitted = fit.forward.values(fit.best.shares)[0]
     return {
         "quantity": ("row", list(data.quantity)),
         "sample": ("row", list(data.sample)),
         "measured_load": ("row", data.load, {"units": "N", "long_name": "load"}),
         "measured": ("row", data.value, {"long_name": "measured, in SI units"}),
         "error": ("row", fit.errors, {"long_name": "standard error used"}),
-        "fitted": ("row", said, {"long_name": "fitted, in SI units"}),
+        "fitted": ("row", fitted, {"long_name": "fitted, in SI units"}),
         "residual": (
             "row",
-            (data.value - said) / fit.errors,
+            (data.value - fitted) / fit.errors,
             {"long_name": "measured minus fitted value, over the standard error"},
         ),
     }
@@ -205,9 +205,9 @@ def _predictions(bands: Bands) -> "xarray.Dataset":
 
     variables = {}
     for name, (dims, best, low, high) in bands.tables.items():
-        said = QUANTITIES[name].attributes
+        attributes = QUANTITIES[name].attributes
         for end, values in (("", best), ("_low", low), ("_high", high)):
-            variables[f"predicted_{name}{end}"] = (dims, values, said)
+            variables[f"predicted_{name}{end}"] = (dims, values, attributes)
     return xarray.Dataset(variables, coords=bands.coords)
 
 
@@ -270,10 +270,10 @@ def _attributes(fitting: FitResult) -> dict[str, Any]:
 def _unsure(fitting: FitResult) -> list[str]:
     """Return sentences on a search that did not converge, and on bands from too few independent samples."""
     why = fitting.best.best.unfinished
-    said = [f"the search did not end at a minimum: {why}"] if why else []
+    texts = [f"the search did not end at a minimum: {why}"] if why else []
     if fitting.bands is not None and fitting.bands.effective < _FEW:
-        said.append(f"predicted intervals use only {fitting.bands.effective:.0f} independent samples: they are rough")
-    return said
+        texts.append(f"predicted intervals use only {fitting.bands.effective:.0f} independent samples: they are rough")
+    return texts
 
 
 def _errors_said(fit: Fitted) -> str:

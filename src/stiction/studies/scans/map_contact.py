@@ -56,13 +56,13 @@ class ContactOfMap:
 
     def all_warnings(self) -> list[str]:
         """Return the warnings about the map and about the solution at each pressure as texts, without repetitions."""
-        said = {str(one): None for one in self.validity_warnings}
+        texts = {str(one): None for one in self.validity_warnings}
         for pressure, contact in zip(self.pressures, self.curve.contacts, strict=True):
             if contact is None:
-                said[f"p/(E* h') = {pressure:g}: interrupted before it was solved"] = None
+                texts[f"p/(E* h') = {pressure:g}: interrupted before it was solved"] = None
             else:
-                said |= {f"p/(E* h') = {pressure:g}: {one}": None for one in contact.validity_warnings}
-        return list(said)
+                texts |= {f"p/(E* h') = {pressure:g}: {one}": None for one in contact.validity_warnings}
+        return list(texts)
 
 
 def contact_of_map(surface: HeightMap, pressures: Sequence[float] = PRESSURES, hardness: float | None = None) -> ContactOfMap:

@@ -103,12 +103,12 @@ def sensitivity(
     choice = choice_of_case(case, case.choice)
     variation = _variation(case, choice, models)
     slopes = log_sensitivities(case, choice, progress=progress("LogSensitivities"))
-    said = solve(case.subject.as_numbers(), separation=case.separation, load=case.load, **choice.arguments())
-    found = _with_log_sensitivities(said, slopes)
+    nominal = solve(case.subject.as_numbers(), separation=case.separation, load=case.load, **choice.arguments())
+    found = _with_log_sensitivities(nominal, slopes)
     if variation.inputs:
         found = _with_indices(found, case, variation, progress)
     attributes = {} if at is None else {"working_load": at}
-    return found.assign_attrs(said.attrs | attributes, case=case.title).assign_attrs(_attributes(case, variation))
+    return found.assign_attrs(nominal.attrs | attributes, case=case.title).assign_attrs(_attributes(case, variation))
 
 
 def _of_prediction(case: Case, load: float) -> "xarray.Dataset":
@@ -121,10 +121,10 @@ def _of_prediction(case: Case, load: float) -> "xarray.Dataset":
 
     answer, slopes = predict(case, load=load), log_sensitivities_of_prediction(case, load)
     shares = answer.attrs["shares"]
-    said = {"units": "1", "long_name": "share of the variance of ln mu"}
+    share = {"units": "1", "long_name": "share of the variance of ln mu"}
     slope = {"units": "1", "long_name": "logarithmic sensitivity of the friction coefficient, d ln mu/d ln x"}
     variables = {
-        "friction_coefficient_share": ("input", list(shares.values()), said),
+        "friction_coefficient_share": ("input", list(shares.values()), share),
         "friction_coefficient_log_sensitivity": ("number", list(slopes.values()), slope),
     }
     found = xarray.Dataset(variables, coords={"input": list(shares), "number": list(slopes), "load": answer["load"]})
@@ -196,19 +196,19 @@ def _attributes(case: Case, variation: _Variation) -> dict[str, Any]:
     return sampling_attributes(case) | {"models": json.dumps(drawn), "methods": " ".join(variation.methods)}
 
 
-def _with_log_sensitivities(said: "xarray.Dataset", slopes: LogSensitivities) -> "xarray.Dataset":
+def _with_log_sensitivities(nominal: "xarray.Dataset", slopes: LogSensitivities) -> "xarray.Dataset":
     import xarray
 
     variables: dict[str, Any] = {}
     for name, table in slopes.tables.items():
-        if name in said.coords:
+        if name in nominal.coords:
             continue  # the case states this result
-        text = f"logarithmic sensitivity of the {said[name].attrs.get('long_name', name)}, d ln y/d ln x"
+        text = f"logarithmic sensitivity of the {nominal[name].attrs.get('long_name', name)}, d ln y/d ln x"
         dims = ("number", *slopes.dims[name])
         for end, values, meaning in (("", table, text), ("_error", slopes.errors[name], f"error of the {text}")):
             variables[f"{name}_log_sensitivity{end}"] = (dims, values, {"units": "1", "long_name": meaning})
-        variables[name] = said[name].variable
-    coords = {str(name): one for name, one in said.coords.items() if name in ("load", "mean_separation", "separation")}
+        variables[name] = nominal[name].variable
+    coords = {str(name): one for name, one in nominal.coords.items() if name in ("load", "mean_separation", "separation")}
     return xarray.Dataset(variables, coords=coords | {"number": slopes.names})
 
 

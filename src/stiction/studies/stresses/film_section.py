@@ -106,19 +106,23 @@ def _dataset(
     unit, scale = ("Pa", attrs["mean_pressure"]) if "mean_pressure" in attrs else ("1", 1.0)
     over = {} if unit == "Pa" else {"normalised_by": "mean pressure"}
 
-    def told(words: str, **more: str) -> dict[str, str]:
+    def described(words: str, **more: str) -> dict[str, str]:
         return {"long_name": words, "units": "1"} | more
 
     along = {"units": unit} | over
     return xarray.Dataset(
         {
-            "stress_over_yield": (("z", "x"), field, told("von Mises stress over the yield stress of film or body")),
-            "interface_normal_stress": ("x", scale * normal, told("stress across the interface, tension above 0", **along)),
-            "interface_shear_stress": ("x", scale * shear, told("shear stress on the interface along x", **along)),
+            "stress_over_yield": (("z", "x"), field, described("von Mises stress over the yield stress of film or body")),
+            "interface_normal_stress": (
+                "x",
+                scale * normal,
+                described("stress across the interface, tension above 0", **along),
+            ),
+            "interface_shear_stress": ("x", scale * shear, described("shear stress on the interface along x", **along)),
         },
         coords={
-            "x": ("x", _X, told("place in the direction of the tangential force", normalised_by="contact radius")),
-            "z": ("z", z, told("depth", normalised_by="contact radius")),
+            "x": ("x", _X, described("place in the direction of the tangential force", normalised_by="contact radius")),
+            "z": ("z", z, described("depth", normalised_by="contact radius")),
         },
         attrs=attrs,
     )

@@ -173,13 +173,13 @@ def _fill(path: Path, plan: Plan, first: Any, attributes: Mapping[str, str]) -> 
             f"a model with at most {_MOST_RULES} ranges of validity, because a sweep stores one bit for each",
         )
     group = zarr.create_group(str(path), zarr_format=3)
-    said: dict[str, Any] = {"model": RECOMMENDED, "draws": count_of(plan.case, plan.size)}
+    laws: dict[str, Any] = {"model": RECOMMENDED, "draws": count_of(plan.case, plan.size)}
     if "options" in solved.attributes:
-        said = {name: solved.attributes[name] for name in (*_LAWS, *solved.attributes["options"].split())}
+        laws = {name: solved.attributes[name] for name in (*_LAWS, *solved.attributes["options"].split())}
     more = {"results": json.dumps(layout), "points": json.dumps(points), "identity": plan.identity()}
     versions = {name: version(name) for name in _PACKAGES}
     group.attrs.update(
-        said
+        laws
         | dict(attributes)
         | more
         | dict(plan.scans)

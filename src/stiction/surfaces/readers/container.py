@@ -34,9 +34,9 @@ def read(path: Path, channel) -> RawScan:
     except Exception:  # the library may raise anything for a damaged archive
         raise InputError("scan", str(path), "an undamaged .zip file of contact.engineering") from None
     notes += tuple(f"input warning: {' '.join(str(remark.message).split())}" for remark in remarks)
-    said = f"container, measurement {names[place]!r} of {', '.join(names)}"
+    description = f"container, measurement {names[place]!r} of {', '.join(names)}"
     unit = str(topography.unit) if topography.unit else None
-    return RawScan(heights, said, size, unit, notes, periodic=bool(topography.is_periodic))
+    return RawScan(heights, description, size, unit, notes, periodic=bool(topography.is_periodic))
 
 
 def _place(wanted, names: list[str]) -> int:

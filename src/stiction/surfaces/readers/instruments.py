@@ -54,12 +54,12 @@ def _library(reader, channel, path: Path) -> RawScan | None:
     unknown = chosen.physical_sizes is None or any(length is None for length in chosen.physical_sizes)
     topography = chosen.topography(physical_sizes=(1.0,) * chosen.dim) if unknown else chosen.topography()
     names = [each.name for each in reader.channels]
-    said = f"format {form}" + (f", channel {chosen.name!r} of {', '.join(names)}" if len(names) > 1 else "")
+    description = f"format {form}" + (f", channel {chosen.name!r} of {', '.join(names)}" if len(names) > 1 else "")
     heights, size, notes = on_grid(topography)
     if form == "xyz":
         _no_line_lost(path, heights.size)
         notes += ends_in_a_line(path)
-    return RawScan(heights, said, None if unknown else size, str(topography.unit) if topography.unit else None, notes)
+    return RawScan(heights, description, None if unknown else size, str(topography.unit) if topography.unit else None, notes)
 
 
 def _no_line_lost(path: Path, points: int) -> None:

@@ -29,8 +29,8 @@ def read(path: Path, channel) -> RawScan | None:
         listed = ", ".join(f"{place} {each!r}" for place, each in enumerate(names))
         raise InputError("channel", channel, f"a channel with heights: {listed}")
     chosen = channels[name]
-    said = "read by Gwyddion" + (f", channel {name!r} of {', '.join(names)}" if len(names) > 1 else "")
-    return RawScan(np.asarray(chosen.data), said, (chosen.yreal, chosen.xreal), "m")
+    description = "read by Gwyddion" + (f", channel {name!r} of {', '.join(names)}" if len(names) > 1 else "")
+    return RawScan(np.asarray(chosen.data), description, (chosen.yreal, chosen.xreal), "m")
 
 
 READER = Reader(

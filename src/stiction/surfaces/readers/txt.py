@@ -42,7 +42,7 @@ def _units(path: Path) -> tuple[str, ...] | None:
     Returns None if one of these lines has a colon but is not "Channel", "Lateral units" or "Value units", if only one unit is
     specified, or if a unit is unknown.
     """
-    said: dict[str, str] = {}
+    remarks: dict[str, str] = {}
     with path.open(encoding="utf-8-sig", errors="replace") as file:
         for line in file:
             if not line.startswith("#"):
@@ -51,8 +51,8 @@ def _units(path: Path) -> tuple[str, ...] | None:
             if remark is None and ":" in line:
                 return None
             if remark is not None:
-                said[remark[1]] = remark[2]
-    found = tuple(said[name] for name in ("Lateral units", "Value units") if name in said)
+                remarks[remark[1]] = remark[2]
+    found = tuple(remarks[name] for name in ("Lateral units", "Value units") if name in remarks)
     try:
         return found if len(found) in (0, 2) and all(metres_per(unit, "unit") for unit in found) else None
     except InputError:

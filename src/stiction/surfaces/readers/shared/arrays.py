@@ -22,6 +22,6 @@ def checked(heights: np.ndarray, name: str) -> np.ndarray:
     name: name of the file, for the error. Raises InputError unless the array holds real numbers in one or two dimensions.
     """
     if heights.dtype.kind not in "iuf" or heights.ndim not in (1, 2):
-        told = f"{name}: {heights.dtype} of shape {heights.shape}"
-        raise InputError("scan", told, "real numbers of shape (rows, columns), or (points,) for a profile")
+        value = f"{name}: {heights.dtype} of shape {heights.shape}"
+        raise InputError("scan", value, "real numbers of shape (rows, columns), or (points,) for a profile")
     return np.atleast_2d(heights)

@@ -24,8 +24,8 @@ def check_packed(path: Path) -> None:
     except Exception:  # the file is damaged, and its reader states better what is wrong
         return
     if held > max(_HARMLESS, _DENSEST * path.stat().st_size):
-        told = f"{path.name}: {path.stat().st_size} bytes that unpack to {held}"
-        raise InputError("scan", told, f"an archive that unpacks to at most {_DENSEST} times its size")
+        value = f"{path.name}: {path.stat().st_size} bytes that unpack to {held}"
+        raise InputError("scan", value, f"an archive that unpacks to at most {_DENSEST} times its size")
 
 
 def _held(path: Path) -> int:
