@@ -41,7 +41,7 @@ PARTS = (
           *_tests("friction", "ageing", "ageing_beyond_measured", "contamination", "sliding_inception", "sliding"),
           "tests/models/test_spectral.py")),
     Part("joining", ("laws/joining.py", "laws/segment.py"), (TABLES, *_tests("friction", "joining", "tangential_laws"))),
-    Part("units", ("quantities/units.py", "quantities/dimensions.py", "quantities/inputs.py", "quantities/hardness.py",
+    Part("units", ("quantities/units.py", "quantities/dimensions.py", "quantities/inputs.py",
                    "quantities/quantity.py"),
          ("tests/units", "tests/evaluate/test_refusals.py", "tests/case/test_case.py", "tests/case/test_hostile.py",
           "tests/contact/test_contact.py", "tests/materials")),
