@@ -2,7 +2,6 @@
 
 import importlib.util
 import re
-import subprocess
 import sys
 import tomllib
 from pathlib import Path
@@ -135,10 +134,9 @@ def test_commands_of_an_extra_say_what_to_install(without_extras, tmp_path, word
     assert [path for path in sorted(tmp_path.iterdir()) if path not in before] == []
 
 
-def test_no_public_name_needs_an_extra_to_be_imported(tmp_path):
-    code = f"{HIDDEN}\nimport stiction as st\nprint([name for name in st.__all__ if not hasattr(st, name)])"
-    done = subprocess.run([sys.executable, "-c", code], text=True, capture_output=True, check=True)
-    assert done.stdout.strip() == "[]"
+def test_no_public_name_needs_an_extra_to_be_imported(interpreter, tmp_path):
+    code = "import stiction as st\nprint([name for name in st.__all__ if not hasattr(st, name)])"
+    assert interpreter.run(code, folder=tmp_path).stdout.strip() == "[]"
 
 
 def test_extras_can_be_found_here():

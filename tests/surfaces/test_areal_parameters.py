@@ -3,16 +3,16 @@
 import csv
 import json
 import math
-import subprocess
-import sys
 from dataclasses import asdict
 from pathlib import Path
 
 import numpy as np
 import pytest
+from typer.testing import CliRunner
 
 import stiction as st
 from conftest import SCANS
+from stiction.cli import app
 from stiction.surfaces.areal_parameters import areal_parameters, profile_parameters
 from stiction.surfaces.prepare import level
 from stiction.surfaces.read import read_scan
@@ -93,14 +93,14 @@ def test_missing_points_and_unequal_pitches():
         assert holed[name] == pytest.approx(value, rel=0.15 if name in ("Sp", "Sv", "Spk", "Svk") else 0.03), name
 
 
-def test_the_command(tmp_path):
+def test_the_command(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
     np.save(tmp_path / "scan.npy", 1e-9 * np.random.default_rng(5).normal(size=(64, 64)))
     words = ["surface", "scan.npy", "--size", "1 um", "--unit", "m"]
-    run = [sys.executable, "-m", "stiction", *words]
-    told = json.loads(subprocess.run([*run, "--json"], cwd=tmp_path, text=True, capture_output=True, check=True).stdout)
+    told = json.loads(CliRunner().invoke(app, [*words, "--json"]).stdout)
     assert {"Sp", "Sdr", "Sal", "Str", "Sk", "Smr2"} <= set(told["iso_25178_2"])
-    shown = subprocess.run([*run, "--details"], cwd=tmp_path, text=True, capture_output=True, check=True).stdout
-    assert "ISO 25178-2" in shown and "Spk = " in shown
+    shown = CliRunner().invoke(app, [*words, "--details"])
+    assert shown.exit_code == 0 and "ISO 25178-2" in shown.stdout and "Spk = " in shown.stdout
 
 
 def test_a_profile_has_the_names_of_its_standard():
