@@ -5,7 +5,7 @@ A free parameter is a number of the case that the fit varies between a low and a
 
 from collections.abc import Iterable, Mapping
 from contextlib import suppress
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -47,7 +47,7 @@ class FitPlan:
     predict: Mapping[str, Any]
     resistance: float | None
     data: Measurements
-    uncertain: tuple[str, ...] = ()
+    uncertain: tuple[str, ...]
 
 
 def make_fit_plan(content: Mapping[str, Any], data: Any, folder: Path = Path()) -> FitPlan:
@@ -65,6 +65,7 @@ def make_fit_plan(content: Mapping[str, Any], data: Any, folder: Path = Path()) 
     resistance = None
     if fit.specific_contact_resistance is not None:
         resistance = number_of(fit.specific_contact_resistance, RESISTANCE[1], ".".join(RESISTANCE))
+    taken = {one.path for one in free} | {path for row in measured.known for path in row}
     plan = FitPlan(
         plain,
         _complete(plain, free, measured),
@@ -76,11 +77,10 @@ def make_fit_plan(content: Mapping[str, Any], data: Any, folder: Path = Path()) 
         fit.predict,
         resistance,
         measured,
+        tuple(".".join(path[1:]) for path in uncertain if path not in taken),
     )
     _check(plan)
-    taken = {one.path for one in free} | {path for row in measured.known for path in row}
-    names = tuple(".".join(path[1:]) for path in uncertain if path not in taken)
-    return replace(plan, uncertain=names)
+    return plan
 
 
 def middle_of(free: Iterable[Free]) -> dict[Address, float]:
