@@ -226,6 +226,7 @@ def test_a_named_model_answers_alone(case):
     assert answer["interval"] is None
 
 
+@pytest.mark.usefixtures("no_pictures")
 def test_files_hold_what_is_printed(case, tmp_path):
     run("run", case, "--out", tmp_path / "out")
     with xarray.open_dataset(tmp_path / "out" / "curve.nc", engine="h5netcdf") as data:

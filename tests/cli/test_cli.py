@@ -234,6 +234,7 @@ def test_laws_in_place_of_the_models_own(tmp_path):
     assert "asperity: 'hertz'" in refused.stderr and len(refused.stderr.splitlines()) == 1
 
 
+@pytest.mark.usefixtures("no_pictures")
 def test_a_curve_over_loads_is_written_too(tmp_path):
     case = adhesive(tmp_path, 'load = { start = 0.1, stop = 5, count = 5, spacing = "log" }')
     command("run", case, "--out", tmp_path / "new" / "folder")

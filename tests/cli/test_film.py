@@ -96,6 +96,7 @@ def test_a_film_like_its_body_has_hamiltons_stresses():
     assert_allclose(section["interface_shear_stress"].values, 1.5 * xz, atol=1e-6)
 
 
+@pytest.mark.usefixtures("no_pictures")
 def test_a_softer_counterbody_yields_in_place_of_the_film(tmp_path):
     """A film of 20 GPa meets a metal of 1 GPa: where the film would be the first to yield that metal does."""
     path, out = tmp_path / "case.toml", tmp_path / "out"

@@ -50,6 +50,7 @@ def test_how_many_rows_are_shown_is_said(case):
     assert rows(few) == 3 and "are shown" not in few
 
 
+@pytest.mark.usefixtures("no_pictures")
 def test_the_table_begins_with_what_it_is_and_pandas_reads_it(case, tmp_path):
     run(case(3), "--out", tmp_path / "out")
     path = tmp_path / "out" / "curve.csv"

@@ -512,6 +512,7 @@ def test_the_command_writes_everything(tmp_path):
     assert "design" not in tomllib.loads((tmp_path / "out" / "designed.toml").read_text())
 
 
+@pytest.mark.usefixtures("no_pictures")
 def test_the_command_is_interrupted_and_keeps(tmp_path, monkeypatch):
     from stiction.studies.design import run as module
 

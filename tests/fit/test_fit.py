@@ -583,6 +583,7 @@ def test_a_sample_that_is_left_out_whole_says_nothing_of_its_own_number(series):
     assert np.isnan(found["cross_validation_error"]).all() and np.isfinite(found["aicc"]).all()
 
 
+@pytest.mark.usefixtures("no_pictures")
 def test_an_interruption_keeps_the_fit(series, tmp_path, monkeypatch):
     def interrupted(plan, one):
         raise KeyboardInterrupt

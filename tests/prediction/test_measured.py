@@ -112,6 +112,7 @@ DATA = "load [N],friction_coefficient,friction_coefficient_error\n1,0.05,0.001\n
         ('first.hardness = { low = "30 MPa", high = "300 MPa" }', 1e8),
     ],
 )
+@pytest.mark.usefixtures("no_pictures")
 def test_free_numbers_are_found_where_no_model_is_named(free, expected, case, tmp_path):
     case.write_text(FREE + free + "\n", encoding="utf-8")
     data = series(tmp_path, DATA)

@@ -46,7 +46,7 @@ def mu(load, strength=STRENGTH):
 
 
 @pytest.fixture
-def run(tmp_path):
+def run(tmp_path, no_pictures):
     """Run a command on the case with more text, and return what it prints, each line in words, and its folder."""
     (tmp_path / "case.toml").write_text(CASE, encoding="utf-8")
 

@@ -71,6 +71,7 @@ def test_json(called, command):
     assert answer["shares"] == {"interface": pytest.approx(1.0, abs=0.01)}
 
 
+@pytest.mark.usefixtures("no_pictures")
 def test_files(called, tmp_path):
     called("run", "--out", tmp_path / "out")
     with (tmp_path / "out" / "curve.csv").open(encoding="utf-8", newline="") as file:
@@ -83,6 +84,7 @@ def test_files(called, tmp_path):
         assert float(row["contact_area [m^2]"]) == pytest.approx(AREA, rel=1e-6)
 
 
+@pytest.mark.usefixtures("no_pictures")
 def test_a_written_curve_says_what_made_it(called, tmp_path):
     """Models, inputs in their units and what the columns are, as comments before the heads."""
     called("run", "--out", tmp_path / "out")

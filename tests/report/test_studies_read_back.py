@@ -23,6 +23,7 @@ YIELD = 7.3e9 / 2.8
 SHOWN = 5.1e-4  # four digits
 SUMS = CASE.replace("200 +/- 20 MPa", "200 MPa").replace("persson_2001", "greenwood_williamson_1966")
 SUMS = SUMS.replace('load = ["0.5 N", "2 N"]', "separation = [3.0, 2.0]")
+pytestmark = pytest.mark.usefixtures("no_pictures")
 
 
 def gaussian_sum(power, height):
