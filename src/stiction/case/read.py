@@ -86,11 +86,9 @@ class Case:
         return replace(self, subject=subject, separation=_separations(points, subject))
 
     @property
-    def loads_or_separations(self) -> "np.ndarray | xarray.DataArray":
-        """Return the points to solve: the loads of the case, or its mean separations if it has no loads."""
-        points = self.separation if self.load is None else self.load
-        assert points is not None
-        return points
+    def requested_points(self) -> dict[str, Any]:
+        """Return the loads of the case, or its mean separations if it has no loads, as a keyword argument of `solve`."""
+        return {"separation": self.separation} if self.load is None else {"load": self.load}
 
     @property
     def unknowns(self) -> dict[str, list[Uncertain]]:
@@ -126,7 +124,7 @@ class Case:
     @property
     def size(self) -> int:
         """Return the number of points to solve: loads or separations, summed over all contacts of a parameter sweep."""
-        points = self.loads_or_separations
+        (points,) = self.requested_points.values()
         contacts = prod(dimensions([*(array for _, array in self.subject.arrays()), points]).values())
         return contacts if hasattr(points, "dims") else contacts * np.size(points)
 

@@ -76,7 +76,7 @@ def solve_case(case: "CaseLike", choice: Choice | None = None, progress: Progres
     if case.size > _MOST:
         raise InputError("contact", InWords(f"{case.size} points"), f"at most {_MOST}; `stiction sweep` computes more, on disk")
     choice = choice_of_case(case, choice)
-    data = solve(case.subject, separation=case.separation, load=case.load, **choice.arguments())
+    data = solve(case.subject, **case.requested_points, **choice.arguments())
     data = with_bands(data, case, choice, progress("Sampling uncertain inputs"))
     return with_groups(_with_notes(data, case), case.with_surface_moments(choice.model_key).subject)
 
@@ -102,7 +102,7 @@ def film_of_case(case: Case, choice: Choice) -> "xarray.Dataset":
     require_film(case.subject)
     case.subject.require_single("a single value; film stresses are computed for one contact per case")
     subject = case.with_surface_moments(choice.model_key).subject
-    return _with_notes(film_stresses(subject, separation=case.separation, load=case.load, **choice.arguments()), case)
+    return _with_notes(film_stresses(subject, **case.requested_points, **choice.arguments()), case)
 
 
 def slide_case(
@@ -153,8 +153,9 @@ def slide_case(
         raise InputError("contact", InWords("array parameters"), "a single contact; st.slide accepts arrays")
     choice = choice_of_case(case, case.choice if choice is None else choice)
     arguments = {name: value for name, value in choice.arguments().items() if name != "presliding"}
-    given_at = {name: getattr(case, name) for name in ("separation", "load") if getattr(case, name) is not None}
-    points = {name: row[spread_rows(np.size(row), _FEW)] if np.ndim(row) else row for name, row in given_at.items()}
+    points = {
+        name: row[spread_rows(np.size(row), _FEW)] if np.ndim(row) else row for name, row in case.requested_points.items()
+    }
     subject = case.subject if solves_maps(choice) else case.subject.as_numbers()
     data = slide(
         subject, **points, residual_strength=residual_strength, weakening_slip=weakening_slip,

@@ -59,7 +59,7 @@ def evaluate_together(
     """
     with np.errstate(all="ignore"):
         case = case.at(numbers)
-        points = {"separation": case.separation, "load": case.load} if points is None else points
+        points = case.requested_points if points is None else points
         return case, solve_batch(case.subject, model, **points, keep=keep, check_validity=check_validity)
 
 

@@ -103,7 +103,7 @@ def sensitivity(
     choice = choice_of_case(case, case.choice)
     variation = _variation(case, choice, models)
     slopes = log_sensitivities(case, choice, progress=progress("LogSensitivities"))
-    nominal = solve(case.subject.as_numbers(), separation=case.separation, load=case.load, **choice.arguments())
+    nominal = solve(case.subject.as_numbers(), **case.requested_points, **choice.arguments())
     found = _with_log_sensitivities(nominal, slopes)
     if variation.inputs:
         found = _with_indices(found, case, variation, progress)

@@ -165,7 +165,7 @@ def make_plan(content: Mapping[str, Any], folder: Path = Path()) -> Plan:
     plan = Plan(case, swept, sweep, scans=scans, uncertain=uncertain)
     lengths = _lengths(plan)
     first = case.at(replace(plan, dims=lengths).arrays({dim: slice(0, 1) for dim in lengths}))
-    points: Any = first.load if first.load is not None else first.separation
+    (points,) = first.requested_points.values()
     size = int(np.size(points)) if not hasattr(points, "dims") else points.sizes["separation"]
     return _cut(replace(plan, points=size, load=first.load), lengths)
 
@@ -190,9 +190,8 @@ def _plan_of_maps(content: Mapping[str, Any], folder: Path, sweep: Sweep) -> Pla
     case = case_of({key: value for key, value in opened_content.items() if key != "sweep"})
     scans = {"maps": "\n".join(one.name for one in maps)}
     case = replace(case, subject=case.subject.as_numbers())
-    return Plan(
-        case, {}, sweep, {PLACE: len(maps)}, {PLACE: 1}, np.size(case.loads_or_separations), case.load, scans=scans, maps=maps
-    )
+    (points,) = case.requested_points.values()
+    return Plan(case, {}, sweep, {PLACE: len(maps)}, {PLACE: 1}, np.size(points), case.load, scans=scans, maps=maps)
 
 
 def _without_scans(case: Case) -> tuple[Case, dict[str, str]]:
