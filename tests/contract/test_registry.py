@@ -3,6 +3,7 @@
 import itertools
 import re
 from dataclasses import replace
+from functools import cache
 
 import numpy as np
 import pytest
@@ -11,6 +12,7 @@ from refusals import refusal
 from stiction.contact.indices import Groups
 from stiction.engine import summation
 from stiction.engine.heights import gaussian, height_distribution
+from stiction.engine.skeleton import _densities
 from stiction.engine.summation import on_grid, scattered, totals_on_grid
 from stiction.laws.joining import coordinates, normal_states
 from stiction.laws.presliding.kind import Presliding
@@ -172,12 +174,18 @@ def test_grid_and_scattered_agree(choice, coated, always_grid):
     assert_near(totals[:, 2], together[:, 3] + together[:, 4], within, what="resistance")
 
 
-def with_nodes(monkeypatch, short, long):
-    """Let the engine take these numbers of nodes, multiples of eight, on short and on long segments."""
+@cache
+def rules_of(short, long):
     counts = np.full(len(summation._COUNTS), long)
     counts[0] = short
+    return counts, summation._make_rules(counts)
+
+
+def with_nodes(monkeypatch, short, long):
+    """Let the engine take these numbers of nodes, multiples of eight, on short and on long segments."""
+    counts, rules = rules_of(short, long)
     monkeypatch.setattr(summation, "_COUNTS", counts)
-    monkeypatch.setattr(summation, "_RULES", summation._make_rules(counts))
+    monkeypatch.setattr(summation, "_RULES", rules)
 
 
 @each
@@ -317,6 +325,7 @@ HEIGHTS = {"exponential": {}, "weibull": {"exponent": 2.5}, "empirical": {"sampl
 def test_any_asperity_law_with_any_heights(asperity, key):
     """Load and area against trapezoidal sums over the displacement, which know nothing of knots, windows and nodes."""
     given, heights = draw(6, False, 103, theta=100.0, lam=10.0), height_distribution(key, **HEIGHTS[key])
+    fill_density = _densities(heights.density)
     h = np.linspace(-1.5, 1.5, 6)
     found = scattered(problem_of(given, Choice(PLAIN, asperity.key)).regimes, h, heights).sum(axis=0)
     expected = np.zeros((6, 2))
@@ -327,7 +336,8 @@ def test_any_asperity_law_with_any_heights(asperity, key):
             one = replace(segment, parameters=tuple(np.broadcast_to(p, 6)[i] * np.ones(u.size) for p in segment.parameters),
                           edges=np.zeros((u.size, 2)))  # fmt: skip
             w, slope, load, area = normal_states(one, u).T
-            dense = np.array([heights.density(z, heights.shape) for z in h[i] + w])
+            dense = np.empty(w.size)
+            fill_density(h[i] + w, heights.shape, dense)
             expected[i] += np.trapezoid(load * slope * dense, u), np.trapezoid(area * slope * dense, u)
     size = np.abs(expected) + 1e-3
     assert_near(found[:, 1:3], expected, 3e-4, size)

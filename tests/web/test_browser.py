@@ -18,10 +18,12 @@ from pathlib import Path
 import numpy as np
 import pandas
 import pytest
+from typer.testing import CliRunner
 
 import stiction as st
 from cases import of_one_model
 from stiction.case.text import as_toml
+from stiction.cli import app
 from stiction.report.html_words import letters
 from stiction.report.views.comparison import groups_of
 from stiction.web.address import encoded
@@ -187,8 +189,7 @@ WORDS = """() => { const found = [], walk = document.createTreeWalker(document.b
 def test_the_first_screen_has_the_answer_and_the_whole_form_in_110_words(opened, tmp_path):
     page = opened
     (tmp_path / "case.toml").write_text(as_toml(first_case()), encoding="utf-8")
-    command = [sys.executable, "-m", "stiction", "run", "case.toml", "--json"]
-    answer = json.loads(subprocess.run(command, cwd=tmp_path, check=True, capture_output=True, timeout=600).stdout)["answer"]
+    answer = json.loads(CliRunner().invoke(app, ["run", str(tmp_path / "case.toml"), "--json"]).stdout)["answer"]
     low, high = (f"{end:.2g}" for end in answer["interval"])
     said = f"μ = {answer['friction_coefficient']:.2g} {low} to {high} (90% interval) at {answer['load']:g} N"
     assert _card(page) == said
@@ -340,7 +341,7 @@ def test_a_lost_upload_can_be_tried_again(page):
     page.get_by_text("found.csv is stored until the page is closed").wait_for()
 
 
-def test_what_is_downloaded_runs_to_the_same_numbers(page, tmp_path):
+def test_what_is_downloaded_runs_to_the_same_numbers(page, tmp_path, no_pictures):
     _tab(page, "Share")
     files = {}
     for name in ("case.toml", "curve.csv", "curve.svg"):
@@ -348,8 +349,8 @@ def test_what_is_downloaded_runs_to_the_same_numbers(page, tmp_path):
             page.get_by_role("button", name=f"download {name}").click()
         waiting.value.save_as(tmp_path / name)
         files[name] = (tmp_path / name).read_text(encoding="utf-8")
-    command = [sys.executable, "-m", "stiction", "run", "case.toml", "--out", "out"]
-    subprocess.run(command, cwd=tmp_path, check=True, capture_output=True, timeout=600)
+    ran = CliRunner().invoke(app, ["run", str(tmp_path / "case.toml"), "--out", str(tmp_path / "out")])
+    assert ran.exit_code == 0, ran.output
     tables = [pandas.read_csv(path, comment="#") for path in (tmp_path / "curve.csv", tmp_path / "out" / "curve.csv")]
     pandas.testing.assert_frame_equal(*tables, rtol=1e-13)
     assert "<svg" in files["curve.svg"]
