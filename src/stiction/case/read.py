@@ -136,10 +136,12 @@ class Case:
         return self.measured.contacts(self.subject)
 
     def at_load(self, load: Any) -> "Case":
-        """Return a copy of the case with one load as its only point: in N, text with a unit, or dimensionless for Indices.
+        """Return a copy of the case with one load as its only point; the case itself if `load` is None.
 
-        Raises InputError, with the field --load, if this is not a single valid load.
+        load: in N, text with a unit, or dimensionless for Indices. Raises InputError, with the field --load, for a wrong load.
         """
+        if load is None:
+            return self
         try:
             value = float(self.subject.read(load, "load"))
         except InputError as error:

@@ -289,8 +289,7 @@ def read(path: Path, load: str | None = None, ranges: bool | None = None) -> "Ca
     with busy("Reading the case"):
         from stiction.case.read import read_case
 
-        case = read_case(path, ranges=ranges)
-        return case if load is None else case.at_load(load)
+        return read_case(path, ranges=ranges).at_load(load)
 
 
 def present(view: "View", out: Path | None, json: bool, details: bool = True) -> None:

@@ -2,11 +2,9 @@
 
 import tomllib
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
-
-import numpy as np
 
 from stiction.case.read import Case
 from stiction.case.swept import Address
@@ -77,13 +75,11 @@ def collect_report_data(case: Case, text: str = "", *, load: Any = None, progres
     why = why or ("" if at_load is not None else "no load of the case is above 0, and models are compared at a load above 0")
     at_working_load = curve = None
     if is_predicted(case) and (at_load is not None or case.is_swept):
-        data, curve = predict_with_curve(case if load is None else replace(case, separation=None, load=np.array([at_load])))
+        data, curve = predict_with_curve(case.at_load(load))
     else:
         data = solve_case(case, progress=progress)
         if at_load is not None:
-            at_working_load = solve_case(replace(case, separation=None, load=np.array([at_load])), progress=progress).squeeze(
-                "load"
-            )
+            at_working_load = solve_case(case.at_load(at_load), progress=progress).squeeze("load")
     predicted = data if "shares" in data.attrs else None if case.is_swept else prediction_of(case, at_load)
     comparison = None if at_load is None else compare_case(case, at_load, progress)
     warnings = tuple(str(warning) for warning in input_warnings(case.subject))

@@ -40,8 +40,7 @@ def fit_prediction(
         return None
     if "fit" in content:
         plain = with_numbers(plain, _ends(content, as_numbers(with_files_read(plain, folder)[0])))
-    case = case_in(plain, folder)
-    case = case if load is None else case.at_load(load)
+    case = case_in(plain, folder).at_load(load)
     return case, predict(case, measured=data)
 
 

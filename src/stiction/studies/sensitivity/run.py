@@ -95,7 +95,7 @@ def sensitivity(
     require_callable(progress, "progress")
     case = as_case(case, ranges)
     case.subject.require_single("one number, or an uncertain one, for sensitivity")
-    case = case if load is None else case.at_load(load)
+    case = case.at_load(load)
     at = working_load(case, None)
     if models is None and at is not None and is_predicted(case):
         return _of_prediction(case, at)

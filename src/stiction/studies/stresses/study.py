@@ -30,7 +30,7 @@ def _plan(
     if model is None and is_predicted(read):  # a prediction has no single asperity
         model = "greenwood_williamson_1966"
     laws = {"model": model, "asperity": asperity, "tangential": tangential, "film": "layered"}
-    return read if load is None else read.at_load(load), read.choice.with_changes(laws, options), all_rows, out is not None
+    return read.at_load(load), read.choice.with_changes(laws, options), all_rows, out is not None
 
 
 def _run(plan: tuple[Any, ...], progress: Any) -> tuple[Any, ...]:
