@@ -152,6 +152,9 @@ def test_gold_contact_needs_gold_and_some_states_have_to_be_stated():
     gold, silver, steel = (st.material(name) for name in ("gold_film", "silver", "hardened_steel_52100"))
     assert "gold contact" in interface_weights(gold, steel)
     assert not interface("gold contact").allows(silver, steel)
+    plated = st.material("gold_film", hardness="1.7 GPa", name="hard gold")  # of the user, who knows that it is gold
+    assert interface("gold contact").allows(plated, plated) and "gold contact" not in interface_weights(plated, plated)
+    assert not interface("gold contact").allows(st.material("titanium_nitride", name="mine"), steel)
     assert interface("monolayer").allows(steel, steel) and "monolayer" not in interface_weights(steel, steel)
     assert not interface("ice").allows(steel, steel)
 

@@ -32,6 +32,7 @@ def test_bare_metal_is_the_prediction_of_clean_metal(more):
 
 def test_nothing_is_said_of_bare_metal_where_none_is_parted_or_met():
     assert predicted(interface="clean metal").attrs["bare_metal"] == []
+    assert predicted(st.material("gold"), interface="gold contact").attrs["bare_metal"] == []
     assert predicted(interfacial_shear_strength=1e7).attrs["bare_metal"] == []
     assert predicted(second=GLASS, interface="boundary lubricant").attrs["bare_metal"] == []
 

@@ -175,7 +175,7 @@ def test_a_scan_names_the_ways_of_finding_asperities_that_do_not_count():
     surface = st.gaussian_surface((64, 64), (20e-6, 20e-6), spectrum, seed=3)
     stated = {
         "method": "mccool", "form": 2, "spikes": 3.0, "fill": "nearest", "shortest": "2 um", "longest": "8 um",
-        "heights": "empirical",
+        "heights": "empirical", "kind": "ground",
     }  # fmt: skip
     assert {"first", "second", *stated} == set(MeasuredRoughness.model_fields)
     contact = {**BARE, "first": {**BODY, "hardness": "90 GPa"}, "second": {**BODY, "hardness": "80 GPa"}}
@@ -187,6 +187,24 @@ def test_a_scan_names_the_ways_of_finding_asperities_that_do_not_count():
         other = predicted({**contact, "roughness": {"first": surface, **more}}) if more else plain
         if not named(found, "roughness", name):
             assert not np.array_equal(found.contact_area, other.contact_area), name
+
+
+def test_the_kind_of_a_profile_counts_and_is_advised_until_it_is_stated():
+    spectrum = st.SelfAffine(hurst=0.8, rolloff=20e-6, shortest=2e-6, deviation=2e-7)
+    heights = st.gaussian_surface((512, 512), (200e-6, 200e-6), spectrum, seed=3).heights[:1]
+    hard = {**BODY, "hardness": "90 GPa", "material_class": "ceramic"}
+    contact = {"first": hard, "second": hard, "nominal_area": "1 mm^2", "interfacial_shear_strength": "100 MPa"}
+    rough = {"first": st.HeightMap(heights, size=(0.4e-6, 200e-6))}
+    unstated = predicted({**contact, "roughness": rough})
+    assert "kind of surface is not stated" in unstated.attrs["warnings"][0] and "kind = " in unstated.attrs["next_step"]
+    for kind in ("gaussian", "worn"):
+        stated = predicted({**contact, "roughness": {**rough, "kind": kind}})
+        assert not np.array_equal(stated.contact_area, unstated.contact_area) and not named(stated, "roughness", "kind")
+        assert "kind = " not in stated.attrs["next_step"]
+    by_averages = predicted({**contact, "roughness": {**rough, "heights": "empirical"}})
+    assert named(by_averages, "roughness", "heights")
+    listed = predicted({**contact, "roughness": {**rough, "heights": "empirical", "method": "three_point", "kind": "worn"}})
+    assert named(listed, "roughness", "kind") and not named(listed, "roughness", "heights")
 
 
 def test_laws_that_a_case_names_are_named():

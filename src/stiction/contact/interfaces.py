@@ -1,13 +1,20 @@
 """Define interface states, with distributions of the shear strength, and read them from the files in interface_data/."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
 from typing import TYPE_CHECKING, Annotated, Any, Literal, Self, TypedDict
 
 import numpy as np
 from pydantic import BeforeValidator, Field, model_validator
 
-from stiction.contact.materials import MATERIAL_CLASSES, Material, class_of, refuse_anodised, remaining_notes
+from stiction.contact.materials import (
+    MATERIAL_CLASSES,
+    Material,
+    class_of,
+    material_names,
+    refuse_anodised,
+    remaining_notes,
+)
 from stiction.contact.pair import choose, first_is_softer
 from stiction.quantities.data_files import read_tables
 from stiction.quantities.errors import InputError, InWords, field_named, nearest
@@ -39,7 +46,8 @@ class Interface(Input):
     interface fails; None if unknown. range: 5 and 95 % quantiles of a number, by name; a number without a range is exact.
     source, grade: source and grade (a key of data_files.GRADES) of each number, by name. pairs: prior weight of the state for a
     pair of material classes, such as "metal, ceramic" or "polymer, any"; with weight 0 only the user can choose it. only_with:
-    names of materials, at least one of which must be a body; empty if any bodies are allowed. of_film: whether pairs of weight
+    names of materials, at least one of which must be a body; empty if any bodies are allowed. A user may also select the state
+    for a body that is no preset, because it may consist of one of these materials. of_film: whether pairs of weight
     0 require a film. not_for: uses that must be avoided, as text.
 
     These values are not capped at the strength of the bodies. Raises InputError for contradictory numbers.
@@ -119,7 +127,8 @@ class Interface(Input):
         `of_film`, a film is required too. A state without `pairs`, such as one defined by a user, is allowed for any bodies.
         coated: whether one of the two materials is a film.
         """
-        weight = self.weight_of(first, second)
+        own = any(body.name not in material_names() for body in (first, second))
+        weight = self.weight_of(first, second, self.only_with if not own else ())
         return not self.pairs or (weight is not None and (weight > 0.0 or coated or not self.of_film))
 
     def notes(self) -> list[str]:
@@ -157,9 +166,12 @@ class Interface(Input):
             return median * lognormal_quantile(level, 1.0, 1.0, 1.0)
         return lognormal_quantile(level, median, *self.range[name])
 
-    def weight_of(self, first: Material, second: Material) -> float | None:
-        """Return the prior weight of this state for two bodies, from their material classes; None if it does not suit them."""
-        if self.only_with and not {first.name, second.name} & set(self.only_with):
+    def weight_of(self, first: Material, second: Material, only_with: Sequence[str]) -> float | None:
+        """Return the prior weight of this state for two bodies, from their material classes; None if it does not suit them.
+
+        only_with: names of materials, at least one of which must be a body; empty if any bodies are allowed.
+        """
+        if only_with and not {first.name, second.name} & set(only_with):
             return None
         ruling, other = sorted((class_of(first), class_of(second)), key=MATERIAL_CLASSES.index)
         return self.pairs.get(f"{ruling}, {other}", self.pairs.get(f"{ruling}, any"))
@@ -213,7 +225,7 @@ def interface_weights(first: Material, second: Material) -> dict[str, float]:
     States of weight 0 are left out. The weights apply if the user specifies no interface. They depend on the classes of the two
     materials. first, second: materials of the touching surfaces; for a coated body, the material of its film.
     """
-    prior = {name: state.weight_of(first, second) for name, state in _states().items()}
+    prior = {name: state.weight_of(first, second, state.only_with) for name, state in _states().items()}
     weights = {name: weight for name, weight in prior.items() if weight}
     total = sum(weights.values())
     return {name: weight / total for name, weight in weights.items()}

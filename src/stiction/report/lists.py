@@ -143,7 +143,7 @@ def interface_in_full(name: str) -> Group:
     if (limit := row["pressure_limit"]) is not None:
         lines.append(Text(f"valid up to {show(limit['value'], 'pressure_limit')} on the contact spots, grade {limit['grade']}"))
         lines.append(Padding(Text(limit["source"]), (0, 0, 0, 4)))
-    with_one = f"; one body of {' or '.join(row['only_with'])}" if row["only_with"] else ""
+    with_one = f"; one body of {', '.join(row['only_with'])} or a material of your own" if row["only_with"] else ""
     pairs = (f"{pair} (a film)" if row["of_film"] and not weight else pair for pair, weight in row["pairs"].items())
     lines.append(Text(f"allowed between: {'; '.join(pairs)}{with_one}"))
     lines += [Text(f"not for: {row['not_for']}"), _how_to_state(name)]

@@ -11,7 +11,7 @@ from stiction.quantities.errors import InputError, InWords, field_as
 from stiction.quantities.inputs import Input
 from stiction.quantities.shown import show
 from stiction.surfaces.finished import is_finished, roughness_of_finish
-from stiction.surfaces.roughness import Roughness
+from stiction.surfaces.roughness import Roughness, StatedKind
 from stiction.surfaces.solvable_maps import SolvableMaps
 
 if TYPE_CHECKING:
@@ -94,7 +94,8 @@ class MeasuredRoughness(Input):
     smooth body; at least one must be a scan. method: key of an asperity method, by default the first that finds enough
     asperities. form: order of the polynomial to remove, 1 for a plane. spikes: number of robust standard deviations from the
     median beyond which points are masked. fill: how missing points are filled. shortest, longest: limits of the wavelengths
-    that are kept. heights: distribution of asperity heights: gaussian, weibull, empirical; by default the simplest that fits.
+    that are kept. heights: distribution of asperity heights: gaussian, weibull, empirical; by default the simplest that fits,
+    or gaussian for a profile of a known kind. kind: a finish or a kind of surface, which a profile does not show.
     """
 
     first: _Body | None = Field(None, description="a table with the scan, or the numbers, of the first body")
@@ -108,6 +109,7 @@ class MeasuredRoughness(Input):
     shortest: _Length | None = Field(None, description="shortest wavelength that is kept")
     longest: _Length | None = Field(None, description="longest wavelength that is kept")
     heights: str | None = Field(None, description="gaussian, weibull or empirical; by default the simplest that fits")
+    kind: StatedKind = Field(None, description="a finish or a kind of surface, for a profile; a map of heights shows its kind")
 
     @model_validator(mode="after")
     def _some_scan(self):
@@ -124,8 +126,8 @@ class Measured:
     a method found no asperities. history: processing steps of each body's scan, by "first" or "second". notes: remarks on the
     results, as text. counts: number of separate asperities; 0 for a method that only computes averages, and for two bodies.
     mean_heights: mean asperity height above the mean plane [m]. validity_warnings: warnings on scans and on their combination.
-    of_moments: the method that computes spectral moments. stated: which of "method" and "heights" the user chose. solvable:
-    maps for a point-by-point solution.
+    of_moments: the method that computes spectral moments. stated: which of "method", "heights" and "kind" the user stated.
+    solvable: maps for a point-by-point solution.
     """
 
     by_method: Mapping[str, Roughness]
@@ -242,6 +244,9 @@ def measure(wanted: MeasuredRoughness, folder: Path = Path()) -> Measured:
         raise InputError("heights", wanted.heights, ", ".join(MODELS))
     if wanted.heights not in (None, "gaussian") and not alone:
         raise InputError("heights", wanted.heights, "gaussian, because the heights of the two rough bodies are combined")
+    periods = {name: _prepared(scan, wanted, bodies[name], name, True) for name, scan in scans.items() if scan.periodic}
+    one_map = _one_map(solvable := SolvableMaps(maps | periods, bool(known)))
+    heights = wanted.heights or ("gaussian" if wanted.kind and one_map is None else None)
     found: dict[str, Asperities] = {}
     surfaces: dict[str, Roughness] = {}
     counts: dict[str, int] = {}
@@ -251,7 +256,7 @@ def measure(wanted: MeasuredRoughness, folder: Path = Path()) -> Measured:
             each = [asperities(one, method) for one in maps.values()]
             together = [*each, *known]
             one = together[0] if alone else combine(*together)
-            surfaces[method] = roughness(one, height_model(one, wanted.heights))
+            surfaces[method] = roughness(one, height_model(one, heights)).model_copy(update={"kind": wanted.kind})
             counts[method] = min(map(separate_count, each, maps.values()))
             found[method] = one
         except InputError as error:
@@ -263,10 +268,8 @@ def measure(wanted: MeasuredRoughness, folder: Path = Path()) -> Measured:
             "scans with asperities; run `stiction surface` on each scan to see the asperities it has",
         )
     of_moments = method_of_moments()
-    periods = {name: _prepared(scan, wanted, bodies[name], name, True) for name, scan in scans.items() if scan.periodic}
-    solvable = SolvableMaps(maps | periods, bool(known))
     if of_moments in surfaces:
-        surface = surfaces[of_moments].attached(map=_one_map(solvable))
+        surface = surfaces[of_moments].attached(map=one_map)
         surfaces = {
             name: surface if name == of_moments else one.model_copy(update={"surface": surface})
             for name, one in surfaces.items()
@@ -286,7 +289,7 @@ def measure(wanted: MeasuredRoughness, folder: Path = Path()) -> Measured:
         mean_heights={name: one.mean_height for name, one in found.items()},
         validity_warnings=(*_spikes(maps), *validity_warnings, *_without_moments(failures.get(of_moments))),
         of_moments=of_moments,
-        stated=tuple(name for name in ("method", "heights") if getattr(wanted, name) is not None),
+        stated=tuple(name for name in ("method", "heights", "kind") if getattr(wanted, name) is not None),
         solvable=solvable,
     )
 

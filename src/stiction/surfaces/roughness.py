@@ -47,6 +47,7 @@ else:
     ShapeNumber = Annotated[OptionalNumber, AfterValidator(_single)]
 
 
+StatedKind = Annotated[str | None, BeforeValidator(_kind)]
 # Statistics that distinguish a surface from a Gaussian isotropic one, if the user states them.
 SHAPE = ("skewness", "kurtosis", "texture_aspect_ratio")
 
@@ -122,9 +123,7 @@ class Roughness(Input):
     asperity_density: Number
     height_distribution: str = "gaussian"
     height_parameters: _Parameters = _NO_PARAMETERS
-    kind: Annotated[str | None, BeforeValidator(_kind)] = Field(
-        default=None, description="gaussian, skewed, worn, lay, two-scale or a finish"
-    )
+    kind: StatedKind = Field(default=None, description="gaussian, skewed, worn, lay, two-scale or a finish")
     skewness: ShapeNumber = by_default(None)
     kurtosis: ShapeNumber = by_default(None)
     texture_aspect_ratio: ShapeNumber = by_default(None)
@@ -220,8 +219,11 @@ class Roughness(Input):
         The result is the field `surface`, with the kind of surface, skewness, kurtosis and texture aspect ratio that are
         specified for this roughness.
         """
-        more = self.shape | ({} if self.kind is None else {"kind": self.kind})
-        return self.surface if self.surface is None or not more else self.surface.replace(**more)
+        if self.surface is None:
+            return None
+        stated = self.shape | ({} if self.kind is None else {"kind": self.kind})
+        more = {name: value for name, value in stated.items() if value != getattr(self.surface, name)}
+        return self.surface.replace(**more) if more else self.surface  # a replaced surface loses its map
 
     @property
     def shape(self) -> dict[str, float]:

@@ -18,7 +18,7 @@ from stiction.studies.prediction.mixture import Mixture
 FILE = Path(__file__).parent / "checked.json"  # made by validation/contacts/score.py
 
 _BARE, _METALS = "clean metal", ("metal", "soft metal")
-_UNPARTED = (_BARE, "oxidised metal")  # an oxide that is rubbed off forms again in air
+_UNPARTED = (_BARE, "oxidised metal", "gold contact")  # an oxide that is rubbed off forms again in air
 _DRAWS = 256
 _WIDE = 1.5  # error factor of the area from which it is shown as a factor instead of a percentage
 _ENOUGH, _UNLIKE = 3, 1.5  # least number of handbook contacts, and factor beyond their mu, for a warning (judgements)
@@ -29,9 +29,9 @@ def bare_metal(mixture: Mixture, level: float) -> list[float]:
     """Return the interval [low, high] of mu for two metals where the film or surface layer between them is worn away.
 
     level: coverage probability of the interval. The list is empty if a body is not a metal, or if the contact has neither a
-    film nor a stated interface other than clean and oxidised metal. The contact spots are plastic, have the shear strength
-    tau_0 of clean metal, at most that of the softer body, and grow under shear. As tau_0 is proportional to the hardness H,
-    mu = tau_0/H times the junction growth does not depend on H.
+    film nor a stated interface other than clean metal, oxidised metal and gold contact. The contact spots are plastic, have the
+    shear strength tau_0 of clean metal, at most that of the softer body, and grow under shear. As tau_0 is proportional to the
+    hardness H, mu = tau_0/H times the junction growth does not depend on H.
     """
     contact = mixture.sampled.contact
     bodies = (contact.first, contact.second)
