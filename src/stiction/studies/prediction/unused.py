@@ -75,11 +75,8 @@ def _of_surface(sampled: SampledCase, touching: np.ndarray) -> Iterator[tuple[st
     contact = sampled.contact
     if contact.measured is not None and sampled.on_map:
         yield from ((f"roughness.{name}", "the prediction uses the map itself") for name in contact.measured.stated)
-    else:
-        if (found := contact.measured) is not None and "heights" in found.stated and not found.counts[found.method]:
-            yield "roughness.heights", f"the asperity method {found.method} assumes Gaussian heights"
-        if contact.surface_kind is not None and contact.heights[0] != "gaussian":
-            yield "roughness.kind", "the heights are not Gaussian"
+    elif (found := contact.measured) is not None and "heights" in found.stated and not found.counts[found.method]:
+        yield "roughness.heights", f"the asperity method {found.method} assumes Gaussian heights"
     if contact.strength_variation is not None and not np.isfinite(touching).all():
         yield "strength_variation", "the number of contact spots is unknown"
     if contact.residual_strength is not None and contact.weakening_slip is None:
