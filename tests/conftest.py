@@ -53,6 +53,14 @@ def no_pictures(monkeypatch):
 
 
 @pytest.fixture
+def empty_pictures(monkeypatch):
+    """Write empty files in place of pictures, in tests that read only their names."""
+    from stiction.report.view import Picture
+
+    monkeypatch.setattr(Picture, "write", lambda picture, path: path.touch())
+
+
+@pytest.fixture
 def force_loops(monkeypatch):
     """A function that sets or, with None, removes STICTION_LOOPS for the rest of the test."""
 

@@ -135,6 +135,7 @@ def scan():
 
 
 @pytest.mark.parametrize("which", PRINTING)
+@pytest.mark.usefixtures("empty_pictures")
 def test_no_result_is_longer_than_15_lines_or_cut_off_or_of_ten_digits(which, tmp_path, monkeypatch, scan):
     monkeypatch.chdir(tmp_path)  # names of files as short as a user types them
     text, words = PRINTING[which]

@@ -396,6 +396,7 @@ def test_figures_writes_pictures_curves_and_the_map_of_the_claims(tmp_path, monk
     assert all(here[claim, variant] == 1.0 for claim in "abc" for variant in ("corrected", "published"))
 
 
+@pytest.mark.usefixtures("empty_pictures")
 def test_figures_prints_what_each_claim_means_and_that_its_indices_were_chosen(tmp_path, monkeypatch):
     monkeypatch.setattr("stiction.studies.paper.claims.claim_map.__defaults__", (np.array([40.0]), np.array([10.0]), iter))
     text = command("figures", "--variant", "published", "--out", tmp_path / "figures").stdout

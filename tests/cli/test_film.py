@@ -110,6 +110,7 @@ def test_a_softer_counterbody_yields_in_place_of_the_film(tmp_path):
     assert xarray.open_dataset(out / "section.nc", engine="h5netcdf").attrs["where"] == "counterbody"
 
 
+@pytest.mark.usefixtures("empty_pictures")
 def test_where_files_are_fits_the_terminal(case, tmp_path):
     out = tmp_path / "a folder"
     lines = run(case, "--out", str(out)).stdout.splitlines()

@@ -598,6 +598,7 @@ def test_an_interruption_keeps_the_fit(series, tmp_path, monkeypatch):
         fit(tomllib.loads(CASE_FILE), series(exact(), 0.01))
 
 
+@pytest.mark.usefixtures("empty_pictures")
 def test_an_interruption_while_results_are_written_waits_for_them(series, tmp_path, monkeypatch):
     """All that took long is done by then."""
     from stiction.report import view
