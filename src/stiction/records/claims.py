@@ -50,6 +50,7 @@ class Validity:
     - low, high: ends of the range; -inf or inf for an open end
     - why: the assumption that fails outside the range
     - kind: kind of the validity warning, a key of KINDS_OF_WARNING
+    - as_published: whether the range applies only while yielded junctions have no friction (plastic_junctions = "none")
     """
 
     quantity: str
@@ -57,6 +58,7 @@ class Validity:
     high: float
     why: str
     kind: str = "assumption"
+    as_published: bool = False
 
     @property
     def range(self) -> str:

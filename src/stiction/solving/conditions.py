@@ -17,6 +17,7 @@ from stiction.laws.proportion import OUT_OF_PROPORTION
 from stiction.laws.validity import violated_ranges, warnings_about
 from stiction.quantities.dimensions import aligned
 from stiction.records.claims import Validity
+from stiction.records.registry import JUNCTIONS, NO_JUNCTIONS
 from stiction.records.validity_warning import ValidityWarning
 from stiction.solvers.boundary_elements.limits import LEAST_WAVES
 from stiction.solving.on_map import MapProblem
@@ -82,8 +83,8 @@ def _does_not_grow(problem: Problem) -> bool:
 def _elastic_on_a_film(problem: Problem) -> bool:
     """Return whether elastic results of a coated contact must be checked with the plasticity index of the film.
 
-    This is the case if film and body are solved as one elastic solid and the asperity law is valid in a range of the
-    plasticity index. The usual index is computed without the film.
+    This is the case if film and body are solved as one elastic solid and the validity of the asperity law is limited by the
+    plasticity index, because that index is computed without the film.
     """
     film, asperity = problem.chosen.film, problem.chosen.asperity
     if film is None or asperity is None or not film.solved_as_one:
@@ -240,7 +241,9 @@ def _rules_for(problem: Problem) -> list[Validity]:
     if _hardens(problem):  # a hardening metal may bear more than its hardness, so exceeding it is not impossible
         hardness = "nominal_pressure_over_hardness"
         rules = [replace(rule, kind="assumption") if rule.quantity == hardness else rule for rule in rules]
-    return [*rules, *(rule for record in problem.records() for rule in record.validity)]
+    as_published = problem.options.get(JUNCTIONS, NO_JUNCTIONS) == NO_JUNCTIONS
+    claimed = (rule for record in problem.records() for rule in record.validity)
+    return [*rules, *(rule for rule in claimed if as_published or not rule.as_published)]
 
 
 def _hardens(problem: Problem) -> bool:

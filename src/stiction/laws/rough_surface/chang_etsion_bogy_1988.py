@@ -15,7 +15,7 @@ side](#the-elastic-plastic-models-of-static-friction-side-by-side).
 """
 
 from stiction.laws.shared_claims import elastic_limit
-from stiction.records.registry import RoughSurface, Validity
+from stiction.records.registry import RoughSurface
 from stiction.records.sources import Source
 
 RECORD = RoughSurface(
@@ -29,9 +29,6 @@ RECORD = RoughSurface(
     asperity="chang_etsion_bogy_1987",
     tangential="chang_etsion_bogy_1988",
     verified="sums over heights, computed independently at 30 digits; friction of single asperities tabulated independently",
-    validity=(
-        Validity("plasticity_index", 0.0, 0.6, "plastic asperities have no friction in this law, so mu is too low", "effect"),
-    ),
     limits=(elastic_limit("greenwood_williamson_1966"),),
     notes="The adhesion of the 1988 papers is not included.",
 )

@@ -178,7 +178,14 @@ RECORD = TangentialLaw(
     needs=("hardness_group", "nu"),
     junctions=LAWS,
     validity=(
-        Validity("plasticity_index", 0.0, 0.6, "plastic asperities have no friction in this law, so mu is too low", "effect"),
+        Validity(
+            "plasticity_index",
+            0.0,
+            0.6,
+            "plastic asperities have no friction in this law, so mu is too low",
+            "effect",
+            as_published=True,
+        ),
     ),
     notes="The critical interference is that of chang_etsion_bogy_1987 with any asperity law. Beyond it an asperity has no "
     "resistance, or that of the law named by plastic_junctions. Yield is checked at two places only: on the axis at one depth, "

@@ -93,6 +93,7 @@ RECORD = TangentialLaw(
             2.0,
             "asperities above six times the critical interference have no friction in this law, so mu is too low",
             "effect",
+            as_published=True,
         ),
     ),
     notes="With any asperity law, the friction coefficient of one asperity is the authors' function of its interference; the "
