@@ -124,7 +124,7 @@ def test_settings(read):
         ('"silver"', '"silvr"', "contact.first: 'silvr'; allowed: a preset: silver"),
         ("[contact.roughness]", "[contact.rougness]", "contact.rougness: "),
         ("[solve]", "[solver]", "solver: "),
-        ("[solve]", "[indices]\ntheta = 1\nlam = 1\n[solve]", "contact or indices: both given; allowed: exactly one of"),
+        ("[solve]", "[indices]\ntheta = 1\nlam = 1\n[solve]", "contact and indices: both given; allowed: exactly one of"),
         ("[1]", "[true]", "solve.separation: True; allowed: "),
         ("[1]", "[nan]", "solve.separation: nan; allowed: a finite number"),
         ("[1]", "[1" + "0" * 400 + "]", "solve.separation: 1"),
@@ -153,9 +153,9 @@ def test_settings(read):
         (
             "separation = [1]",
             'separation = [1]\nload = ["1 N"]',
-            "solve.separation or load: both given; allowed: exactly one",
+            "solve.separation and load: both given; allowed: exactly one",
         ),
-        ("separation = [1]", "", "solve.separation or load: not given; allowed: exactly one of"),
+        ("separation = [1]", "", "solve.separation and load: not given; allowed: exactly one of"),
         (
             "separation = [1]",
             "separation = [1]\nvariant = 1",
@@ -175,7 +175,7 @@ def test_loads_of_indices_have_no_unit(refused):
 
 def test_a_case_needs_a_subject_and_points(refused):
     assert refused("").startswith("solve: not given; allowed: a table with separation or load")
-    assert refused("[solve]\nseparation = [1]").startswith("contact or indices: not given; allowed: exactly one of")
+    assert refused("[solve]\nseparation = [1]").startswith("contact and indices: not given; allowed: exactly one of")
 
 
 @pytest.mark.parametrize(

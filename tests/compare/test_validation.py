@@ -163,10 +163,10 @@ def test_the_command_shows_intervals(tmp_path):
 @pytest.mark.parametrize(
     ("entry", "said"),
     [
-        (BAND, ("measured.file or band",)),
+        (BAND, ("measured.file and band",)),
         (BAND + '[[measured.band]]\nload = "1 N"\nlow = 0.4\nhigh = 0.3\n', ("measured.band.0.low", "0.4")),
         (BAND + '[[measured.band]]\nload = "-1 N"\nlow = 0.2\nhigh = 0.3\n', ("measured.band.0.load", "-1 N")),
-        (MEASURED + '[[measured.band]]\nload = "1 N"\nlow = 0.2\nhigh = 0.3\n', ("measured.file or band", "both given")),
+        (MEASURED + '[[measured.band]]\nload = "1 N"\nlow = 0.2\nhigh = 0.3\n', ("measured.file and band", "both given")),
     ],
 )
 def test_bad_ranges_are_refused(tmp_path, entry, said):

@@ -275,7 +275,7 @@ def test_several_contacts_at_several_loads():
         ({}, {"residual_strength": math.nan}, ("residual_strength", "0", "1")),
         ({}, {"displacement": "-1 nm"}, ("displacement", ">= 0")),
         ({}, {"displacement": []}, ("displacement",)),
-        ({}, {"separation": "48 nm"}, ("separation or load",)),
+        ({}, {"separation": "48 nm"}, ("separation and load",)),
         ({"interfacial_shear_strength": 0.0}, {}, ("displacement",)),
     ],
 )

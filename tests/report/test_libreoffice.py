@@ -84,4 +84,4 @@ def test_a_cell_holds_the_prediction(tmp_path):
     *numbers, refused = json.loads(done.stdout.splitlines()[-1])
     expected = [st.predict_value(name, "case", str(case), "load", 1000.0) for name in ("mu", "mu_low")]
     assert numbers == pytest.approx(expected, rel=1e-9)
-    assert refused.startswith("contact or indices")
+    assert refused.startswith("contact and indices")

@@ -42,9 +42,9 @@ class _Solve(Input):
     def _options_by_name(cls, table):
         """Move options of models and laws specified directly in [solve] to its table `options`, and return [solve].
 
-        An option that is also in `options` keeps its value in `options`. Any argument that is not a table is returned
-        unchanged. Raises InputError for an option specified directly with a value that it does not allow. It also raises
-        InputError if `options` has a key of [solve], or one of the arguments contact, heights and threads of `solve`.
+        If an option is in both places, the value in `options` is used. Any argument that is not a table is returned unchanged.
+        Raises InputError for an option specified directly with a value that it does not allow. It also raises InputError if
+        `options` has a key of [solve], or one of the arguments contact, heights and threads of `solve`.
         """
         if not isinstance(table, Mapping):
             return table
@@ -66,7 +66,7 @@ class _Solve(Input):
         if (self.separation is None) == (self.load is None):
             both = InWords("both given") if self.load is not None else None
             example = "separation = {start = 4, stop = -1, count = 51}"
-            raise InputError("separation or load", both, f"exactly one of the two, e.g. {example}")
+            raise InputError("separation and load", both, f"exactly one of the two, e.g. {example}")
         return self
 
 
@@ -86,7 +86,7 @@ class _CaseFile(Input):
     def _one_subject(self):
         if (self.contact is None) == (self.indices is None):
             both = InWords("both given") if self.contact is not None else None
-            raise InputError("contact or indices", both, "exactly one of the tables [contact] and [indices]")
+            raise InputError("contact and indices", both, "exactly one of the tables [contact] and [indices]")
         return self
 
 

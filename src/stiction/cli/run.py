@@ -44,9 +44,9 @@ def run(
 ) -> None:
     """Predict the friction coefficient of a case with its interval, and show what the interval depends on.
 
-    By default all applicable models are combined. With --model or a law, one model is solved along a curve of loads.
-    --out writes curve.csv, curve.nc (netCDF4) and pictures. stiction models KEY lists the options of a model or law, such as
-    --variant published. Command-line options replace those in the case file.
+    By default all applicable models are combined. If the command or the case names a model, a law or an option, one model is
+    solved at the loads or separations of the case. --out writes curve.csv, curve.nc (netCDF4) and pictures. stiction models KEY
+    lists the options of a model or law, such as --variant published. Command-line options replace those in the case file.
 
     In the case file a number may be an array (a list, or {start, stop, count, spacing}) or uncertain ("0.5 +/- 0.1 GPa",
     {low, high}, {median, factor}, {samples}). stiction schema lists every number with its unit and bounds.

@@ -207,7 +207,10 @@ def _code(code: types.CodeType, doc: str | None = None) -> str:
 
 
 def _referenced(function: types.FunctionType) -> dict[str, Any]:
-    """Return a dict, by name, of everything that a function refers to in its closure, its module and imported modules."""
+    """Return the objects that a function uses from its closure, its module and imported modules, by name.
+
+    Modules themselves, and the contents of the modules in _KNOWN, are excluded.
+    """
     codes, names = [function.__code__], set()
     for code in codes:
         names |= {*code.co_names}

@@ -40,14 +40,14 @@ def near_each_other(h: np.ndarray) -> list[np.ndarray]:
 
 @lru_cache(maxsize=64)
 def skeleton(h_bytes: bytes, w_low: float, w_high: float, heights: Heights) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return a few separations, and the matrix that extends sums at these to the separations h, with its accuracy.
+    """Return a few separations, the matrix that extends sums at these to the separations h, and a threshold of its accuracy.
 
     h_bytes: bytes of the array h (H,), separations in units of sigma. w_low, w_high: range of the displacements in units of
     sigma. heights: distribution of the heights.
 
     Returns the few separations (L,), the matrix (L, H) cut into tiles, and a threshold (H,). A positive sum may have lost
-    digits if it is below threshold times size, where the size is the same sum without the height density. The first two arrays
-    are empty if no matrix is accurate enough.
+    digits if it is below threshold times size, where size is the same sum with the height density left out. The first two
+    arrays are empty if no matrix is accurate enough.
     """
     h = np.frombuffer(h_bytes)
     spikes = w_low + (w_high - w_low) * (1.0 - np.cos(np.linspace(0.0, math.pi, 300))) / 2.0

@@ -223,9 +223,10 @@ def reaching(window: Callable) -> Any:
 
     window: window formula of the height distribution, as in `Heights`. The returned formula maps (w_left, w_right, reach,
     shape) to: displacement at the start, width of each part, number of parts (0 if nothing contributes), displacement at the
-    end, index of the integration rule. reach: (w_low, w_top, nearest), the displacements between which nodes are placed
-    and the smallest separation, in units of sigma. The range ends where the density at the smallest separation has become
-    negligible compared with the density at the start; at larger separations it is then negligible too.
+    end, index of the integration rule. w_left, w_right: displacements at the ends of the segment. reach: (w_low, w_top,
+    nearest), lowest and highest displacement that is integrated, and smallest separation, in units of sigma. The range ends
+    where, at the smallest separation, the density has become negligible compared with its maximum beyond the start; at larger
+    separations it is then negligible too.
     """
 
     @formula

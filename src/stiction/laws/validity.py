@@ -1,4 +1,4 @@
-"""Report validity warnings where a result lies outside the range that the authors of its laws state."""
+"""Report validity warnings where an input or a result lies outside the range in which a model or law is valid."""
 
 import json
 from collections.abc import Iterable, Iterator, Mapping

@@ -256,6 +256,6 @@ def _disagreement(name: str, dim: str, size: int, other: str) -> InputError:
     return InputError(
         name,
         InWords(f"length {size} along dimension {dim!r}"),
-        f"the length and coordinate that {other} has; to combine every {name} with every {other}, "
-        f"rename this dimension of {name}",
+        f"the same length and coordinate as {other}; to combine every {name} with every {other}, "
+        f"give this dimension of {name} another name",
     )

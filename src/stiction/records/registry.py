@@ -283,7 +283,7 @@ class AsperityMethod(Record):
     """Describe a method that finds the asperities of a measured surface, with their heights and curvatures.
 
     - find(surface, **parameters): surfaces.asperity_set.Asperities of a levelled HeightMap; lengths are in m
-    - parameters: Parameter by name, with which values are checked before the call
+    - parameters: Parameter by name; it checks the value before the call
     - label: short description for pictures
     - order: position among the methods in tables and pictures, which also sets its colour
     - of_profiles: whether it also accepts a single profile
@@ -329,7 +329,7 @@ __all__ = [
 
 
 def records() -> tuple[Record, ...]:
-    """Return the records of all models and laws, ordered by kind and then by key."""
+    """Return all records (models, laws, criteria, asperity methods) in the order of `kinds`, then of their keys."""
     return tuple(record for kind in kinds() for record in of_kind(kind).values())
 
 

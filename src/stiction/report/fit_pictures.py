@@ -45,7 +45,7 @@ def fit_figure(data: "xarray.Dataset", title: str = "") -> Figure:
 def _series(data: "xarray.Dataset", name: str) -> "Iterator[tuple[str, dict[str, Any], np.ndarray, xarray.Dataset]]":
     """Yield (name, style, x values, rows of the dataset) for each sample in which a quantity was measured, in the order of x.
 
-    name: the measured quantity. x: the loads, or the number of each measured value if any load is unknown.
+    name: the measured quantity. x: the loads, or the row numbers (from 0) of the measured values if any load is unknown.
     """
     x = data["measured_load"].values
     x = x if np.isfinite(x).all() else np.arange(float(x.size))

@@ -127,15 +127,15 @@ def _mark_distributions(axes: Axes, resolution_study: "xarray.Dataset") -> None:
 
 
 def _places(cutoffs: np.ndarray) -> np.ndarray:
-    """Return the positions of the cutoff wavelengths on a logarithmic axis; cutoff 0 is at half the smallest other cutoff."""
+    """Return the cutoff wavelengths to draw on a logarithmic axis; cutoff 0 becomes half the smallest other cutoff."""
     others = cutoffs[cutoffs > 0.0]
     return np.where(cutoffs > 0.0, cutoffs, 0.5 * others.min() if others.size else 1.0)
 
 
 def _apart(places: np.ndarray) -> list[float]:
-    """Return the positions on a logarithmic axis that are far enough apart for their labels, including the first one.
+    """Return the values that are far enough apart on a logarithmic axis for their labels, including the first one.
 
-    places: ascending positions, > 0. The least distance is 0.13 of the length of the logarithmic axis.
+    places: ascending values, > 0. The least distance is 0.13 of the length of the logarithmic axis.
     """
     logs = np.log(places / places[0])
     chosen = [0]

@@ -120,8 +120,9 @@ def pressures_of_first_flow(indices: np.ndarray, density: float) -> np.ndarray:
 def _gaussian_sums() -> tuple[np.ndarray, ...]:
     """Return the table from which `pressures_of_first_flow` reads, for Gaussian asperity heights with sigma = 1.
 
-    Returns compressions z (n,), the density (n, 201) of the heights s + z at 201 separations s times the weights of the
-    trapezoidal rule over z, and the integrals over z of the density times z and z^1.5, each (201,).
+    Returns compressions z (n,); the density of the heights s + z at 201 separations s, multiplied by the weights of the
+    trapezoidal rule over z (n, 201); and two integrals over z, of z times the density and of z^1.5 times the density, (201,)
+    each.
     """
     z, step = np.linspace(0.0, 12.0, 1201, retstep=True)
     density = np.exp(-0.5 * (np.linspace(-4.0, 6.0, 201) + z[:, None]) ** 2) / np.sqrt(2.0 * np.pi)

@@ -219,7 +219,7 @@ def _wavelengths_above(axes: Axes, factor: float) -> None:
 
 
 def _round_lengths(low: float, high: float) -> list[float]:
-    """Return round lengths [m] between two lengths: powers of ten or, if fewer than two lie there, 2 and 5 times these too."""
+    """Return the powers of ten [m] between two lengths; if there are fewer than two, return 1, 2 and 5 times powers of ten."""
     powers = range(math.floor(math.log10(low)), math.ceil(math.log10(high)) + 1)
     tens, more = ([lead * 10.0**power for power in powers for lead in leads] for leads in ((1,), (1, 2, 5)))
     tens, more = ([length for length in lengths if low <= length <= high] for lengths in (tens, more))

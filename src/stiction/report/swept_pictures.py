@@ -1,4 +1,4 @@
-"""Draw a parameter sweep: lines for one array parameter, heat maps for two that have many values."""
+"""Draw a parameter sweep: lines, or heat maps for two array parameters with many values each, and for more than two."""
 
 from itertools import product
 from typing import TYPE_CHECKING, Any

@@ -19,12 +19,12 @@ __all__ = ["MovingMap"]
 
 @dataclass(frozen=True)
 class MovingMap:
-    """Represent a solved map that is displaced tangentially at one or more loads; shear does not change its pressure.
+    """Represent a solved map that is displaced tangentially at one or more loads.
 
-    problem: contact and laws. contacts: solution without shear at each load. strengths: shear strength [Pa] of the points
-    (rows, columns) at each load. operator: computes shear displacements. remark: text for the user on what the solution
-    neglects, or "". farther: largest displacement that is solved by default at constant strength, divided by the displacement
-    at which every point slips if shear does not change the pressure.
+    Shear does not change its pressure, except in the subclass UnlikeBodies. problem: contact and laws. contacts: solution
+    without shear at each load. strengths: shear strength [Pa] of the points (rows, columns) at each load. operator: computes
+    shear displacements. remark: text for the user on what the solution neglects, or "". farther: end of the default
+    displacements at constant strength, divided by the displacement at which every point of the uncoupled map slips.
     """
 
     farther: ClassVar[float] = 1.0

@@ -63,7 +63,7 @@ def points_of(problem: Problem, load: Any = None, separation: Any = None) -> Poi
     """
     if (separation is None) == (load is None):
         given = InWords("both given") if load is not None else None
-        raise InputError("separation or load", given, "exactly one of the two")
+        raise InputError("separation and load", given, "exactly one of the two")
     if problem.needs_load and load is None:
         raise InputError(
             "separation", separation, f"a load instead, because {problem.record.key} does not compute a separation"

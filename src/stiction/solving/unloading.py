@@ -224,7 +224,7 @@ def _one_of(subject: Subject, **either: Any) -> Any:
     """
     given = [name for name, value in either.items() if value is not None]
     if len(given) != 1:
-        raise InputError(" or ".join(either), InWords("both given") if given else None, "exactly one of the two")
+        raise InputError(" and ".join(either), InWords("both given") if given else None, "exactly one of the two")
     name, quantity = given[0], "load" if given[0] == "max_load" else "mean_separation"
     with field_named(name):
         value = requested_points(subject, quantity, either[name])

@@ -79,7 +79,7 @@ class Origin(Input):
     def _says_where(self):
         if bool(self.file) == bool(self.band):
             raise InputError(
-                "file or band",
+                "file and band",
                 InWords("both given") if self.file else None,
                 "exactly one of the two: a CSV file or [[measured.band]]",
             )

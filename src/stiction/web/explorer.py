@@ -18,7 +18,7 @@ from stiction.web.query import Answer, Query, headline, solved
 
 @dataclass
 class View:
-    """Hold how the answer is shown.
+    """Hold the display settings of the page.
 
     against: variable on the horizontal axis, "load" or "mean_separation". point: index on the curve, None for the middle point.
     tab: the open tab. dark: whether the page is dark. narrow: whether the page is as narrow as on a phone.

@@ -216,7 +216,8 @@ _UNCERTAIN = {re.compile("(.+) within a factor (\\S+)"): ("median", "factor"), r
 def as_written(given: Any) -> str:
     """Return an entry of the case tables as one line of text; "" for None.
 
-    Units are written with their symbols, "µm" for "um"; only lists and tables are written as in a case file.
+    Units are written with their symbols, "µm" for "um"; other text is unchanged. The tables {low, high} and {median, factor}
+    become "30 nm to 70 nm" and "1 µm within a factor 2"; other tables and lists are written as in a case file.
     """
     if isinstance(given, Mapping) and given.keys() == {"median", "factor"}:
         given = f"{given['median']} within a factor {given['factor']}"

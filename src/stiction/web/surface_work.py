@@ -37,7 +37,7 @@ _MOST_POINTS = 1_500_000  # largest number of points of a scan on the page
 
 @dataclass(frozen=True)
 class Band:
-    """Hold how a scan is prepared: order of the polynomial form to remove, and the band of wavelengths [m] to retain.
+    """Hold the preparation of a scan: order of the polynomial form to remove, and the band of wavelengths [m] to retain.
 
     shortest, longest: None for no cutoff.
     """

@@ -115,7 +115,8 @@ FLOWING = (
         "tau",
         0.1,
         math.inf,
-        "the law gives too much load to the film around contacts with the substrate, and some even to a film of zero thickness",
+        "the law overestimates the load on the film around contacts with the substrate; "
+        "even a film of zero thickness carries load",
     ),
     Validity("film_plasticity_index", 8.0, math.inf, "the film is modelled as plastic from first touch"),
     Validity(

@@ -63,7 +63,7 @@ def _formulas(modulus_key: str, hardness_key: str) -> tuple[Any, Any, Any]:
 
     @formula
     def stiffened(u, row):
-        """Return the ratio of the load to Hertz's load, which is the modulus with film divided by the modulus without film.
+        """Return the load divided by Hertz's load; it equals the modulus with film divided by the modulus without film.
 
         u: contact radius in units of sqrt(R sigma). row: the parameters of `_formulas`.
         """

@@ -147,8 +147,8 @@ RECORD = Meniscus(
             "penetration_over_meniscus",
             0.0,
             0.1,
-            "the meniscus force on elastic asperities is too large, by up to a factor of 2; "
-            "the law neglects that menisci enlarge contacts",
+            "the meniscus force on elastic asperities is up to twice too large; "
+            "mu is less affected, because menisci also enlarge contacts",
         ),
     ),
     notes="The force of a touching asperity is constant. This holds for plastic asperities, which are treated as truncated; "

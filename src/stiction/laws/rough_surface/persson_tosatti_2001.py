@@ -75,7 +75,9 @@ RECORD = RoughSurface(
             "adhesion may not suffice for full contact, which the model assumes",
             "impossible",
         ),
-        Validity("elastic_over_adhesion", 0.0, 0.49, "the contact may be partial at small loads, and mu lower than computed"),
+        Validity(
+            "elastic_over_adhesion", 0.0, 0.49, "at small loads the contact may be partial; mu is then lower than computed"
+        ),
         ELASTIC_CONTACT,
     ),
     notes="mu is the shear strength of the interface divided by the nominal pressure. The model raises an error if flattening "

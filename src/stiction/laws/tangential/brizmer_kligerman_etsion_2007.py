@@ -94,8 +94,8 @@ RECORD = TangentialLaw(
             "nu",
             LEAST_NU,
             0.5,
-            f"the fit starts at {LEAST_NU}; below it, the ratios (stick / slip) of load and displacement at first yield "
-            f"keep their values at {LEAST_NU}",
+            f"the fit starts at {LEAST_NU}; below it, the effect of stick on load and displacement at first "
+            f"yield is taken as at {LEAST_NU}",
         ),
     ),
     notes="The junction is assumed as strong as the bulk, an upper bound for clean metals. Plastic asperities resist too, so "

@@ -151,7 +151,7 @@ class Group:
 
     @property
     def kind(self) -> tuple[str, bool, str]:
-        """Return the properties that models must have in common, besides agreeing on mu, to share a row."""
+        """Return (family, possible, short status); models share a row if these and mu agree."""
         return self.family, self.possible, self.status.split(";")[0] if self.fits else ""
 
     @property

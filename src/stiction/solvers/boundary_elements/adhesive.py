@@ -66,9 +66,9 @@ class AdhesiveContact:
     the faces [m], infinite if they have separated. attraction: sum of the attractive forces at all points, also at those in
     contact [N]. detached: whether there is no contact at this load; area, attraction and residual are then 0. residual: largest
     unbalanced pressure, divided by the largest attraction, at points that are out of contact or should be. points_at_edge:
-    number of points across the zone at the contact edge where attraction acts on open faces (cohesive zone). validity_warnings:
-    limits of the solver that this solution exceeds. pressure: contact pressure minus attraction [Pa], (rows, columns) of the
-    solved grid, which is at least as fine as the map.
+    number of points across the zone at the contact edge where attraction acts on separated faces (cohesive zone).
+    validity_warnings: limits of the solver that this solution exceeds. pressure: contact pressure minus attraction [Pa], (rows,
+    columns) of the solved grid, which is at least as fine as the map.
     """
 
     load: float
@@ -291,8 +291,8 @@ def _contact(faces: Faces, descent: DescentSearch, load: float, grid: _Grid) -> 
     validity_warnings = grid.validity_warnings
     if descent.residual > MOST_ATTRACTION_LEFT and not apart:
         why = (
-            f"not converged: unbalanced pressure {descent.residual:.2g} of the largest attraction where faces are or should "
-            "be open"
+            f"not converged: at points that are or should be out of contact, the unbalanced pressure is {descent.residual:.2g} "
+            "of the largest attraction"
         )
         validity_warnings = (
             *validity_warnings,

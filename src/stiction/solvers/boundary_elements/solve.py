@@ -163,7 +163,8 @@ def solve_map(
 def checked(heights: np.ndarray, size: tuple[float, float], loads: Sequence[float], periodic: bool, how: dict) -> None:
     """Raise InputError if `solve_map` would reject the map, the loads or the keywords.
 
-    heights: (rows, columns) [m]. size: (y, x) [m]. loads: [N]. how: further keywords of `solve_map`.
+    heights: (rows, columns) [m]. size: (y, x) [m]. loads: [N]. how: further keywords of `solve_map`; film and counter_film are
+    not checked.
     """
     rest = {name: value for name, value in how.items() if name not in ("film", "counter_film", "hardness", "menisci")}
     _Request.of(heights, size, how.get("hardness"), loads, periodic, _How.of(**rest), how.get("menisci"))

@@ -3,9 +3,10 @@
 The coordinate is u = x^(1/4), with x = a^2/(R sigma), a the contact radius, R the asperity radius and sigma the standard
 deviation of the asperity heights. A row of parameters holds ln n_E, per_root = (R sigma)^(1/4)/sqrt(t_1) with t_1 the thickness
 of one film, the strength of adhesion, and the coefficients of two or three curves (see `solvers.layered.curves`). n_E is the
-contact modulus of the surfaces that meet, divided by the contact modulus of the bodies without films. With z = (q - 1)/(q + 1)
-and q = per_root u the coefficients give the sphere's moduli E_P, E_S and B, divided by the modulus of the bodies without a
-film, and D in the approach D a^2/R. Displacement, load, stiffness and area without adhesion are
+contact modulus of the surfaces that meet, divided by the contact modulus of the bodies without films. The curves are functions
+of z = (q - 1)/(q + 1), with q = per_root u. They give D in the approach D a^2/R, and the effective moduli E_P, E_S and B of the
+layered contact, divided by the contact modulus of the bodies without films. Displacement, load, stiffness and area without
+adhesion are
 
     w_H = D u^4,  P_H = E_P u^6,  dP_H/dw_H = (3/2) E_S u^2,  A = u^4
 

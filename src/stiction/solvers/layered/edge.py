@@ -34,12 +34,12 @@ _PLACE = np.array([1.0]), np.array([0.0])
 @lru_cache(maxsize=256)
 @on_one_thread
 def edge_curves(bodies: Bodies) -> np.ndarray:
-    """Return ln D, A and B of the edge stress as curves over the contact size: (FORMS, 2 + EDGE_TERMS), one row each.
+    """Return coefficients (FORMS, 2 + EDGE_TERMS) of the curves of ln D, A and B (edge stress) against contact size.
 
-    A row holds the limits f (a half-space of film material) and g (a film of zero thickness), then the c_k of the curve (1 -
-    z)/2 f + (1 + z)/2 g + (1 - z^2) Sum c_k z^k. z = (q - 1)/(q + 1), q = sqrt(contact radius / film
-    thickness). If two coated bodies differ, the values at each contact radius are those of the body whose film has the
-    higher stress under traction.
+    Each curve has one row. A row holds the limits f (a half-space of film material) and g (a film of zero thickness), then the
+    c_k of the curve (1 - z)/2 f + (1 + z)/2 g + (1 - z^2) Sum c_k z^k. z = (q - 1)/(q + 1), q = sqrt(contact radius / film
+    thickness). If two coated bodies differ, the values at each contact radius are those of the body whose film has the higher
+    stress under traction.
     """
     each = [_of_body(bodies, body) for body in dict.fromkeys(bodies.coated)]
     rows = np.stack(each)
@@ -75,9 +75,10 @@ def half_space(nu: float) -> Radial:
 
 
 def _forms(radial: Radial) -> tuple[float, float, float]:
-    """Return ln D, A and B of D (A s^2 + 2 B s q + q^2), the squared von Mises stress at the trailing edge (see the module).
+    """Return ln D, A and B of the squared von Mises stress at the trailing edge, M = D (A s^2 + 2 B s q + q^2).
 
-    radial: stresses at the contact edge. At the trailing edge the stress under traction is largest.
+    s, q: mean pressure and mean traction. radial: stresses at the contact edge. At the trailing edge the stress under traction
+    is largest.
     """
     A, B, D, _ = (float(form[0, 0]) for form in forms_of(radial))
     return np.log(D), A / D, -B / D

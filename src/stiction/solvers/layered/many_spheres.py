@@ -29,7 +29,7 @@ _AT_ONCE = 32  # number of pairs solved at a time, to bound the memory
 
 
 class _Sums(NamedTuple):
-    """Store sums over all waves, in one set for each of k nodes; `_respond` builds the equations of a sphere from them.
+    """Store k sets of sums over all waves, one per node of the compliance; `_respond` combines them into equations of a sphere.
 
     The equations are linear in the excess compliance: the compliance divided by the compliance of half-spaces of the surface
     materials, minus 1. Each set is computed for an excess compliance of 1 at its node and 0 at all other nodes. matrix (k, n,

@@ -82,9 +82,9 @@ def _of_surfaces(bodies: Bodies, *of_films: np.ndarray) -> np.ndarray:
 
 
 def _compliances(bodies: Bodies, x: np.ndarray) -> np.ndarray:
-    """Return the tangential compliances C_L (along a wave) and C_T (across it) of both bodies together: (2, m).
+    """Return the tangential compliances C_L (along a wave) and C_T (across it) of both bodies together, as an array (2, m).
 
-    x (m,): wavenumbers times the film thickness.
+    They are multiplied by the contact modulus of the bodies without films. x (m,): wavenumbers times the film thickness.
     """
     return _of_surfaces(bodies, *(waves(x, body).surface_compliances(body.nu) for body in bodies.coated))
 

@@ -88,8 +88,9 @@ def _pair(place: tuple[float, float, float]) -> Pair:
 def make() -> tuple[np.ndarray, np.ndarray]:
     """Compute the table and its modes from exact solutions; return both.
 
-    The table (*_SIZES, _MODES) holds Chebyshev coefficients, the modes (_MODES, CURVES * TERMS) the independent curves. The
-    solutions are at the Chebyshev extreme points of the three coordinates.
+    The modes (_MODES, CURVES * TERMS) are the principal sets of curves, from a singular value decomposition. The table
+    (*_SIZES, _MODES) holds the weight of each mode, as a Chebyshev series in the three coordinates. The solutions are at the
+    Chebyshev extreme points of the three coordinates.
     """
     points = [-np.cos(np.pi * np.arange(size) / (size - 1)) for size in _SIZES]
     solved = np.zeros((*_SIZES, CURVES * TERMS))

@@ -103,7 +103,7 @@ class MirroredShear:
 
 
 class FreeShear:
-    """Compute shear displacements of a map without traction outside.
+    """Compute shear displacements of a map that is not repeated; the surface around it bears no traction.
 
     compliance: tangential compliance of the two bodies. shape: (rows, columns). size: (y, x) [m]. Raises InputError for bodies
     with films.

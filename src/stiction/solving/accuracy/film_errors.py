@@ -210,8 +210,8 @@ def _beyond_bare(known: BenchmarkSet) -> np.ndarray | None:
 def shares_on_film(problem: Problem, features: ContactFeatures, area: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return two ratios (k,): real to nominal area without plastic flow, and nominal pressure to flow pressure.
 
-    The film law computes the area fraction as a power mean of the two. features: features of the contact at k points. area:
-    normalised contact area.
+    The film law computes the area fraction as (first^m + second^m)^(1/m), with m = MEETING. features: features of the contact
+    at k points. area: normalised contact area.
     """
     from stiction.laws.rough_surface.rough_on_film import elastic_share  # only coated contacts need this
     from stiction.surfaces.theory.widened_area import MEETING

@@ -276,9 +276,9 @@ def _near(problem: Problem, column: str, features: ContactFeatures, points: int,
 def _on_other_maps(problem: Problem, features: ContactFeatures, points: int, area: np.ndarray) -> ErrorsNear | None:
     """Return the errors of an area law for films, measured on rough surfaces with films (truth/films.csv); None without data.
 
-    If the law solves the contact's own map, the errors are 0; the discretisation error is added later. Without a map the
-    intervals are wider, because the surface may be non-Gaussian; a stated kind or statistic of the surface also shifts them.
-    features: features of the contact at k points. points: loads per contact. area: normalised contact area.
+    If the law solves the contact's own map, the errors are 0; the discretisation error is added later. Without a map of the
+    contact, the intervals are wider, because its surface may be non-Gaussian. A stated kind or statistic of the surface also
+    shifts the errors. features: features of the contact at k points. points: loads per contact. area: normalised contact area.
     """
     found = on_solved_maps(problem, points)
     surface = problem.map if isinstance(problem, ClosedFormProblem) else None

@@ -1,4 +1,4 @@
-"""Compare all models that apply to one contact, below its prediction.
+"""Compare all models that apply to one contact; the prediction is shown first.
 
 Models that agree share a row. "Area error" is the mean error of the model's area on benchmark surfaces near this contact. The
 last column states whether the contact is in the range that the authors claim, or which quantities are outside. The notes

@@ -121,7 +121,7 @@ class DesignSpace:
         return predict_many(self.case, numbers, points["load"], self._uncertain(list(numbers)), along=(_DESIGN,))
 
     def _alone(self, numbers: Mapping, points: Mapping) -> tuple[Any, Any]:
-        """Return case and results of one design; raise InputError or ArithmeticError if the design is refused."""
+        """Return case and results of one design (see `_evaluated`); raise InputError or ArithmeticError if it is refused."""
         if not self.is_predicted:
             return evaluate_together(self.case, numbers, points, self.choice, self._kept)
         ((_, case, solved),) = self._evaluated(numbers, points)
@@ -150,7 +150,7 @@ class DesignSpace:
 
     @property
     def named(self) -> list[int]:
-        """Return the indices of the choices from lists whose entries are not numbers, such as materials."""
+        """Return the indices of the choices that are made from a list of names, such as materials."""
         return [at for at, one in enumerate(self.plan.options) if not one.is_number]
 
     def combination(self, shares: np.ndarray) -> np.ndarray:
@@ -245,10 +245,10 @@ class DesignSpace:
         return product
 
     def _contacts(self, shares: np.ndarray, some: np.ndarray) -> tuple[dict[Address, Any], dict[str, Any]]:
-        """Return the numbers of designs, with samples of uncertain numbers, and their loads as {"load": array}.
+        """Return the chosen values of designs, with samples of uncertain numbers, and the loads as {"load": array}.
 
-        The keys of the dict of numbers are addresses (tuples of keys). shares (n, d): position of each choice, 0 to 1. some:
-        indices of the designs wanted; they must have the same entry from every list that is not a list of numbers.
+        The first dict maps addresses (tuples of keys) to arrays, or to list entries such as names of materials. shares (n, d):
+        position of each choice, 0 to 1. some: indices of the designs; they must have the same entry from every list of names.
         """
         from xarray import DataArray
 
@@ -300,7 +300,7 @@ class DesignSpace:
         )
 
     def _tables(self, subject: Any, solved: BatchResult, shape: tuple[int, int, int]) -> dict[str, np.ndarray]:
-        """Return the results that the plan needs by name, each an array (designs, samples, loads) of the given shape."""
+        """Return, by name, each result that the plan needs, as an array (designs, samples, loads) of the given shape."""
         groups = subject.all_groups()
         return {name: self._table(name, solved, groups, shape, subject) for name in self.names}
 

@@ -277,8 +277,8 @@ def _moves_with(fit: Fitted, at: int, other: int) -> bool:
 def _is_traded(fit: Fitted, at: int, other: int) -> bool:
     """Return whether two free parameters, given by their indices, may compensate each other.
 
-    They may if both are badly determined. They may also if the interval of one parameter reaches an end of its range, and both
-    parameters change at similar rates along the interval of `at`.
+    They may if both are badly determined. They may also compensate if the interval of either parameter reaches an end of its
+    range and, along the interval of `at`, the smaller of the two changes is above a quarter of the larger.
     """
     if _is_wide(fit, at) and _is_wide(fit, other):
         return True

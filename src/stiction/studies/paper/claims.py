@@ -71,10 +71,10 @@ class Curves:
 
 @dataclass(frozen=True)
 class Surfaces:
-    """Hold the curves of the uncoated surface and of all films, at n pairs (theta, lambda) and H separations.
+    """Hold load, area and friction of the uncoated surface and of all films at n pairs (theta, lambda).
 
-    bare: arrays (n, 1, 1, 1, H). films: arrays (n, n_E, n_H, tau, H) over the film's modulus and hardness relative to the body
-    and its thickness over sigma.
+    bare: Curves with arrays (n, 1, 1, 1, separations). films: Curves with arrays (n, n_E, n_H, tau, separations) over the
+    film's modulus and hardness relative to the body and its thickness over sigma.
     """
 
     bare: Curves

@@ -43,7 +43,7 @@ _FAR, _FAR_ON_MAP = 0.42, 0.03  # second value: the map itself was solved, but a
 # would exceed the hardness, and the area of the sample is the smallest that carries the load.
 _HALF, _MOST = 0.5, 1.0 - 1e-9
 _LARGEST_BELOW_1, _LOG_CLOSED = 1.0 - 2.0**-53, math.log(1e-300)
-_POWER = 3.5  # exponent of the power mean of elastic and plastic area
+_POWER = 3.5  # exponent m of (elastic^m + plastic^m)^(1/m), which combines elastic and plastic area
 _SOLVED = 0.005  # standard deviation of ln of the solved areas themselves, for surfaces described by roughness parameters
 # Quantiles of few surfaces are too narrow: they are widened by 1 + this over the number of surfaces. If designs of the
 # benchmark set are left out one by one, the 90 % interval by numbers and kind then contains 89 % instead of 86 %. The second
@@ -106,8 +106,8 @@ class AreaLaw:
         rows: rows of `log_area` (n,), one for each sample. loads: loads (m,) [N]. level: quantile levels (n,) of the error; a
         higher level gives a smaller area. nominal: nominal area [m2] (n, m or 1), which the area never exceeds. The area is at
         least the load over the pressure of plastic spots. Far from all benchmark surfaces, the errors on the nearest ones are
-        used, and the elastic part of the area becomes more uncertain. Elastic and plastic area are combined by a power mean, as
-        in the model persson_widened.
+        used, and the elastic part of the area becomes more uncertain. Elastic and plastic area are combined as (elastic^m +
+        plastic^m)^(1/m), as in the model persson_widened.
         """
         from scipy.special import ndtri
 
@@ -133,10 +133,10 @@ class AreaLaw:
 
 
 def _between(score: np.ndarray, levels: np.ndarray) -> np.ndarray:
-    """Return quantiles (n,) at standard normal scores (n,), interpolated linearly between the quantiles `levels` (5,).
+    """Return quantiles (n,) at standard normal scores (n,), interpolated linearly between five known quantiles.
 
-    The five quantiles belong to the scores NORMAL_SCORES. Beyond the outer scores, a normal distribution of the same width
-    continues the quantiles.
+    levels (5,): quantiles at the scores NORMAL_SCORES. Beyond the outer scores, the quantile is linear in the score, with the
+    mean slope between the outer scores.
     """
     ends = NORMAL_SCORES[0], NORMAL_SCORES[-1]
     slope = (levels[-1] - levels[0]) / (ends[1] - ends[0])
@@ -149,8 +149,9 @@ def area_laws(sampled: SampledCase) -> list[AreaLaw]:
     A point is a contact at a load. Sets of models are tried in turn. A later set is used at the points where no model of an
     earlier set applies; where the weight of a model is reduced (see `_law`), the later set gets the remaining weight.
 
-    Raises InputError or ArithmeticError if no model applies at some point. For several contacts it is also raised if a model
-    refuses them together, but accepts the first or the last of them; the caller then divides them into smaller batches.
+    Raises InputError or ArithmeticError if no model applies at some point. The error is also raised if a model refuses several
+    contacts together but accepts the first or the last of them, because the model then applies to some of them; the caller
+    divides such a batch.
     """
     answers, refusal, left = [], None, np.ones(len(sampled.loads))
     for choices in _in_turn(sampled):

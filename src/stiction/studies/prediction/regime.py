@@ -229,9 +229,9 @@ def _as_strong(times: float) -> str:
 def mu_by_state(mixture: Mixture, levels: Levels, index: int, level: float) -> list[str]:
     """Return one text for each possible state of an interface that is not stated, with the interval of mu, lowest first.
 
-    An example is "0.1 to 0.2 with boundary lubricant". The list is empty if the state or tau_0 is stated. Each state is applied
-    to all samples; a state without a possible sample is left out. index: position of the load among the loads of the
-    prediction. level: coverage probability of the intervals.
+    An example is "0.1 to 0.2 with boundary lubricant". The list is empty if the state or tau_0 is stated, or if only one state
+    is possible. Each state is applied to all samples; a state without a possible sample is left out. index: position of the
+    load among the loads of the prediction. level: coverage probability of the intervals.
     """
     states = mixture.strength.states
     if len(states) < 2:

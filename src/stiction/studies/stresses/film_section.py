@@ -66,11 +66,12 @@ def film_section(contact: Subject, point: "xarray.Dataset") -> "xarray.Dataset":
 
 
 def _asperity(subject: Subject, groups: Groups, point: "xarray.Dataset") -> tuple[float, float, float, dict[str, Any]]:
-    """Return radius, pressure and traction of the mean touching asperity, and for a Contact its sizes in SI units.
+    """Return normalised radius, pressure and traction of the mean touching asperity, and its sizes in SI units.
 
     groups: dimensionless groups of the contact. point: one load or separation of a `film_stresses` result. The radius is
     divided by the thickness of one film, the mean pressure by the body's yield stress, and the traction is friction force over
-    load. The sizes are dataset attributes by name; {} for Indices.
+    load (0 without friction). The sizes are dataset attributes by name; {} for Indices. Raises InputError if no asperity
+    touches.
     """
     count, area, load = (float(point[name]) for name in ("touching_asperities", "contact_area", "load"))
     if not (count > 0.0 and load > 0.0 and math.isfinite(float(point["stress_over_yield"]))):

@@ -34,9 +34,9 @@ def bin_numbers(values: np.ndarray) -> np.ndarray:
     return (((bits ^ ((bits >> 63) & _FLIPPED)) >> _CUT) + _MIDDLE).astype(np.uint32)
 
 
-def bin_centres(sizes: np.ndarray) -> np.ndarray:
-    """Return the centre value of each histogram bin, given by its number; 0 for bins of subnormal numbers."""
-    first = (sizes.astype(np.int64) - _MIDDLE) << _CUT
+def bin_centres(bins: np.ndarray) -> np.ndarray:
+    """Return the central value of each histogram bin, 0 if it is below the smallest normal float; bins: bin numbers."""
+    first = (bins.astype(np.int64) - _MIDDLE) << _CUT
     ends = (first, first + ((1 << _CUT) - 1))
     low, high = ((end ^ ((end >> 63) & _FLIPPED)).view(np.float64) for end in ends)
     middle = 0.5 * low + 0.5 * high

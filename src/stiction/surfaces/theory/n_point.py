@@ -64,9 +64,9 @@ def n_point_asperities(profile, spacing: float, level: float) -> NPointAsperitie
     """Find the n-point asperities of a sampled profile above a level.
 
     An asperity is an unbroken run of points above the level, together with the neighbour at or below the level on either side.
-    Runs cut by an end of the profile are excluded. profile: heights (N,) [m]. spacing: distance of neighbouring points [m], >
-    0. level: [m], measured from the same zero as the heights. Raises InputError unless the profile is one-dimensional and
-    finite and the spacing is > 0.
+    Runs cut by an end of the profile are excluded. profile: heights (N,) [m]. spacing: distance between neighbouring points
+    [m], > 0. level: [m], measured from the same zero as the heights. Raises InputError unless the profile is one-dimensional
+    and finite and the spacing is > 0.
     """
     heights = np.asarray(profile, dtype=float)
     if heights.ndim != 1 or not np.isfinite(heights).all():

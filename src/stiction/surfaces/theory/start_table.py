@@ -1,8 +1,8 @@
 """Tabulate approximate separations, from which the iteration for the separation at a given load starts.
 
 Independent spheres with Gaussian heights carry the load F_3/2(x) at the separation x (Greenwood & Williamson 1966). At the same
-load, the separation of another theory differs from x by an amount that varies slowly, with x and with the one dimensionless
-group of that theory. A bicubic spline through two thousand values gives this amount to 5e-4, and usually to 1e-5.
+load, the separation by another theory differs from x. The difference varies slowly with x and with the theory's only
+dimensionless group. A bicubic spline through two thousand values gives the difference to 5e-4, and usually to 1e-5.
 """
 
 from collections.abc import Callable

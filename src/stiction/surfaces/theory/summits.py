@@ -194,8 +194,8 @@ def _gauss() -> tuple[np.ndarray, np.ndarray]:
 def _fill_curves(separations, spread, series, gauss, sums):
     """Write the integrals over the summit curvature q for load and area into the two arrays `sums`, (n, H) each.
 
-    - separations: separation d from the mean plane, and the separation that sets the range of integration, (n, H) each, in
-      units of sigma. The second is the largest d of a surface if all surfaces share their separations, else d itself
+    - separations: two arrays (n, H) in units of sigma: d, the separation from the mean plane, and the separation that sets the
+      range of integration (the largest d of each surface if all surfaces share their separations, else d)
     - spread: mean height of a summit of curvature q, divided by q, and standard deviation of the summit height at fixed q, (n,)
       each
     - series: Chebyshev coefficients of the integrals over the shape, and of the truncated means for h >= 0 and h < 0

@@ -156,7 +156,8 @@ def cut_at_yield(
 def _pressure_at_yield(segments: list[NormalSegment], own: Groups) -> np.ndarray:
     """Return the ratio (n,) of mean pressure to hardness at the end of the last elastic segment.
 
-    segments: segments of an asperity law. own: dimensionless groups of the half-space for which the segments were computed.
+    segments: segments of an asperity law. own: dimensionless groups of the uniform half-space that replaces film and substrate,
+    for which `segments` were computed.
     """
     last = _last_elastic(segments)
     _, _, load, area = normal_states(last, last.edges[:, -1]).T

@@ -85,11 +85,11 @@ def weaker_regimes(law: Law, groups: Groups) -> list[Regime]:
 def _in_series(
     below: Regime, above: Regime, segment: NormalSegment, tau: np.ndarray, first: np.ndarray, last: np.ndarray
 ) -> Regime:
-    """Return the regime of one substrate segment below one film regime, with the weaker resistance of the two.
+    """Return the regime of a substrate segment under a film regime, with the smaller of both resistances at each coordinate.
 
     below: regime of the substrate, made from `segment`. above: regime of the film. tau (n,): film thickness in units of sigma.
     first, last (n,): coordinates of the substrate segment between which both film and substrate resist. The edges of the
-    returned regime are the kinks of both, and the coordinates at which film and substrate resist equally.
+    returned regime are the kinks of film and substrate, and the coordinates at which their resistances are equal.
     """
     inner = [_edge_on_substrate(above, number, segment, tau) for number in range(above.edges.shape[1])]
     edges = np.sort(np.concatenate([below.edges, np.stack(inner, axis=1)], axis=1), axis=1)

@@ -202,12 +202,12 @@ def _fill_kinks(level, end, nu, K_beta, printed, unloading, kinks):
 def kinks_of(
     groups: Groups, K_beta: np.ndarray, last: np.ndarray, printed: bool, unloading: bool
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Return the kinks (n, 5 or 11) of the smaller of slip and yield resistance, and the yield resistance's branch point (n,).
+    """Return the kinks (n, 5 or 11) of min(slip, yield resistance) and the branch point (n,) of the yield resistance.
 
-    Both are values of the coordinate u of an adhesive elastic asperity. Above the branch point the yield resistance is a
-    real number. K_beta (n,): K beta times the mode-mixity share. last (n,): u at the end of the elastic asperity. printed:
-    use eq (10) of soft_coating_2015 as printed. unloading: start at the smallest stable contact instead of first touch;
-    this adds six kinks. A kink that does not exist is placed at an end of the segment or outside it.
+    Both are values of the coordinate u of an adhesive elastic asperity. Below the branch point the yield condition has no real
+    root. K_beta (n,): K beta times the mode-mixity share. last (n,): u at the end of the elastic asperity. printed: use eq (10)
+    of soft_coating_2015 as printed. unloading: start at the smallest stable contact instead of first touch; this adds six
+    kinks. A kink that does not exist is placed at an end of the segment or outside it.
     """
     scale = np.sqrt(6.0 * math.pi / groups.theta) ** (1.0 / 3.0)
     e = groups.eta / (scale * scale)
