@@ -120,7 +120,7 @@ def with_numbers(content: Any, numbers: Mapping[Address, Any]) -> Any:
 
 
 def _as_table(entry: Any) -> Any:
-    """Return None as an empty table, and an entry that is no table or record, such as a preset name, as {"preset": entry}."""
+    """Return None as an empty table, and a preset name, or another entry that is not a table, as {"preset": entry}."""
     return entry if isinstance(entry, Mapping | Input) else {} if entry is None else {"preset": entry}
 
 

@@ -72,7 +72,7 @@ class Case:
 
     @property
     def tables(self) -> dict[str, Subject]:
-        """Return {"contact": subject} or {"indices": subject}, in which addresses such as ("contact", ...) can be looked up."""
+        """Return the subject under the name of its table, "contact" or "indices"; addresses begin with this name."""
         return {"contact" if isinstance(self.subject, Contact) else "indices": self.subject}
 
     def at(self, numbers: Mapping[Address, Any]) -> "Case":
@@ -256,16 +256,15 @@ def refuse_bare_numbers(table: Mapping, path: str) -> None:
         where = f"{path}.{key}" if path else key
         if isinstance(value, Mapping):
             refuse_bare_numbers(value, where)
-        elif where != "solve.load" and not _is_text(value, path) and key in QUANTITIES and QUANTITIES[key].unit:
+        elif where != "solve.load" and not _is_exempt(value, path) and key in QUANTITIES and QUANTITIES[key].unit:
             raise InputError(where, value, QUANTITIES[key].as_text)
 
 
-def _is_text(value: Any, path: str) -> bool:
-    """Return whether an entry of a case file has a form that may include a unit.
+def _is_exempt(value: Any, path: str) -> bool:
+    """Return whether an entry of a case file needs no check for a missing unit: it is text, a list or a distribution.
 
-    path: dotted name of the table with the entry. These forms are text, lists and distributions. Lists count because their
-    entries are checked when they are read, and distributions count because those made in Python are in SI units. In a table
-    `range`, a list counts only if all its entries are text.
+    Lists are checked later, when they are read; in a table `range`, only a list of texts needs no check. Distributions made in
+    Python are in SI units. path: dotted name of the table with the entry.
     """
     if isinstance(value, list):
         return path.rpartition(".")[2] != "range" or all(isinstance(end, str) for end in value)

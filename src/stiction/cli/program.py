@@ -183,7 +183,7 @@ def busy(text: str) -> Iterator[None]:
 
 @contextmanager
 def progress_text() -> Iterator[Callable[[str], None]]:
-    """Return a context manager that provides a function of a text; the function shows the text as progress.
+    """Return a context manager that provides a function, which shows its argument (a text) as progress.
 
     On a terminal each text replaces the previous one. Elsewhere a text is printed at most every ten seconds.
     """
@@ -203,7 +203,7 @@ def progress_text() -> Iterator[Callable[[str], None]]:
         yield say
 
 
-_EVERY = 10.0  # seconds between printed lines if the output is no terminal
+_EVERY = 10.0  # seconds between printed lines if the output is not a terminal
 
 
 @contextmanager

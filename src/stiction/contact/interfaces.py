@@ -47,7 +47,7 @@ class Interface(Input):
     source, grade: source and grade (a key of data_files.GRADES) of each number, by name. pairs: prior weight of the state for a
     pair of material classes, such as "metal, ceramic" or "polymer, any"; with weight 0 only the user can choose it. only_with:
     names of materials, at least one of which must be a body; empty if any bodies are allowed. A user may also select the state
-    for a body that is no preset, because it may consist of one of these materials. of_film: whether pairs of weight
+    for a body that is not a preset, because it may consist of one of these materials. of_film: whether pairs of weight
     0 require a film. not_for: uses that must be avoided, as text.
 
     These values are not capped at the strength of the bodies. Raises InputError for contradictory numbers.

@@ -26,11 +26,11 @@ Rules = tuple[np.ndarray, np.ndarray]
 
 
 class Laws(NamedTuple):
-    """Store the arrays of a regime for n parameter sets, as compiled loops take them.
+    """Store the arrays of a regime for n parameter sets, as arguments of compiled loops.
 
     table (n, p): parameters. edges (n, m + 1): coordinates of the ends of the segments. branch (n, b): coordinates near which
-    the resistance varies as the square root of the distance. two_sided: True if a segment may end at a branch point, False if
-    it may only begin there.
+    the resistance varies as the square root of the distance. two_sided: True if this holds on both sides of each coordinate,
+    False if only above it (then b = 1).
     """
 
     table: np.ndarray

@@ -296,10 +296,10 @@ def _find_roots(grid, lowest, targets, nodes, roots):
 class Starts:
     """Store starting values of the separation for n laws (parameter sets) at m loads each; NaN if no value was found.
 
-    tension (n,): largest tension, 0 without tension. where (n,): separation of the largest tension. h (n, m): separations at
-    the loads. All separations are in units of sigma. slope (n, m): derivative of the load with respect to h, at h. size (n, m):
-    sum of the absolute values of the terms of the load, at h. plain (n,): True if the grid of separations covers the whole
-    approach, from zero load to a compressive load at least as large as the largest tension.
+    tension (n,): largest tensile load (> 0), 0 without tension. where (n,): separation of the largest tension. h (n, m):
+    separations at the loads. All separations are in units of sigma. slope (n, m): derivative of the load with respect to h, at
+    h. size (n, m): sum of the absolute values of the terms of the load, at h. covers_approach (n,): whether the grid of
+    separations reaches from negligible load to a compressive load of at least the largest tension.
     """
 
     tension: np.ndarray
@@ -307,7 +307,7 @@ class Starts:
     h: np.ndarray
     slope: np.ndarray
     size: np.ndarray
-    plain: np.ndarray
+    covers_approach: np.ndarray
 
 
 class Approach:
@@ -340,12 +340,12 @@ class Approach:
         """
         targets = np.ascontiguousarray(targets)
         tension, where = np.empty((2, self._laws))
-        roots, plain = np.empty((*targets.shape, 3)), np.empty(self._laws, dtype=np.bool_)
+        roots, covers_approach = np.empty((*targets.shape, 3)), np.empty(self._laws, dtype=np.bool_)
         for some, nodes, grid, lowest in [self._only_block] if self._laws <= _BLOCK else self._blocks():
-            tension[some], where[some], plain[some] = lowest[0], lowest[1], _covers_approach(grid[1], lowest[0])
+            tension[some], where[some], covers_approach[some] = lowest[0], lowest[1], _covers_approach(grid[1], lowest[0])
             _find_roots(grid, lowest, targets[some], nodes, roots[some])
-        self._lowest = tension, where, plain
-        return Starts(tension, where, roots[:, :, 0], roots[:, :, 1], roots[:, :, 2], plain)
+        self._lowest = tension, where, covers_approach
+        return Starts(tension, where, roots[:, :, 0], roots[:, :, 1], roots[:, :, 2], covers_approach)
 
     @cached_property
     def _only_block(self) -> tuple:

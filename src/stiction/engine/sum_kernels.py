@@ -298,11 +298,12 @@ def summing(density: Callable, totals: bool) -> Any:
 
     @kernel
     def sum_rows(h, reach, shape, nodes, wanted, out):
-        """Store in out[i, row, k] sum number `row` of parameter set i at the mean separation h[k], if wanted[i, k] is True.
+        """Store in out[i, row, k] the sum of quantity `row` for parameter set i at mean separation h[k], if wanted[i, k].
 
-        The rows are listed in `summing`. h and displacements are in units of sigma. nodes: three arrays, displacements (i,
-        node), integration weight times each quantity (i, row, node), and number of nodes of each parameter set (i). shape:
-        parameters of the height density. reach[k]: displacement beyond which nodes are skipped at h[k].
+        The sums over the nodes are of the quantities listed in `summing` (load, area, ...). h and displacements are in units of
+        sigma. nodes: three arrays, displacements (i, node), integration weight times each quantity (i, row, node), and number
+        of nodes of each parameter set (i). shape: parameters of the height density. reach[k]: displacement beyond which nodes
+        are skipped at h[k].
         """
         places, values, used = nodes
         last = values.shape[1] - 1

@@ -289,7 +289,7 @@ class AsperityMethod(Record):
     - of_profiles: whether it also accepts a single profile
     - of_summits: whether it finds the sigma, R and N of Nayak's theory (1971) on a Gaussian surface with fine enough points;
       only such a method may be the default
-    - of_moments: whether its asperities have exactly the measured spectral moments, which models of the whole surface use
+    - of_moments: whether its asperities have exactly the measured spectral moments; models of the whole surface need this
     - accuracy: relative error of sigma and R on paraboloids 400 points wide
     - validity: ranges of properties of the asperities found
     - limits: cases in which it agrees with another asperity method, whose key is the `parent`

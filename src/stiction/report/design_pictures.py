@@ -87,7 +87,8 @@ def _front(axes: Axes, data: "xarray.Dataset", objectives: list[str]) -> None:
 def _chosen(axes: Axes, data: "xarray.Dataset", objective: str) -> None:
     """Draw the design variables along the Pareto front, each scaled from 0 at its lower to 1 at its upper search limit.
 
-    objective: name of the result on the horizontal axis.
+    Variables searched on a log scale are scaled in their logarithm. Choices from lists are not drawn. objective: name of the
+    result on the horizontal axis.
     """
     columns = columns_of(data, "pareto")
     x = data[columns[objective]].values

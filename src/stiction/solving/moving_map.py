@@ -54,9 +54,9 @@ class MovingMap:
         return self.nominal_area / self.strengths[index].size
 
     def path(self, index: int, shifts: np.ndarray, weakening: "Weakening | None") -> "SlidingPath":
-        """Solve the map at the rigid tangential displacements `shifts` [m], in the given order, at the load with this index.
+        """Return the solutions of the map under load number `index` at the rigid tangential displacements `shifts` [m].
 
-        weakening: how strength falls with slip; None for constant strength.
+        The displacements are solved in the given order. weakening: how strength falls with slip; None for constant strength.
         """
         from stiction.solvers.shear.path import slide_map
 

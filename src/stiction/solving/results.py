@@ -81,10 +81,10 @@ _RESIDUAL = {
 
 
 def _pull_off(points: Points, inversion: Inversion | None, refused: np.ndarray | None) -> dict[str, tuple]:
-    """Return the pull-off force and its separation for each contact, as variables.
+    """Return the pull-off force and its separation for each contact: (dimensions, values, attributes) by name.
 
-    inversion: separations found for the problem, or None. It contains both results if the problem is on the unloading
-    branch. refused: mask (n,) of contacts without results, or None.
+    inversion: separations found for the problem, or None. If the problem is on the unloading branch, it already contains both
+    results; otherwise they are computed here. refused: mask (n,) of contacts without results, or None.
     """
     problem, apart = points.problem, points.problem.on_branch("unloading")
     if inversion is not None and apart is problem:

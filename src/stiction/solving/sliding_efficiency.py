@@ -74,9 +74,9 @@ def spot_radius(share, deviation, radius, density):
 def spread_of_spots(radius, share, roughness_parameter):
     """Return the standard deviation of the shear displacement of contact spots, without the effect of the edges.
 
-    The result is divided by strength times shear compliance, so its unit is [m]; it is k_a a (eta R sigma)^d (1 - c)^q of
-    equation (3) of this module. radius: radius of the spots [m]. share: ratio of real to nominal contact area.
-    roughness_parameter: density times radius times rms height of the asperities.
+    The result [m] is the standard deviation divided by tau_p S (tau_p: strength, S: shear compliance). It is the term
+    k_a a (eta R sigma)^d (1 - c)^q of equation (3) of this module. radius: radius of the spots [m]. share: ratio of real to
+    nominal contact area. roughness_parameter: density times radius times rms height of the asperities.
     """
     return _OF_SPOTS * radius * roughness_parameter**_BY_DENSITY * (1.0 - share) ** _BY_SHARE
 

@@ -82,9 +82,10 @@ def solve_case(case: "CaseLike", choice: Choice | None = None, progress: Progres
 
 
 def sources_of_case(case: "CaseLike") -> list[str]:
-    """Return the bibliography keys of the model that a case names; of its prediction if the case names no model.
+    """Return the bibliography keys of the prediction of a case, or of the model and laws that solve it if it names any.
 
-    A case with [indices] that names no model is solved by the default model. Raises the errors of `solve_case` and `predict`.
+    The default model solves a case that names no model, but a law or an option, and a case with [indices] that names no model.
+    Raises the errors of `solve_case` and `predict`.
     """
     case = as_case(case)
     data = predict(case) if is_predicted(case) else solve_case(case)

@@ -27,7 +27,7 @@ def evaluate_together(
     keep: Sequence[str] | None = None,
     check_validity: bool = True,
 ) -> tuple[Case, BatchResult]:
-    """Evaluate one model for all variants of a case at once; raise an error if a variant is no valid contact.
+    """Evaluate one model for all variants of a case at once; raise an error if a variant is not a valid contact.
 
     Parameters
     ----------

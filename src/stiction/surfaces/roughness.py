@@ -116,7 +116,7 @@ class Roughness(Input):
     0.0024
     """
 
-    instead: ClassVar[str] = "; or finish (with rms_height or mean_height if known) in place of the three asperity_* numbers"
+    instead: ClassVar[str] = "; or, in place of the three asperity_* numbers, finish (and rms_height or mean_height if known)"
 
     asperity_height_deviation: Number
     asperity_radius: Number

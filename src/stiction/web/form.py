@@ -371,7 +371,7 @@ def _folded(title: str, is_open: bool = False, name: str = "") -> ui.expansion:
 
 
 def _read(text: str, kind: Callable[[str], float]) -> float | str:
-    """Convert text to a number by `kind`; text that is no number is returned unchanged.
+    """Convert text to a number by `kind`; text that is not a number is returned unchanged.
 
     Reading the case then raises an error that names the field.
     """

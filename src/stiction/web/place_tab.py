@@ -44,7 +44,7 @@ def _panel(at: int, variant: str, narrow: bool) -> tuple[str, str]:
 
 
 class PlaceTab:
-    """Draw the plane of the adhesion indices after each computed result, and the selected figure of the 2015 paper."""
+    """Draw the plane of the adhesion indices after each result, and a figure of the 2015 paper when the user selects it."""
 
     def __init__(self, explorer: Explorer):
         self._explorer = explorer

@@ -88,7 +88,7 @@ class ShareTab:
         ui.download.content(data, name)
 
     def show(self) -> None:
-        """Show the newest case as text, and name the files that its address does not contain."""
+        """Show the newest case as text, and name the files that it needs but the page's URL does not contain."""
         self._text.set_content(as_toml(self._explorer.answer.query.tables))
         files = ", ".join(files_named(self._explorer.query.tables))
         self._files.set_text(f"The address does not contain {files}. The recipient needs these files." if files else "")

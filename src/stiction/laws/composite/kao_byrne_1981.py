@@ -38,7 +38,8 @@ def constants(n_E: np.ndarray, n_H: np.ndarray, n_Y: np.ndarray) -> np.ndarray:
 def landmarks(constant: np.ndarray, exponent: np.ndarray) -> np.ndarray:
     """Return depths (n, 9), divided by the film thickness, at which an integral over depth is split.
 
-    The substrate contributes only beyond the first depth. constant: 2 k1 (n,). `exponent` is not used.
+    The substrate contributes only beyond the first depth. constant: the number 2 k1 = 0.18 of each contact (n,). `exponent` is
+    not used.
     """
     return constant[:, None] * np.array([1.0, 2.0, 6.0, 24.0, 100.0, 500.0, 3e3, 2e4, 2e5])
 

@@ -75,10 +75,10 @@ def _rim(normal: Callable, coordinate: Callable, parameters: int) -> tuple[Any, 
 def plastic_film(groups: Groups, law, pull: np.ndarray) -> list[Regime]:
     """Return the regimes of a surface with a plastic film: film alone, then two regimes for each segment of the asperity law.
 
-    The two are the rim of film around the contact with the substrate, and the substrate. Forces are in units of K R^(1/2)
-    sigma^(3/2), with K = (4/3) E* of the substrate. groups: dimensionless groups of n coated contacts. law: asperity law and
-    tangential law of the substrate (a joining.Law). pull (n,): adhesive force on each touching asperity. The film resists shear
-    only if the tangential law describes the interface.
+    The first of these two regimes is the rim of film around the contact with the substrate, the second is this contact. Forces
+    are in units of K R^(1/2) sigma^(3/2), with K = (4/3) E* of the substrate. groups: dimensionless groups of n coated
+    contacts. law: asperity law and tangential law of the substrate (a joining.Law). pull (n,): adhesive force on each touching
+    asperity. The film resists shear only if the tangential law describes the interface.
     """
     laws = len(groups)
     tau = np.broadcast_to(np.asarray(groups.tau, dtype=float), laws)

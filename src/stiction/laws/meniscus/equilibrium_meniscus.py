@@ -148,7 +148,7 @@ RECORD = Meniscus(
             0.0,
             0.1,
             "the meniscus force on elastic asperities is up to twice too large; "
-            "mu is less affected, because menisci also enlarge contacts",
+            "mu is still too low, because the law neglects that menisci enlarge contacts",
         ),
     ),
     notes="The force of a touching asperity is constant. This holds for plastic asperities, which are treated as truncated; "

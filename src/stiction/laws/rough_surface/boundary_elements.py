@@ -185,6 +185,8 @@ def attraction_of(surface: "HeightMap", contact: Contact, bodies: Bodies, adhesi
     return float(work), max(shortest_range(surface, bodies, float(work)), EQUILIBRIUM_DISTANCE)
 
 
+_UNSOLVED = "the solution did not converge, so mu is unreliable"
+
 RECORD = RoughSurface(
     key="boundary_elements",
     title="The contact of the measured map itself, solved point by point",
@@ -238,8 +240,8 @@ RECORD = RoughSurface(
             inf,
             "the range of attraction is too long for the JKR limit; a finer map allows a shorter range, down to 0.3 nm",
         ),
-        Validity("attraction_residual", 0.0, limits.MOST_ATTRACTION_LEFT, "the solution did not converge", "effect"),
-        Validity("solution_residual", 0.0, limits.TOLERANCE, "the solution did not converge", "effect"),
+        Validity("attraction_residual", 0.0, limits.MOST_ATTRACTION_LEFT, _UNSOLVED, "effect"),
+        Validity("solution_residual", 0.0, limits.TOLERANCE, _UNSOLVED, "effect"),
         Validity("load_error", 0.0, limits.LEAST_LOAD_ERROR, "the computed pressures do not add up to the load", "effect"),
     ),
     notes=(

@@ -139,7 +139,8 @@ RECORD = RoughSurface(
             "roughness_parameter",
             LEAST_DENSITY,
             LARGEST_DENSITY,
-            "profiles with exponential autocorrelation have at least the lower limit; the table ends at the upper limit",
+            "profiles with exponential autocorrelation have no value below the lower limit; "
+            "the model's table ends at the upper limit",
         ),
         ELASTIC,
     ),

@@ -85,7 +85,7 @@ RECORD = RoughSurface(
             "mean_separation",
             -4.0,
             np.inf,
-            "at so small a separation asperities are not independent (soft_coating_2015, section 4)",
+            "at such small separations asperities interact, which the model neglects (soft_coating_2015, section 4)",
         ),
     ),
     limits=(

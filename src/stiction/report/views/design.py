@@ -89,11 +89,10 @@ def design_notes(data: "xarray.Dataset") -> Iterator[Text]:
 
 
 def _which(data: "xarray.Dataset", row: int) -> str:
-    """Return the list entries that were chosen for a design, in brackets; "" if there is only one design.
+    """Return a text in brackets that identifies a design; "" if there is only one design.
 
-    If nothing was chosen from lists, the text is "design N" in brackets, with N counted from 1.
-
-    row: index of the design.
+    The text states what was chosen from the lists of the case, or "design N", counted from 1, if the case has no lists. row:
+    index of the design.
     """
     taken = [
         data[name].values[row]

@@ -256,7 +256,10 @@ class _Curve:
         return self._area.by_formula(pressure, self._hardness) * self._area.finest_points
 
     def _find_lightest(self) -> None:
-        """Solve the map at the lowest 10^(k/4) at which enough points touch; areas at lower pressures are scaled from it."""
+        """Solve the map at the lowest pressure 10^(k/4) E* h', with integer k, at which enough points touch.
+
+        Areas at lower pressures are scaled from this solution.
+        """
         self._has_lightest = True
         k = math.ceil(_STEPS * math.log10(self._heaviest))
         while self._touching(10.0 ** ((k - 1) / _STEPS)) >= AT_LEAST:

@@ -175,7 +175,7 @@ class FreeBoundary:
     def inverse(self, displacement: np.ndarray) -> np.ndarray:
         """Return a pressure (rows, columns) [Pa] that approximately causes this displacement map [m].
 
-        It is the exact pressure of a periodic map with this displacement.
+        The pressure is exact for a periodic map, but only approximate for this map, which is not periodic.
         """
         return self._periodic.inverse(displacement)
 
@@ -183,7 +183,8 @@ class FreeBoundary:
 def _through(pressure, grid, kernel):
     """Return the convolution of a pressure map with a kernel.
 
-    grid: shape (rows, columns) to which the map is first padded with zeros. kernel: factors of the waves on this grid.
+    grid: shape (rows, columns) to which the map is first padded with zeros. kernel: Fourier transform of the kernel on this
+    grid.
     """
     waves = forward(pressure, grid)
     waves *= kernel.like(pressure)

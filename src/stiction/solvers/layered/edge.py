@@ -58,8 +58,8 @@ def edge_curves(bodies: Bodies) -> np.ndarray:
 def _of_body(bodies: Bodies, body: CoatedBody) -> np.ndarray:
     """Return the coefficients ln D, A and B of the stress at the trailing edge of one coated body.
 
-    The result has one row for each contact radius: (len(_RADII) + 2, FORMS). The first row is for an infinitely thick film, the
-    last for a film of zero thickness, the others for the solved contact radii between.
+    The result (len(_RADII) + 2, FORMS) has a row for each contact radius, and ln D, A and B as columns. The first row is for an
+    infinitely thick film, the last for a film of zero thickness, the others for the solved contact radii between.
     """
     solved = [_forms(Stresses(bodies.pair, body, float(radius), _REACH).in_film(*_PLACE)) for radius in _RADII]
     return np.array([_forms(half_space(body.nu)), *solved, _forms(stretched(half_space(body.nu_below), body))])

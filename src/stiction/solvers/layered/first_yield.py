@@ -57,7 +57,7 @@ class Yield(NamedTuple):
 
 
 def first_yield(stresses: Stresses, traction: float, film_strength: float = 1.0) -> Yield:
-    """Locate first yield in a coated body under a pressure and a traction of `traction` times this pressure.
+    """Return where a coated body first yields, and the stress there, under a pressure and `traction` times this pressure.
 
     stresses: stresses in the body under a sphere. traction: >= 0. film_strength: ratio of the yield stresses of film and body
     below.

@@ -43,9 +43,9 @@ class _Sums(NamedTuple):
 
 
 def respond_many(pairs: Sequence[Pair], radii: Iterable[float]) -> np.ndarray:
-    """Return the fields of `sphere.Response` (p, r, 7) for p pairs of bodies.
+    """Return the 7 fields of `sphere.Response` for p pairs of bodies at r contact radii: (p, r, 7).
 
-    radii: contact radii divided by the thickness of one film (r,).
+    radii (r,): contact radii divided by the film thickness (the same for all films).
     """
     softer = np.array([compliance(_WAVES, pair) for pair in pairs]) - 1.0
     parts = np.split(softer, range(_AT_ONCE, len(softer), _AT_ONCE))

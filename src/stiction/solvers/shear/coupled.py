@@ -122,7 +122,7 @@ class CoupledState(State):
     iterations, each of which solves pressure, then traction. change: relative change of the pressure in the last iteration.
     misfit: sum over the points of the absolute difference between the strength used and the strength that the pressure gives,
     divided by the sum of the strengths that the pressure gives. misfit is above 0 if points at the edge alternate between
-    contact and no contact; the solver then fixes their strength (see `_Strengths`).
+    contact and no contact, because the solver then limits or fixes their strength (see `_Strengths`).
     """
 
     pressure: np.ndarray = field(repr=False)
@@ -173,12 +173,12 @@ def press_and_shear(
 
 
 class _Strengths:
-    """Limit how often the strength of a point changes between turns, so that the iteration ends.
+    """Limit the changes in strength of a point between turns, so that the iteration ends.
 
     A turn solves the pressure once and then the traction once. Without a limit, some points at the edge would touch in one turn
-    and not in the next. After the third turn, the strength of a point that has begun or ceased to touch changes by only 30 % of
-    the difference in each turn. When the point begins or ceases to touch a second time, its strength is fixed. misfit: as in
-    `CoupledState`.
+    and not in the next. After the third turn, the strength of a point that has begun or ceased to touch changes in each turn by
+    only 30 % of its difference from the computed strength. When the point begins or ceases to touch a second time, its strength
+    is fixed. misfit: as in `CoupledState`.
     """
 
     def __init__(self) -> None:
@@ -189,8 +189,8 @@ class _Strengths:
         """Return the strengths to use in this turn [Pa] (rows, columns).
 
         wanted: strengths computed from the pressure of this turn [Pa] (rows, columns). The result equals `wanted`, except at
-        points that have begun or ceased to touch after the third turn. The strength of such a point changes by only 30 % of the
-        difference. It does not change once the point has begun or ceased to touch twice.
+        points that have begun or ceased to touch after the third turn. The strength of such a point changes by only 30 % of its
+        difference from `wanted`. It does not change once the point has begun or ceased to touch twice.
         """
         self._turn += 1
         touching = wanted > 0.0

@@ -27,7 +27,7 @@ from stiction.solvers.shear.compliance import ShearCompliance
 
 
 class PeriodicShear:
-    """Compute shear displacements of one period of a periodic map.
+    """Compute tangential displacements due to shear tractions on one period of a periodic map.
 
     compliance: tangential compliance of the two bodies. shape: (rows, columns). size: (y, x) [m].
     """
@@ -61,7 +61,7 @@ class PeriodicShear:
 
 
 class MirroredShear:
-    """Compute shear displacements of a map that is continued by its mirror images on every side.
+    """Compute tangential displacements due to shear tractions on a map that its mirror images continue on every side.
 
     compliance: tangential compliance of the two bodies. shape: (rows, columns). size: (y, x) [m]. One component is even about
     every side, so cosine transforms of the map suffice. Two components need the transforms of a whole period.
@@ -103,7 +103,7 @@ class MirroredShear:
 
 
 class FreeShear:
-    """Compute shear displacements of a map that is not repeated; the surface around it bears no traction.
+    """Compute tangential displacements due to shear tractions on a map that is not repeated; no traction acts outside it.
 
     compliance: tangential compliance of the two bodies. shape: (rows, columns). size: (y, x) [m]. Raises InputError for bodies
     with films.

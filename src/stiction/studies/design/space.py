@@ -175,7 +175,7 @@ class DesignSpace:
             try:
                 numbers, points = self._contacts(shares, some)
             except InputError:
-                continue  # these choices together are no valid contact
+                continue  # these choices together are not a valid contact
             for region, case, solved in self._taken(numbers, points):
                 if solved is None or case is None:
                     continue

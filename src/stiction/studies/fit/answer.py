@@ -263,10 +263,10 @@ def _indistinguishable(fit: Fitted) -> list[list[int]]:
 
 
 def _moves_with(fit: Fitted, at: int, other: int) -> bool:
-    """Return whether free parameter `other` moves far within the interval of free parameter `at`, while chi square stays low.
+    """Return whether the refitted value of free parameter `other` varies widely along the interval of free parameter `at`.
 
-    at, other: indices of the parameters. Far means more than 80 % of the range of `other`, or more than five times its interval
-    with all other parameters fixed. False unless the two may compensate each other (`_is_traded`).
+    at, other: indices of the parameters. Widely means by more than 80 % of the range of `other`, or by more than five times its
+    interval with all other parameters fixed. False unless the two may compensate each other (`_is_traded`).
     """
     if at == other or not _is_traded(fit, at, other):
         return False

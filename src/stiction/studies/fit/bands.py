@@ -120,7 +120,7 @@ def predicted(plan: FitPlan, fit: Fitted) -> Bands:
 
 
 def check_predicted(plan: FitPlan) -> None:
-    """Raise InputError if [fit.predict] names something that is no number of the contact, or contains too many points."""
+    """Raise InputError if [fit.predict] names something that is not a number of the contact, or contains too many points."""
     arrays = _predicted_numbers(plan)
     solve = plan.content.get("solve", {})
     given = (solve.get("load") or solve.get("separation")) if isinstance(solve, Mapping) else None

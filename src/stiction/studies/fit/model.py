@@ -177,8 +177,8 @@ def _parameters(plan: FitPlan) -> tuple[Free, ...]:
 def _groups(data: Measurements, parameters: Sequence[Free]) -> tuple[_Group, ...]:
     """Return groups of measured values that can be solved together.
 
-    In a group, the data file states the same inputs of the contact for every value, in columns. All values depend on the same
-    free parameters, and either all or none have a load.
+    All values of a group have the same inputs of the contact stated in columns of the data file; the numbers may differ. They
+    depend on the same free parameters, and either all or none have a load.
     """
     found: dict[tuple, list[int]] = {}
     own = any(one.sample is not None for one in parameters)

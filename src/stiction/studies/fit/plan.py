@@ -138,7 +138,7 @@ def _check(plan: FitPlan) -> None:
             raise InputError(
                 f"fit.free.{one.name}",
                 "free",
-                "a number that is no column of the data; delete one of the two",
+                "a number that is not a column of the data; delete one of the two",
             )
         if one.path[:2] == ("contact", "roughness") and _has_scans(plan.given):
             raise InputError(f"fit.free.{one.name}", "free", "a number other than roughness, which is measured by scans")

@@ -1,7 +1,7 @@
-"""Draw the quantile levels of all random parts of a prediction.
+"""Draw the quantile levels of all random inputs of a prediction.
 
-All parts are sampled together. To find the variance due to one part, only the levels of this part are exchanged between
-samples.
+The random inputs form parts (interface, area model, chance, ...), which are sampled together. To find the variance due to one
+part, only the levels of this part are exchanged between samples.
 """
 
 from collections.abc import Mapping
@@ -11,7 +11,7 @@ import numpy as np
 
 from stiction.quantities.sampling import sobol_points
 
-# Random parts, and the columns of levels of each. The part "inputs" has the columns of the uncertain numbers of the case.
+# Columns of levels of each part of the random inputs. The part "inputs" has the columns of the uncertain numbers of the case.
 COLUMNS: Mapping[str, tuple[str, ...]] = {
     "inputs": (),
     "interface": ("state", "strength", "coefficient"),

@@ -69,7 +69,7 @@ def predict(
         Over `load` and the dimensions of array parameters: medians of `friction_coefficient`, `friction_force` [N] and
         `contact_area` [m^2]; `_low` and `_high` of each, the ends of the interval; and `friction_coefficient_samples` (sample,
         load). If a weakening slip lowers friction, also `friction_efficiency`, the force over the sum of strengths. Without
-        array parameters, a `load` given as one number or text is no dimension.
+        array parameters, a `load` given as one number or text is not a dimension.
 
         Attributes, at the middle load: `level`, `regime` (sentences), `lowered_by` (what would lower mu), `enlarged_by` (cause
         -> factor of the contact area, for junction growth and adhesion), `shares` (part -> fraction of the variance of ln mu),

@@ -139,7 +139,7 @@ def _by_strength(samples: Samples, index: int) -> float:
 
 
 def _of_pressure(mixture: Mixture, pressure: float, index: int, times: str, added: str) -> tuple[str, str]:
-    """Return a sentence on the pressure of contact spots that are not plastic, and what would lower mu, in words.
+    """Return two texts: a sentence on the pressure of contact spots that are not plastic, and a change that lowers mu.
 
     The second text is e.g. "rougher surfaces"; the caller adds a weaker interface. On a film, the sentence may say that the
     body below yields. pressure: mean pressure over the hardness of the softer surface. index: position of the load among the

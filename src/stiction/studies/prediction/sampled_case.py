@@ -1,4 +1,4 @@
-"""Sample the uncertain numbers of one prediction at its loads."""
+"""Represent a case with samples of its uncertain numbers; compute contact areas and strengths of all samples."""
 
 import math
 from collections.abc import Mapping, Sequence

@@ -81,10 +81,10 @@ def _checksum(coordinate: np.ndarray) -> int:
 
 
 def _attributes(store: Store, path: Path) -> Mapping[str, Any]:
-    wanted = "a folder for the store, new, or of this case; this is no store of a sweep"
+    wanted = "a folder for the store, new, or of this case; this is not a store of a sweep"
     try:
         attributes = dict(store.group.attrs)
-    except Exception:  # zarr raises many kinds of errors for folders that are no store
+    except Exception:  # zarr raises many kinds of errors for folders that are not a store
         raise InputError("--out", str(path), wanted) from None
     if "identity" not in attributes:
         raise InputError("--out", str(path), wanted)

@@ -129,10 +129,11 @@ def _branches(below: Regime, above: Regime, segment: NormalSegment, tau: np.ndar
 
 
 def _edge_on_substrate(above: Regime, number: int, segment, tau: np.ndarray) -> np.ndarray:
-    """Return the coordinate (n,) on the substrate segment that corresponds to an edge of the film's regime.
+    """Return the coordinate (n,) on the substrate segment at which the film reaches an end of one of its segments.
 
-    It is clipped to the segment. above: regime of the film. number: index of the edge. segment: segment of the substrate. tau
-    (n,): film thickness in units of sigma; the substrate's displacement is smaller than the film's by this thickness.
+    It is clipped to the segment. above: regime of the film. number: index of this end in `above.edges`. segment: segment of the
+    substrate. tau (n,): film thickness in units of sigma; the substrate's displacement is smaller than the film's by this
+    thickness.
     """
     edge = above.edges[:, number]
     finite = np.isfinite(edge)

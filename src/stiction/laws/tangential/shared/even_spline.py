@@ -1,4 +1,4 @@
-"""Evaluate cubic splines with evenly spaced knots in [0, 1] inside formulas; each contact has its own spline."""
+"""Evaluate cubic splines with evenly spaced knots in [0, 1] inside compiled formulas; each contact has its own spline."""
 
 from functools import lru_cache
 

@@ -1,9 +1,9 @@
-"""Find the kinks of the tangential resistance of an adhesive elastic asperity, the smaller of slip and yield resistance.
+"""Find where the tangential resistance of an adhesive elastic asperity changes between slip and yield (its kinks).
 
-Slip resistance is the force of peeling; yield resistance is the force at which the trailing edge yields. With the strength of
-adhesion S = sqrt(6 pi/theta) and the coordinate u = S^(1/3) v of JKR's contact, the equations below depend only on
-e = eta S^(-2/3), Poisson's ratio nu, k = H/Y and K beta. With y = v^3, both resistances are equal (docs/explanation/theory.md,
-section 3) where
+The tangential resistance is the smaller of slip and yield resistance. Slip resistance is the force of peeling; yield resistance
+is the force at which the trailing edge yields. With the strength of adhesion S = sqrt(6 pi/theta) and the coordinate
+u = S^(1/3) v of JKR's contact, the equations below depend only on e = eta S^(-2/3), Poisson's ratio nu, k = H/Y and K beta.
+With y = v^3, both resistances are equal (docs/explanation/theory.md, section 3) where
 
     G(y) = [D s^2 + 3n(p-q) s y (y-1) + 3n^2 y^2 (y-1)^2] / y^(8/3)   equals   (e/(pi k))^2.
 
