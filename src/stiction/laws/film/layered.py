@@ -130,7 +130,7 @@ RECORD = FilmLaw(
     grade="C",
     sources=(
         Source("perriot_barthel_2004", "", "the integral equation; derived and solved again here"),
-        Source("barthel_perriot_2007", "", "adhesion on a film by the energy balance of the edge; derived again here"),
+        Source("barthel_perriot_2007", "", "adhesion on a film by the energy balance of the edge; re-derived here"),
         Source("johnson_kendall_roberts_1971", "adhesion of a half-space, the limit of thick and thin films"),
         Source("bhattacharya_nix_1988", "", "hardness against depth, unless another law is chosen"),
     ),

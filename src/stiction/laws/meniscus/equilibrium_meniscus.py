@@ -5,7 +5,7 @@ approach and separation must be slow (seconds in humid air). The meniscus is sma
 force does not deform the solids (as in DMT's law), and a sphere that is pressed in is treated as truncated. Neighbouring
 menisci do not merge. *Sources*: [thomson_1871] for the radius $r$; [orr_scriven_rivas_1975] for the circle approximation and
 the exact meniscus; the force between a sphere and a flat as reviewed by [israelachvili_2011] and [butt_kappl_2009], written
-from memory and derived again: Laplace's pressure $\gamma_\mathrm L/r$ on the ring area $2\pi R(2rc-D)$. [de_boer_de_boer_2007],
+from memory and re-derived: Laplace's pressure $\gamma_\mathrm L/r$ on the ring area $2\pi R(2rc-D)$. [de_boer_de_boer_2007],
 abstract, describe menisci between rough surfaces, each in equilibrium; their result for a sphere and a flat agrees, see below.
 Radii at which Kelvin's equation was found to hold are from [fisher_gamble_middlehurst_1981], the surface tension of water from
 [iapws_2014].
@@ -131,7 +131,7 @@ RECORD = Meniscus(
     sources=(
         Source("thomson_1871", "", "Kelvin's equation: the radius of a meniscus at a given humidity"),
         Source("orr_scriven_rivas_1975", "", "circle approximation; the exact meniscus, solved independently as a check"),
-        Source("israelachvili_2011", "", "force of a sphere and a flat; written from memory and derived again"),
+        Source("israelachvili_2011", "", "force of a sphere and a flat; written from memory and re-derived"),
         Source("butt_kappl_2009", "", "review of this force; only the abstract was available"),
         Source("de_boer_de_boer_2007", "abstract", "work of separating a sphere and a flat in equilibrium"),
         Source("fisher_gamble_middlehurst_1981", "abstract", "radii at which the Kelvin equation was found to hold"),

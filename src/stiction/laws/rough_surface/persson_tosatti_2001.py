@@ -1,7 +1,7 @@
 r"""Full contact of a soft, smooth surface that adhesion flattens: after Persson & Tosatti 2001.
 
 *Assumes*: elastic half-spaces. The surfaces are in full contact if flattening the roughness needs less elastic energy $U$ per
-area than the work of adhesion $\gamma$. *Source*: [persson_tosatti_2001], the energy balance as commonly quoted, derived again
+area than the work of adhesion $\gamma$. *Source*: [persson_tosatti_2001], the energy balance as commonly quoted, re-derived
 here. A wave of the wavenumber $q$ and the mean square height $\langle h^2\rangle$ stores $E^*q\langle h^2\rangle/4$ per area,
 so that
 

@@ -2,7 +2,7 @@ r"""Tangential force at which an adhesive contact peels: Savkoor & Briggs 1977, 
 
 *Assumes*: the edge of a JKR contact is a mixed-mode crack. The contact peels where $G_N+\zeta\,G_T=\gamma$, with the energy
 release rates $G_N$ of the normal load and $G_T$ of the tangential force and the work of adhesion $\gamma$; $\zeta$ is
-`peeling` of the contact, by default 1. *Source*: [savkoor_briggs_1977] for $\zeta=1$, derived again from the load before
+`peeling` of the contact, by default 1. *Source*: [savkoor_briggs_1977] for $\zeta=1$, re-derived from the load before
 shearing. [johnson_1996] states that measured contacts couple the modes more weakly; the simple form with $\zeta$ is not from
 this source.
 
@@ -115,7 +115,7 @@ RECORD = TangentialLaw(
     title="Peeling of an adhesive contact by shear",
     grade="B",
     sources=(
-        Source("savkoor_briggs_1977", "", "energy balance, derived again from the state before shearing"),
+        Source("savkoor_briggs_1977", "", "energy balance, re-derived from the state before shearing"),
         Source(
             "johnson_1996",
             "",

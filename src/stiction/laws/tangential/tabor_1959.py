@@ -4,7 +4,7 @@ r"""Junctions that grow under shear until their interface slides: McFarlane & Ta
 with the hardness $H$. A plastic junction grows under shear at constant load, so the pressure falls and the shear stress may
 rise. Its interface slides at the shear strength $\tau_0=c\,\tau_b$, the fraction $c$ of the shear strength
 $\tau_b=H/\sqrt\alpha$ of the bulk. *Sources*: [mcfarlane_tabor_1950] and [tabor_1959]; the texts were not available. The
-criterion and its consequences are as commonly quoted, and derived again here.
+criterion and its consequences are as commonly quoted, and re-derived here.
 
 A plastic junction slides at the pressure $p=H\sqrt{1-c^2}$. An asperity with a lower pressure does not grow. An asperity with
 a higher pressure grows until its pressure has fallen to this value:
@@ -89,7 +89,7 @@ RECORD = TangentialLaw(
     grade="B",
     sources=(
         Source("mcfarlane_tabor_1950", "", "yield under pressure and shear, p^2 + alpha tau^2 = H^2, as commonly quoted"),
-        Source("tabor_1959", "", "growth limited by an interface weaker than the bulk, as commonly quoted; derived again"),
+        Source("tabor_1959", "", "growth limited by an interface weaker than the bulk, as commonly quoted; re-derived"),
     ),
     tangential_resistance=tangential_resistance,
     yielded="junction growth",

@@ -5,7 +5,7 @@ A pressure p cos(kx) on the bonded film displaces its surface by u = C(k) p cos(
     C = (2/(E1 k)) c(x),  c = [1 + 4 x K e - L K e^2] / [1 - (L + K + 4 K x^2) e + L K e^2],  e = exp(-2 x),
 
 E1 and E2 are the plane-strain moduli E/(1 - nu^2) of film and substrate. Source: the frequency response of a layered half-space
-of Nogi & Kato (1997) and O'Sullivan & King (1988), taken from secondary sources. It was derived again from the continuity of
+of Nogi & Kato (1997) and O'Sullivan & King (1988), taken from secondary sources. It was re-derived from the continuity of
 displacements and tractions at the interface (reference/make_layered.py solves these six equations for one wave at a time). L
 and K depend on the elastic constants through Dundurs' two parameters only (Dundurs 1969): K = (alpha - beta)/(1 - beta), L =
 (alpha + beta)/(1 + beta). c tends to 1 for short waves, which depend on the film alone, and to E1/E2 for long waves, which
