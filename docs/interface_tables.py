@@ -57,7 +57,7 @@ def weights() -> str:
     for row in st.interfaces():
         film = " (a film)" if row["of_film"] else ""
         pairs = "; ".join(f"{pair}{film if not weight else ''}: {weight:g}" for pair, weight in row["pairs"].items())
-        only = f" (one body of {', '.join(row['only_with'])} or a material of your own)" if row["only_with"] else ""
+        only = f" (one body of {' or '.join(row['only_with'])})" if row["only_with"] else ""
         rows.append((f"`{row['name']}`", pairs + only))
     return table(("interface", "classes of the two materials: weight"), rows)
 

@@ -159,6 +159,17 @@ def test_gold_contact_needs_gold_and_some_states_have_to_be_stated():
     assert not interface("ice").allows(steel, steel)
 
 
+def test_a_refusal_names_the_class_that_was_guessed():
+    own = st.Material(youngs_modulus="80 GPa", poissons_ratio=0.42, hardness="1.7 GPa", name="hard gold")
+    rough = st.Roughness(asperity_height_deviation="48 nm", asperity_radius="50 um", asperity_density="1e9 /m^2")
+    contact = dict(first=own, second="hardened_steel_52100", nominal_area="1 mm^2", roughness=rough, interface="gold contact")
+    with pytest.raises(st.InputError) as refused:
+        st.Contact(**contact)
+    assert "hard gold is taken as metal" in refused.value.hint and "material_class" in refused.value.hint
+    gold = own.replace(material_class="soft metal")
+    assert st.Contact(**contact | {"first": gold}).interface.name == "gold contact"
+
+
 def test_a_state_of_soft_metal_films_needs_a_film_between_hard_metals():
     bare = dict(first="hardened_steel_52100", second="hardened_steel_52100", interface="soft-metal film", nominal_area="1 mm^2")
     bare["roughness"] = st.Roughness(asperity_height_deviation="48 nm", asperity_radius="50 um", asperity_density="1e9 /m^2")

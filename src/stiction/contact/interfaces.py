@@ -216,7 +216,10 @@ def check_interface(contact: Input, state: Interface, first: Material, second: M
     if not state.allows(first, second, coated=coated):
         bodies = f"{first.name} on {second.name}" + ("" if coated else " without a film")
         allowed = f"{', '.join(allowed_interfaces(first, second, coated=coated))} (the interfaces of {bodies})"
-        raise InputError("interface", state.name, allowed)
+        unclassed = [body for body in (first, second) if body.material_class is None]
+        guessed = dict.fromkeys(f"{body.name} is taken as {class_of(body)}" for body in unclassed)
+        hint = f"{', '.join(guessed)}: if that is wrong, state material_class" if guessed else ""
+        raise InputError("interface", state.name, allowed, hint)
 
 
 def interface_weights(first: Material, second: Material) -> dict[str, float]:

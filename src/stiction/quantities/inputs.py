@@ -346,7 +346,7 @@ def _input_error(error: ValidationError, cls: type[Input]) -> InputError:
     path = [str(part) or '""' for part in details["loc"]]
     cause = details.get("ctx", {}).get("error")
     if isinstance(cause, InputError):
-        return InputError(".".join([*path, cause.field] if cause.field else path), cause.value, cause.allowed)
+        return InputError(".".join([*path, cause.field] if cause.field else path), cause.value, cause.allowed, cause.hint)
     if details["type"] == "extra_forbidden":
         known = _by_symbol(path[-1], cls) or nearest(path[-1], cls.model_fields) + cls.instead
         return InputError(".".join(path), InWords("unknown key"), known)
