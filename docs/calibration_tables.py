@@ -81,7 +81,7 @@ def _cells(rows: list[dict]) -> tuple[str, str, str]:
 
 
 def contacts() -> str:
-    """Return the table of all contacts with printed friction."""
+    """Return the table of all contacts with published friction."""
     rows = [
         (
             row["contact"].replace("_", " "), row["interface"], _span(row, "printed_low", "printed_high"), row["median"],
@@ -89,11 +89,11 @@ def contacts() -> str:
         )
         for row in _contacts()
     ]  # fmt: skip
-    return table(("contact", "interface", "printed friction", "median", "90 % interval", "inside"), rows)
+    return table(("contact", "interface", "published friction", "median", "90 % interval", "inside"), rows)
 
 
 def contacts_together() -> str:
-    """Return the table of how often the intervals contain the printed friction."""
+    """Return the table of how often the intervals contain the published friction."""
     rows = _contacts()
     widths = np.array([float(row["high_90"]) / float(row["low_90"]) for row in rows])
     held = (f"{np.mean([_held(row, level) for row in rows]):.0%}" for level in (0.5, 0.9))
@@ -132,7 +132,7 @@ def figure() -> Figure:
                 axes.plot(levels, _within(below, levels), color=colour, label=words)
         if mended:
             below = np.array([float(row["draws_below"]) for row in _contacts()])
-            axes.plot(levels, _within(below, levels), "k--", label="contacts with printed friction")
+            axes.plot(levels, _within(below, levels), "k--", label="contacts with published friction")
         axes.plot((0.0, 1.0), (0.0, 1.0), color="0.6", linewidth=1.0)
         axes.set(xlabel="nominal probability of the interval", title="sixth set" if mended else "first set")
         axes.set(xlim=(0.0, 1.0), ylim=(0.0, 1.0))

@@ -8,7 +8,7 @@ import pytest
 import stiction as st
 from stiction.contact.interfaces import interface_names
 from stiction.report.answer import answer_lines, answer_record
-from stiction.studies.prediction.beside import printed_contacts
+from stiction.studies.prediction.beside import published_contacts
 
 ROUGH = {"asperity_height_deviation": 2e-7, "asperity_radius": 2e-5, "asperity_density": 1e10, "kind": "gaussian"}
 STEEL = {"youngs_modulus": 210e9, "poissons_ratio": 0.3, "hardness": 1e9, "material_class": "metal"}
@@ -39,7 +39,7 @@ def test_nothing_is_said_of_bare_metal_where_none_is_parted_or_met():
 
 def test_what_was_checked_is_said_with_the_contacts_of_the_state():
     stated, number = predicted(interface="oxidised metal"), predicted(interfacial_shear_strength=1e7)
-    counted = printed_contacts()["oxidised metal"]
+    counted = published_contacts()["oxidised metal"]
     assert f"{counted['held']} of {counted['contacts']} handbook contacts" in stated.attrs["checked_against"]
     assert number.attrs["checked_against"].endswith("never against measured friction")
     assert dict(answer_lines(stated))["checked against"] == stated.attrs["checked_against"]
@@ -52,8 +52,8 @@ def test_the_record_has_both():
 
 
 def test_states_that_were_checked_are_states():
-    assert printed_contacts().keys() <= set(interface_names())
-    assert all(0 <= one["held"] <= one["contacts"] for one in printed_contacts().values())
+    assert published_contacts().keys() <= set(interface_names())
+    assert all(0 <= one["held"] <= one["contacts"] for one in published_contacts().values())
 
 
 def test_the_checked_area_is_as_wide_as_its_draws():

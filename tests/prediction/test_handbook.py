@@ -1,6 +1,6 @@
 """Contacts with friction in handbooks, the state of the interface stated: range and width of the 90 % interval.
 
-handbook.csv: contacts by their row in validation/contacts/contacts.csv, the printed range with source and page, and why one
+handbook.csv: contacts by their row in validation/contacts/contacts.csv, the published range with source and page, and why one
 fails.
 """
 

@@ -147,4 +147,4 @@ def test_a_friction_far_above_all_handbooks_is_said():
         contact = st.Contact(**steel, nominal_area="3 cm^2", roughness={"rms_height": "0.1 um", "finish": finish})
         found = st.predict(contact, load="40 N")
         assert any("far above all 21 handbook contacts" in warning for warning in found.warnings) == far
-        assert (found.friction_coefficient.item() > 1.5 * 1.9) == far  # the largest printed mu of these contacts is 1.9
+        assert (found.friction_coefficient.item() > 1.5 * 1.9) == far  # the largest published mu of these contacts is 1.9

@@ -2,10 +2,10 @@
 
 python validation/contacts/score.py     # a line for each contact, how often the intervals hold; writes results.csv and FILE
 
-A printed range counts by its geometric mean; a kinetic coefficient may be a third below the static one. The interface of each
+A published range counts by its geometric mean; a kinetic coefficient may be a third below the static one. The interface of each
 contact is stated, its roughness is known by the finish classes. The strengths of states come from sources; where a number leans
-on the printed friction of a class, it is replaced for that class by what is left without it (left_out.toml). Nothing else is
-fitted to these contacts.
+on the published friction of a class, it is replaced for that class by what is left without it (left_out.toml). Nothing else
+is fitted to these contacts.
 """
 
 import csv
@@ -31,7 +31,7 @@ COLUMNS = (
 
 @dataclass(frozen=True)
 class Score:
-    """A contact with the printed range, the predicted quantiles at LEVELS, and the share of draws below the printed mean."""
+    """Store a contact with its published range, the predicted quantiles at LEVELS, and the share of draws below its mean."""
 
     row: dict[str, str]
     low: float
@@ -45,7 +45,7 @@ class Score:
 
     @property
     def overlaps(self) -> bool:
-        """Return whether the printed range overlaps the 90 % interval."""
+        """Return whether the published range overlaps the 90 % interval."""
         return bool(self.low <= self.predicted[-1] and self.high >= self.predicted[0])
 
     @property
@@ -91,10 +91,10 @@ def _left_out() -> dict[str, dict]:
 
 
 def _by_state(found: list[Score]) -> dict[str, dict[str, float]]:
-    """Return counts and the printed friction of the contacts of each interface state.
+    """Return counts and the published friction of the contacts of each interface state.
 
-    "contacts" counts them, "held" counts those whose 90 % interval contains the printed mean. "lowest" and "highest" are the
-    ends of all printed ranges.
+    "contacts" counts them, "held" counts those whose 90 % interval contains the published mean. "lowest" and "highest" are the
+    ends of all published ranges.
     """
     states: dict[str, list[Score]] = {name: [] for name in sorted({one.row["interface"] for one in found})}
     for one in found:
@@ -115,14 +115,14 @@ def main() -> None:
     for one in scores():
         found.append(one)
         ends = " ".join(f"{value:8.3g}" for value in one.predicted)
-        print(f"{one.row['interface']:18} {one.row['id']:26} printed {one.low:6.3g} to {one.high:6.3g}  predicted {ends}")
+        print(f"{one.row['interface']:18} {one.row['id']:26} published {one.low:6.3g} to {one.high:6.3g}  predicted {ends}")
     with (contacts.HERE / "results.csv").open("w", encoding="utf-8", newline="") as file:
         writer = csv.writer(file, lineterminator="\n")
         writer.writerows([COLUMNS, *(one.as_row() for one in found)])
     FILE.write_text(json.dumps(_by_state(found), indent=1) + "\n", encoding="utf-8")
     for level in (0.5, 0.9):
         print(f"{level:.0%} interval holds {np.mean([one.holds(level) for one in found]):.0%} of {len(found)} contacts")
-    print(f"printed range overlaps the 90 % interval: {np.mean([one.overlaps for one in found]):.0%}")
+    print(f"published range overlaps the 90 % interval: {np.mean([one.overlaps for one in found]):.0%}")
     widths = [one.width for one in found]
     middle, narrow = np.median(widths), np.mean(np.less(widths, 10))
     print(f"width of the 90 % interval: a factor {middle:.2g} in the median, below 10 in {narrow:.0%}")

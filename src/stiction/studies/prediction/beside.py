@@ -75,8 +75,8 @@ def in_handbooks(mixture: Mixture) -> tuple[int, int]:
     contact has it. A contact is predicted correctly if its predicted 90 % interval contains the geometric mean of the published
     range of mu.
     """
-    printed = _printed(mixture)
-    return int(printed.get("held", 0)), int(printed.get("contacts", 0))
+    published = _published(mixture)
+    return int(published.get("held", 0)), int(published.get("contacts", 0))
 
 
 def unlike_handbooks(mixture: Mixture, mu: float) -> list[str]:
@@ -85,18 +85,18 @@ def unlike_handbooks(mixture: Mixture, mu: float) -> list[str]:
     mu: median of the prediction. The warning is given below 1/1.5 of the lowest and above 1.5 times the highest mu, if
     handbooks have at least three contacts with this interface.
     """
-    printed = _printed(mixture)
-    if printed.get("contacts", 0) < _ENOUGH or printed["lowest"] / _UNLIKE <= mu <= printed["highest"] * _UNLIKE:
+    published = _published(mixture)
+    if published.get("contacts", 0) < _ENOUGH or published["lowest"] / _UNLIKE <= mu <= published["highest"] * _UNLIKE:
         return []
-    side, advice = ("below", "check the interface") if mu < printed["lowest"] else ("above", "give a scan of the surface")
-    ends = f"{printed['lowest']:.2g} to {printed['highest']:.2g}"
-    return [f"mu is far {side} all {printed['contacts']} handbook contacts with this interface, {ends}: {advice}."]
+    side, advice = ("below", "check the interface") if mu < published["lowest"] else ("above", "give a scan of the surface")
+    ends = f"{published['lowest']:.2g} to {published['highest']:.2g}"
+    return [f"mu is far {side} all {published['contacts']} handbook contacts with this interface, {ends}: {advice}."]
 
 
-def _printed(mixture: Mixture) -> dict[str, float]:
-    """Return the entry of `printed_contacts` for the interface state of the contact, empty if there is none."""
+def _published(mixture: Mixture) -> dict[str, float]:
+    """Return the entry of `published_contacts` for the interface state of the contact, empty if there is none."""
     stated = mixture.sampled.contact.interface
-    return {} if stated is None else printed_contacts().get(stated.name, {})
+    return {} if stated is None else published_contacts().get(stated.name, {})
 
 
 def _half_width(mixture: Mixture, law: AreaLaw, index: int) -> float:
@@ -112,7 +112,7 @@ def _half_width(mixture: Mixture, law: AreaLaw, index: int) -> float:
 
 
 @cache
-def printed_contacts() -> dict[str, dict[str, float]]:
+def published_contacts() -> dict[str, dict[str, float]]:
     """Return, for each interface state, counts and mu of the contacts whose friction is published in handbooks.
 
     The keys are names of interface states. "contacts" counts all contacts with this state, "held" those whose predicted 90 %
