@@ -221,11 +221,12 @@ def test_the_published_law_stays_as_it_is(model):
         assert {source.key for source in find(key, TangentialLaw).sources} <= set(found.attrs["sources"].split())
 
 
+@pytest.mark.parametrize("option", ["plastic_junctions", "tangential"])
 @pytest.mark.parametrize("model", THREE)
-def test_only_the_published_law_warns_of_missing_friction(model):
+def test_only_the_published_law_warns_of_missing_friction(model, option):
     contact = copper("20 MPa").replace(second="hardened_steel_52100")
     published = st.solve(contact, load="1 N", model=model).attrs["outside_validity"]
-    other = st.solve(contact, load="1 N", model=model, plastic_junctions="bowden_tabor_1943").attrs["outside_validity"]
+    other = st.solve(contact, load="1 N", model=model, **{option: "bowden_tabor_1943"}).attrs["outside_validity"]
     assert "friction" in published and "no friction" not in other and "without friction" not in other
 
 
