@@ -169,7 +169,7 @@ def test_what_leaves_its_range_has_a_warning():
     crate = HeightMap(3e-9 * np.cos(phase)[:, None] * np.cos(phase), (96e-8, 96e-8))
     note = asperities(crate, "mccool").note
     assert "asperity density times R sigma) is 0.0" in note and "valid range 0.01" in note
-    assert note.endswith("no isotropic Gaussian surface has so low a value (bandwidth parameter alpha >= 1.5)")
+    assert note.endswith("no isotropic Gaussian surface has such a low value (bandwidth parameter alpha >= 1.5)")
     assert "claimed" not in asperities(rough(), "mccool").note
 
 

@@ -259,7 +259,7 @@ def test_moments_of_an_egg_crate():
     correlation = sin_cos**2 / ((half - math.sin(phase / 2.0) ** 2) * (half - math.cos(phase / 2.0) ** 2))
     assert found.radius == near(3.0 / 8.0 * math.sqrt(math.pi / m4), correlation**2)
     assert found.density == near(m4 / m2 / (6.0 * math.pi * math.sqrt(3.0)), correlation**2)
-    assert "no isotropic Gaussian surface has so low a value" in found.note
+    assert "no isotropic Gaussian surface has such a low value" in found.note
 
 
 def test_n_point_asperities_of_a_sinusoid():

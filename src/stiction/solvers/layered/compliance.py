@@ -76,8 +76,8 @@ def _film(x: np.ndarray, ratio: float, excess: float) -> np.ndarray:
 def compliance(x: np.ndarray, pair: Pair) -> np.ndarray:
     """Return the relative elastic compliance (n,) of two coated bodies at the wavenumbers k = x/t, for x (n,).
 
-    t: thickness of one film. pair: the films. The compliance is divided by the compliance of half-spaces of the two surface
-    materials.
+    t: film thickness (the same for all films). pair: the films. The compliance is divided by the compliance of half-spaces of
+    the two surface materials.
     """
     total = np.full(np.shape(x), 1.0 - sum(layer.share for layer in pair))
     for layer in pair:

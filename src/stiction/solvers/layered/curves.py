@@ -29,7 +29,7 @@ from stiction.solvers.layered.many_spheres import STIFFEST, respond_many
 from stiction.solvers.layered.sphere import Response, respond
 
 CURVES, TERMS = 3, 19
-# Contact radii of the exact solutions, divided by the thickness of one film.
+# Contact radii of the exact solutions, divided by the film thickness (the same for all films).
 RADII = np.concatenate([[1e-5, 1e-4, 5e-4], np.geomspace(0.002, 600.0, 24)])
 # Smallest number of pairs that are solved together, because this is then faster than one by one.
 _MANY = 64

@@ -42,7 +42,7 @@ def shear_compliance(bodies: Bodies, radius: float) -> tuple[float, float]:
     """Return the product K beta and the slope d ln beta/d ln a of a sticking contact of radius a.
 
     beta is the tangential compliance in T = 8 a delta/beta, with force T and displacement delta. K is 4/3 of the contact
-    modulus of the bodies without a film. radius: a divided by the thickness of one film.
+    modulus of the bodies without a film. radius: a divided by the film thickness (the same for all films).
     """
     k, weights, even = spherical_waves(radius)
     x = k / radius

@@ -109,7 +109,7 @@ def spherical_waves(radius: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return nodes for integrals over wavenumbers, and at them the transforms of the polynomials that represent the pressure.
 
     The arrays are the wavenumbers k a (m,), the integration weights times 2/pi (m,), and the transforms (n, m) of n orthonormal
-    even polynomials on 0 to 1. radius: contact radius a divided by the thickness of one film.
+    even polynomials on 0 to 1. radius: contact radius a divided by the film thickness (the same for all films).
     """
     k, weights, even, _, _ = waves(float(radius))
     return k, weights, even
@@ -162,8 +162,8 @@ def right_sides(size: int) -> np.ndarray:
 def waves(radius: float) -> tuple[np.ndarray, ...]:
     """Return wavenumbers k a (m,), integration weights, transforms (n, m), cos(k a) and -k a sin(k a).
 
-    radius: contact radius a divided by the thickness of one film. Weights include the factor 2/pi. Transforms are those of even
-    polynomials orthonormal on 0 to 1. The results depend on no material and are cached.
+    radius: contact radius a divided by the film thickness (the same for all films). Weights include the factor 2/pi. Transforms
+    are those of even polynomials orthonormal on 0 to 1. The results depend on no material and are cached.
     """
     x, weights = gauss(_ENDS, radius)
     k = radius * x

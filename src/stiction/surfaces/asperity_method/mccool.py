@@ -61,7 +61,7 @@ RECORD = AsperityMethod(
             "roughness_parameter",
             LEAST_DENSITY,
             inf,
-            "no isotropic Gaussian surface has so low a value (bandwidth parameter alpha >= 1.5)",
+            "no isotropic Gaussian surface has such a low value (bandwidth parameter alpha >= 1.5)",
         ),
     ),
     of_summits=True,
