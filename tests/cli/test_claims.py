@@ -136,4 +136,4 @@ def test_surfaces_whose_film_is_solved():
     whole = surfaces_at(40.0, lam, "layered").films
     np.testing.assert_allclose(found.coated["load"].sel(n_E=1.5).values, whole.load[0, 1, 1, 0], rtol=1e-9)
     np.testing.assert_allclose(found.coated["friction_force"].sel(n_E=1.5).values, whole.friction_force[0, 1, 1, 0], rtol=1e-9)
-    assert "its film solved" in found.caption
+    assert "film solved as a layer" in found.caption

@@ -132,7 +132,7 @@ def test_the_map_of_the_claims_has_a_panel_for_each_claim_and_reading():
     shown = panels[0].collections[0].get_array().reshape(3, 3)
     np.testing.assert_array_equal(np.ma.filled(shown, np.nan), found.share[0, 0].T)
     assert "theta" in panels[-1].get_xlabel() and "published" in panels[5].get_ylabel()
-    assert "its film solved" in panels[10].get_ylabel()
+    assert "film solved as a layer" in panels[10].get_ylabel()
 
 
 def test_no_global_state_is_touched(silver):

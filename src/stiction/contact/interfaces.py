@@ -48,7 +48,7 @@ class Interface(Input):
     pair of material classes, such as "metal, ceramic" or "polymer, any"; with weight 0 only the user can choose it. only_with:
     names of materials, at least one of which must be a body; empty if any bodies are allowed. A user may also select the state
     for a body that is not a preset, because it may consist of one of these materials. of_film: whether pairs of weight
-    0 require a film. not_for: uses that must be avoided, as text.
+    0 require a film. not_for: text on the contacts for which this state must not be used.
 
     These values are not capped at the strength of the bodies. Raises InputError for contradictory numbers.
     """
@@ -148,7 +148,7 @@ class Interface(Input):
         return super().replace(**{"grade": kept} | changes | remaining_notes(self.source, self.range, changes))
 
     def listed(self) -> list[tuple[str, str]]:
-        """Return (field, text) for the name of this state and each number, with the central 90 % range of its distribution."""
+        """Return pairs (field, text) for the name and each number of this state, with its central 90 % range if it has one."""
         rows = [("name", self.name)]
         for name in (self.strength, "pressure_coefficient"):
             if getattr(self, name) is not None:

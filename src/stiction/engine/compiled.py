@@ -123,7 +123,7 @@ def engine_kernel(function: Callable) -> Any:
 
 
 def lazy_kernel(worth: int) -> Callable:
-    """Return a decorator for loops that run in plain Python until they have done enough work, and compiled afterwards.
+    """Return a decorator that runs a loop in plain Python first, and compiles it when it has done enough work.
 
     worth: work of all calls together after which the loop is compiled. The work of one call is the number of elements of its
     last argument.

@@ -311,7 +311,7 @@ class Starts:
 
 
 class Approach:
-    """Find the separations at which n laws (parameter sets) carry given loads under Gaussian heights.
+    """Find starting values of the separations at which n laws (parameter sets) carry given loads (Gaussian heights).
 
     regimes: smooth parts of an asperity's behaviour, each for the n laws. The loads on a grid of separations are computed
     before the requested loads are known; with few laws they are reused in later calls.

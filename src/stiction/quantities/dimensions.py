@@ -256,6 +256,6 @@ def _disagreement(name: str, dim: str, size: int, other: str) -> InputError:
     return InputError(
         name,
         InWords(f"length {size} along dimension {dim!r}"),
-        f"the same length and coordinate as {other}; to combine every {name} with every {other}, "
-        f"give this dimension of {name} another name",
+        f"the length and coordinate of {other}, which has the same dimension; to combine every {name} with every {other}, "
+        f"rename this dimension of {name}",
     )

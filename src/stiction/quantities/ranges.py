@@ -50,7 +50,7 @@ Ranges = Annotated[
 
 
 def range_in_words(low: float, high: float, name: str) -> str:
-    """Return a range as text: "82 to 83 GPa", or "0.5 MPa to 2 GPa" if the ends have different unit prefixes.
+    """Return a range as text: "82 to 83 GPa", or "500 kPa to 2 GPa" if the ends have different unit prefixes.
 
     low, high: in SI units. name: key of the quantity in QUANTITIES.
     """

@@ -267,7 +267,7 @@ class Criterion(Record):
 
     - ratio(groups): function that returns the ratio (n,) from the dimensionless groups of n contacts, computed from the
       spectral moments of the surface
-    - below, above: sentence on the contact if the ratio is below 1, or above 1, such as elastic or plastic
+    - below, above: sentences on a contact whose ratio is below 1 and above 1, e.g. that it is elastic or plastic
     - on_map: whether `ratio` also takes a HeightMap that represents the roughness of both faces
     """
 

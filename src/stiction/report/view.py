@@ -46,7 +46,11 @@ def in_short(parts: Iterable[Any], columns: int = _COLUMNS, written: bool = Fals
 
 
 def _fitting(parts: Iterable[Any], rows: int, columns: int, most: int) -> list[Any]:
-    """Return the parts that fit into `most` lines, with `rows` rows of each ranked table."""
+    """Return the parts that fit into `most` lines, with `rows` rows of each ranked table.
+
+    parts: texts and tables of an answer. Tables without a ranking have at most five rows. columns: width of the terminal in
+    characters. A part that does not fit is omitted; later, shorter parts may still fit.
+    """
     shown: list[Any] = []
     for part in parts:
         part = part.few(rows if part.ranked else _ROWS) if isinstance(part, Table) else part

@@ -55,8 +55,7 @@ class Choice:
 
     model: key of the model; None for the default model. asperity, tangential, film: keys of laws that replace those of the
     model; None keeps the law of the model, and tangential = "none" omits friction. options: values by name; None means the
-    default. beside: keys of additional laws (menisci, ageing ...) by keyword; "none" omits a law that would be added by
-    default.
+    default. beside: keys of further laws (menisci, ageing ...) by keyword; "none" omits a law that would be added by default.
     """
 
     model: str | None = None

@@ -176,9 +176,9 @@ def _film(choice: Choice, model: RoughSurface) -> FilmLaw:
 def _refuse_parts(choice: Choice, model: RoughSurface, tangential: TangentialLaw | None, coated: bool) -> None:
     """Raise InputError if a model without a sum over asperities does not support the contact or a chosen law.
 
-    The model must be for coated or for bare contacts, as the contact is. An asperity law is refused. A film law is refused if
-    the model has its own film or solves a map. The tangential law must be a law of interface strength. coated: whether the
-    contact has a film; False for a model that solves a map.
+    A model for coated contacts is refused for a bare contact, and a model for bare contacts for a coated one. An asperity law
+    is refused. A film law is refused if the model has its own film or solves a map. The tangential law must be a law of
+    interface strength. coated: whether the contact has a film; False for a model that solves a map.
     """
     if coated and not model.on_film:
         raise InputError("model", model.key, "a model for coated contacts, because this contact has a film")

@@ -219,7 +219,7 @@ def _known(problem: Problem, results: Mapping[str, np.ndarray]) -> dict[str, Any
 
 
 def _of_groups(problem: Problem) -> dict[str, Any]:
-    """Return the dimensionless groups of the contacts (n, 1), and quantities derived from them, by name; None if unknown.
+    """Return dimensionless groups of n contacts, and quantities derived from them, by name: each (n, 1), None if unknown.
 
     The values are read from the groups of the problem, because the contact would recompute all groups at each access.
     """

@@ -65,8 +65,9 @@ def spread_on_map(problem: MapProblem, loads: np.ndarray) -> tuple[np.ndarray, n
 def _spread(operator: "ShearOperator", state: "MapContact") -> float:
     """Return the standard deviation of the shear displacement of the points in contact, divided by the shear stress [m/Pa].
 
-    operator: computes shear displacements. state: contact at one load. All points in contact bear the same stress, multiplied
-    by the ratio of the corrected contact area to the area of all pixels in contact.
+    The divisor is the shear stress on the corrected contact area. The pixels in contact bear this stress times the ratio of the
+    corrected contact area to their own area, so that the force is the same. operator: computes shear displacements. state:
+    contact at one load.
     """
     assert state.pressure is not None
     spots = state.pressure > 0.0

@@ -331,7 +331,7 @@ def _apart(subject: Subject, nearest: np.ndarray, wanted: np.ndarray, unit: np.n
 
 
 def _ends(unloading: _Unloading, nearest: np.ndarray, factors: Mapping[str, Any], dims: dict[str, int]) -> "xarray.Dataset":
-    """Return the smallest separation, the largest tension during unloading, and the separation of zero load, as a dataset.
+    """Return a dataset: smallest separation, largest tension and its separation, and separation of zero load.
 
     nearest: smallest separations in units of sigma. Without adhesion the tension is 0, and the separations of largest
     tension and of zero load are omitted.

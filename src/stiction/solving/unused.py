@@ -27,8 +27,8 @@ _STRENGTH = ("shear_strength", "pressure_coefficient")
 class Unused:
     """Store an input that changes no result.
 
-    input: its name. laws: keys of laws that would use it, by keyword of `solve`. why: text on another reason why it is not
-    used.
+    input: its name. laws: keys of laws that would use it, by keyword of `solve`. why: reason, if it is not that the model
+    ignores the input.
     """
 
     input: str

@@ -14,8 +14,8 @@ YIELDED = ("load_share_yielded", "load_share_substrate_yielded")
 def require_states(problem: Problem, name: str) -> AsperitySum:
     """Return the problem if its model can compute the fraction of the load on yielded asperities, else raise InputError.
 
-    name: one of YIELDED, the fraction on all yielded asperities or on those where the substrate yields. The model must
-    distinguish the states of asperities and, for the second, film and substrate.
+    name: one of YIELDED, the fraction on all yielded asperities or on those where the substrate yields. The model must sum
+    asperities. For the second name, its film law, if any, must treat film and substrate separately.
     """
     if not isinstance(problem, AsperitySum):
         allowed = "a model of asperities, e.g. greenwood_williamson_1966, which distinguishes yielded asperities"

@@ -59,7 +59,7 @@ def of_samples(
     - heights: (n,) [m] above the mean plane; curvatures: (n,) [1/m], positive for a top that curves down
     - density: asperities per nominal area [1/m^2]
     - note: how the asperities were found; it follows their number in the `note` of the result
-    - remedy: a change that would find more asperities, for the error
+    - remedy: advice for the error on how to find more asperities
     - places: (n, 2), row and column of each asperity; None if unknown
 
     Raises InputError for fewer than two asperities, a density of 0, or a mean curvature that is not positive.

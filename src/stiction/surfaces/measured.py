@@ -155,7 +155,7 @@ class Measured:
         return {name: contact.model_copy(update={"roughness": self.by_method[name]}) for name in order}
 
     def with_surface_moments(self) -> "Measured":
-        """Return a copy with only the method that computes the spectral moments; unchanged if that method failed."""
+        """Return a copy with only the roughness by the method `of_moments`, or this object if that method failed."""
         if self.of_moments not in self.by_method:
             return self
         return replace(self, method=self.of_moments, by_method={self.of_moments: self.by_method[self.of_moments]})

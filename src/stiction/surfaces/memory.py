@@ -42,7 +42,7 @@ def require_memory(shape: tuple[int, int], *, free: bool = False, kept: int = 1)
     """Raise InputError if the contact of a map of this shape needs more memory to be solved than is available.
 
     Nothing is raised if the system does not report the available memory. Call this function before the map is generated
-    or read. shape, free, kept: as in `needed_memory`.
+    or read. shape, free, kept: as in `needed_memory`; kept is the number of stored pressure maps.
     """
     _require(shape, needed_memory(shape, free=free, kept=kept))
 

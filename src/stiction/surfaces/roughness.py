@@ -214,10 +214,10 @@ class Roughness(Input):
         return [f"input warning: listed heights are scaled from a deviation of {deviation:.4g} to asperity_height_deviation"]
 
     def of_surface(self) -> "Roughness | None":
-        """Return the asperities that have the spectral moments of the surface; None if they are unknown.
+        """Return the asperities that follow from the spectral moments of the surface; None if the moments are unknown.
 
-        The result is the field `surface`, with the kind of surface, skewness, kurtosis and texture aspect ratio that are
-        specified for this roughness.
+        This is the field `surface`. The kind of surface, skewness, kurtosis and texture aspect ratio specified for this
+        roughness replace its values.
         """
         if self.surface is None:
             return None

@@ -23,7 +23,7 @@ _NAME_OF_TAB = "(event) => event.target.dataset.tab && emit(event.target.dataset
 
 
 class AnswerCard:
-    """Show every new answer as a card; if the case names a model, show the prediction as well.
+    """Show the newest answer in one card; if the case names a model, show the prediction in it as well.
 
     explorer: state of the visitor, whose answers are shown.
     """
@@ -100,7 +100,8 @@ def card_on_page(prediction: xarray.Dataset, named: str = "") -> Card:
     """Return the short summary card of a prediction for the page, which names tabs in place of commands.
 
     A warning is left out if the next step states the same. named: result of the model that the case names, as text, or "". With
-    such a result, the card shows no sources of uncertainty, no handbook contacts and no next step.
+    such a result, the card shows no sources of uncertainty and no next step, and names handbook contacts only as the reason for
+    a low confidence.
     """
     card = card_of(at_working_load(prediction), named)  # without the range of loads: the form shows the load
     if named:

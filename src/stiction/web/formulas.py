@@ -1,4 +1,4 @@
-"""Typeset the formulas of the models with matplotlib; a formula with a symbol that matplotlib lacks remains text."""
+"""Typeset the formulas of the models with matplotlib; a formula with a symbol that matplotlib lacks becomes code."""
 
 import base64
 import io
@@ -15,7 +15,7 @@ _RENAMED = {"tfrac": r"\frac", "le": r"\leq", "ge": r"\geq", "bigl": "", "bigr":
 def typeset(text: str) -> str:
     """Return Markdown in which the LaTeX formulas of a Markdown text are images.
 
-    A displayed formula becomes one image per line. A formula that matplotlib cannot draw remains text.
+    A displayed formula becomes one image per line. A formula that matplotlib cannot draw becomes code. Links become text.
     """
     drawn: list[str] = []
 

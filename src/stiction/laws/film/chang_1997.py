@@ -123,7 +123,7 @@ FLOWING = (
         "load_share_substrate",
         0.75,
         1.0,
-        "the pressure on the film is assumed to equal its hardness everywhere, which overestimates the load",
+        "the pressure on the film is assumed to equal the film hardness, so the load is too large",
     ),
 )
 

@@ -360,7 +360,7 @@ def _bare_curve(surface: "HeightMap", pressure: np.ndarray, slope: float, n_E: f
 
 
 def _single(value: np.ndarray) -> float:
-    """Return a dimensionless group of a single contact, given as an array of one element, as a float."""
+    """Convert a dimensionless group of a single contact, an array of one element, to a float."""
     return float(np.ravel(value)[0])
 
 

@@ -182,8 +182,8 @@ def series_below() -> np.ndarray:
 def _least(s, nu, x, z, reach_x: float, reach_z: float) -> np.ndarray:
     """Return the ratio q0/Y at which a Hertz contact first yields, the smallest value of `shear_at_yield` over all its points.
 
-    q0: largest traction. Y: yield stress. s: largest pressure divided by Y. nu: Poisson's ratio. Both arrays and the result
-    have the same shape. The points (x, z), in units of the contact radius, are tried first. Then a neighbourhood of the point
+    q0: largest traction. Y: yield stress. s: largest pressure divided by Y. nu: Poisson's ratio. s, nu and the result are
+    arrays of one shape. The points (x, z), in units of the contact radius, are tried first. Then a neighbourhood of the point
     that yields first, reach_x by reach_z in size, is searched.
     """
 

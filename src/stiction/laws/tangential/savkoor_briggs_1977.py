@@ -58,7 +58,7 @@ def slip_resistance(load, theta, K_beta):
 
 @formula
 def slip_resistance_printed(x, theta, K_beta):
-    """Return the tangential force at which a JKR contact peels according to eq (10) of soft_coating_2015, exactly as printed.
+    """Return the tangential force at which a JKR contact peels by eq (10) of soft_coating_2015, as published.
 
     It is T = 4 (K beta)^(-1/2) sqrt((2 pi/theta) x^(3/2) - 3 pi^2/theta^2), in units of K R^(1/2) sigma^(3/2). x: a^2/(R
     sigma), with the contact radius a. theta: elastic adhesion index. K_beta: K beta, with K = (4/3) E* and the tangential

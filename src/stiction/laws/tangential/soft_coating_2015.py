@@ -64,7 +64,7 @@ def resistance(u, w, load, area, *row):
 
 @formula
 def resistance_printed(u, w, load, area, *row):
-    """Return the two forces of `resistance` with the peeling force of eq (10) as printed; the larger is replaced by 0.
+    """Return the two forces of `resistance` with the peeling force of eq (10) as published; replace the larger by 0.
 
     area: contact area in units of pi R sigma, which eq (10) uses as x. load, row: as in `resistance`. u, w: not used.
     """

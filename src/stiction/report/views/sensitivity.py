@@ -90,7 +90,7 @@ def _share(row: "xarray.Dataset", name: str) -> str:
 def log_sensitivities_table(data: "xarray.Dataset") -> Table:
     """Return a table of the logarithmic sensitivities d ln y/d ln x at the working load, ranked by their effect on friction.
 
-    y are the results, such as mu, and x all input numbers.
+    y: results, such as mu. x: the inputs listed by `numbers_of`.
     """
     results, names = at_working_load(data), results_of(data, "log_sensitivity")
     digits = 2 if _SHARE in data else 3  # the sensitivities of a prediction scatter with its samples

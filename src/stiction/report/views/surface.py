@@ -160,7 +160,7 @@ def _moments(profile: ProfileMoments) -> str:
 
 
 def asperity_table(analysis: Analysis) -> Table:
-    """Return a table of sigma, R and N of one scan by each asperity method, with number, heights and skewness."""
+    """Return a table of the asperities of one scan by each method: sigma, R, N, number, height distribution, skewness."""
     rows = []
     for method, result in analysis.asperities.items():
         cells = _cells(result.deviation, result.radius, result.density)

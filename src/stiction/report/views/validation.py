@@ -24,7 +24,7 @@ _HOW = {
 
 
 def origin_lines(data: "xarray.Dataset") -> Iterator[Text]:
-    """Yield title, source and note of a measured series, and its number of values."""
+    """Yield title, source, note and number of values of a measured series; synthetic data begin with a warning."""
     about = data.attrs
     if about["kind"] == "synthetic":
         yield Text("SYNTHETIC: these values were made up; they were not measured.", style="bold yellow")

@@ -111,10 +111,10 @@ class Film:
 
 
 def _near(y, _, k, one_less_lk, linear, constant):
-    """Return the compliance of a film relative to a half-space of film material, for long waves.
+    """Return the compliance of a film on its substrate relative to a half-space of film material, for long waves.
 
-    y: 2 k t, below 1, with the wavenumber k and the film thickness t. The other arguments are L (not used), K, 1 - LK, 1 + LK +
-    2K and (1 - L)(1 - K). This is equation (3) of this module, which loses no digits for small y.
+    y: 2 t times the wavenumber, below 1, with the film thickness t. The other arguments are L (not used), K (named k), 1 - LK,
+    1 + LK + 2K and (1 - L)(1 - K). This is equation (3) of this module, which loses no digits for small y.
     """
     sine = y**3 * np.polynomial.polynomial.polyval(y * y, _SERIES)
     rest = 2.0 - one_less_lk
@@ -124,9 +124,9 @@ def _near(y, _, k, one_less_lk, linear, constant):
 
 
 def _away(y, el, k, *_):
-    """Return the compliance of a film relative to a half-space of film material, for short waves.
+    """Return the compliance of a film on its substrate relative to a half-space of film material, for short waves.
 
-    y: 2 k t, 1 or more, with the wavenumber k and the film thickness t. el, k: the numbers L and K of equation (2) of this
+    y: 2 t times the wavenumber, 1 or more, with the film thickness t. el, k: the numbers L and K of equation (2) of this
     module, which is evaluated here.
     """
     once = np.exp(-y)

@@ -297,8 +297,7 @@ def _from_coarser(request, compliance, boundary, mean, heights) -> np.ndarray:
 def _between(coarse: np.ndarray, axis: int, periodic: bool) -> np.ndarray:
     """Return a map with twice as many rows (axis 0) or columns (axis 1); added lines are means of their two neighbours.
 
-    On a periodic map, the first row or column is the second neighbour of the last. On other maps the last row or column is
-    repeated.
+    On a periodic map, the last added line is the mean of the last line and the first. On other maps it repeats the last line.
     """
     xp, last = namespace(coarse), (-1, slice(None)) if axis == 0 else (slice(None), -1)
     middle = 0.5 * (coarse + xp.roll(coarse, -1, axis=axis))

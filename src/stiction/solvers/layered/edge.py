@@ -75,10 +75,10 @@ def half_space(nu: float) -> Radial:
 
 
 def _forms(radial: Radial) -> tuple[float, float, float]:
-    """Return ln D, A and B of the squared von Mises stress at the trailing edge, M = D (A s^2 + 2 B s q + q^2).
+    """Return ln D, A and B, which determine the squared von Mises stress at the trailing edge.
 
-    s, q: mean pressure and mean traction. radial: stresses at the contact edge. At the trailing edge the stress under traction
-    is largest.
+    The equation is that of the module docstring. radial: stresses at the contact edge. At the trailing edge the stress under
+    traction is largest.
     """
     A, B, D, _ = (float(form[0, 0]) for form in forms_of(radial))
     return np.log(D), A / D, -B / D

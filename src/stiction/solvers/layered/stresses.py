@@ -82,7 +82,7 @@ class Stresses:
         return _assembled(self._transformed(r, z, self.body.nu_below, body_function, _across_body))
 
     def _transformed(self, r, z, nu: float, function: Callable, across: Callable) -> Callable:
-        """Return a function (name, order) -> (n, m) that computes the Hankel transform of a stress amplitude.
+        """Return a function of (name, order) that returns the Hankel transform of a stress amplitude, an array (n, m).
 
         name: name of the amplitude f. The transform of order n is the integral of f k P(k) J_n(k r) over the wavenumber k, with
         the pressure's transform P(k). r (m,), z (n,): radii and depths divided by the contact radius. nu: Poisson's ratio at

@@ -54,7 +54,8 @@ class PeriodicShear:
     def inverse(self, displacement: np.ndarray) -> np.ndarray:
         """Return the traction [Pa] that causes a displacement [m] on a map that sticks everywhere.
 
-        Both are (components, rows, columns). The mean is treated as the longest wave. The result serves as preconditioner.
+        Both are (components, rows, columns). The mean is divided by the compliance of the longest wave. This inverse serves as
+        a preconditioner.
         """
         alone = len(displacement) == 1
         return _through(displacement, self.shape, (self._inverse_along, None, None) if alone else self._inverse)
@@ -87,7 +88,8 @@ class MirroredShear:
     def inverse(self, displacement: np.ndarray) -> np.ndarray:
         """Return the traction [Pa] that causes a displacement [m] on a map that sticks everywhere.
 
-        Both are (components, rows, columns). The mean is treated as the longest wave. The result serves as preconditioner.
+        Both are (components, rows, columns). The mean is divided by the compliance of the longest wave. This inverse serves as
+        a preconditioner.
         """
         if len(displacement) == 1:
             return _even(displacement, self._inverse)
@@ -154,7 +156,7 @@ def _tensor(along, across, x, y, shape) -> tuple[np.ndarray, np.ndarray, np.ndar
 def _through(field: np.ndarray, grid, symbol) -> np.ndarray:
     """Zero-pad the field to the shape `grid`, multiply it by the symbol in Fourier space, and return the product on that grid.
 
-    field: (components, rows, columns), whose precision the result has. symbol: components xx, xy and yy of a tensor for each
+    field: (components, rows, columns); the result has the same precision. symbol: components xx, xy and yy of a tensor for each
     wave.
     """
     xx, xy, yy = (None if part is None else part.astype(field.dtype, copy=False) for part in symbol)

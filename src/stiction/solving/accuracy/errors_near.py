@@ -240,12 +240,13 @@ def _at_lighter_load(
     """Extrapolate errors (k, s) to loads below the lightest solved load; return them with weights (k, s) of the surfaces.
 
     errors: table of the errors. at_lightest (k, s): errors at the pressures `lightest`. pressure_ratio (k,): lightest solved
-    pressure divided by the pressure of the contact, or 1 if the contact has a larger pressure. lightest, hardness (k,):
-    pressure of the contact, or the lightest solved pressure if that is larger, and hardness of the contact, both divided by E*
-    h'. Errors at the ratio 1 are not changed. On elastic surfaces the error continues linearly in ln of the pressure. On
-    surfaces that flow plastically it decreases with the square root of the pressure, because the finest roughness of a plateau
-    flows too. Surfaces whose error changes fast have smooth plateaus, whereas real plateaus are rough; the weight of such
-    surfaces therefore decreases with the load. Both rules are judgements of the authors (grade C).
+    pressure divided by the pressure of the contact, or 1 if the contact has a larger pressure. lightest (k,): the larger of the
+    pressure of the contact and the lightest solved pressure, divided by E* h'. hardness (k,): hardness of the contact, divided
+    by E* h'. Errors at the ratio 1 are not changed. On elastic surfaces the error continues linearly in ln of the pressure down
+    to 1/_FARTHEST of the lightest solved pressure, and is constant below. On surfaces that flow plastically it decreases with
+    the square root of the pressure, because the finest roughness of a plateau flows too. Surfaces whose error changes fast have
+    smooth plateaus, whereas real plateaus are rough; the weight of such surfaces therefore decreases with the load. Both rules
+    are judgements of the authors (grade C).
     """
     if not (pressure_ratio > 1.0).any():
         return at_lightest, np.ones(at_lightest.shape)

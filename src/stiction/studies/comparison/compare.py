@@ -250,9 +250,9 @@ def _ignored(problem: Problem) -> str:
 
 
 def _of_laws(problem: Problem) -> dict[str, str]:
-    """Return texts that describe a model, by key: its grade, which is the worst grade of its laws.
+    """Return texts about a model by name: `grade` is the worst grade of its laws.
 
-    For a model with friction also the family of its curve, and how plastic contact spots resist shear.
+    If the model computes friction, `family_of_curve` and `plastic_junctions_resist` are also returned.
     """
     grade = max(record.grade for record in problem.records())
     tangential = problem.chosen.tangential

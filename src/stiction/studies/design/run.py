@@ -83,7 +83,10 @@ class DesignSearch:
 
     @property
     def work_left(self) -> str:
-        """Return a text with the largest number of designs, and the longest remaining time if it exceeds 90 s."""
+        """Return a text such as "of at most 4000, at most 5 min left".
+
+        The number is the largest number of designs in the whole search. The time is omitted up to 90 s.
+        """
         count = len(self.shares)
         seconds = (time.monotonic() - self.started) / count * max(self.most - count, 0)
         minutes = f", at most {seconds / 60.0:.0f} min left" if seconds > 90.0 else ""

@@ -1,4 +1,4 @@
-"""Predict with a fitted model, with 95 % bands from the uncertainty of its free parameters.
+"""Predict with a fitted model, with 95 % intervals from the uncertainty of its free parameters.
 
 A free parameter is a number of the case that the fit varies. Its share is its position between its low end (0) and its high end
 (1).
@@ -32,11 +32,11 @@ _SET = "set"
 
 @dataclass(frozen=True)
 class Bands:
-    """Store the predictions of a fitted model for each measured quantity, except the pull-off force if there are others.
+    """Store the predictions of a fitted model for each measured quantity; the pull-off force only if it is the only one.
 
-    tables: by name of the quantity, (dimensions, best values, low and high ends of the 95 % band) in SI units. coords:
+    tables: by name of the quantity, (dimensions, best values, low and high ends of the 95 % interval) in SI units. coords:
     coordinates of the dimensions. sample: name of the measured sample that is predicted, if samples have free parameters of
-    their own. effective: effective number of posterior samples behind the bands.
+    their own. effective: effective number of posterior samples behind the intervals.
     """
 
     tables: dict[str, tuple[tuple[str, ...], np.ndarray, np.ndarray, np.ndarray]]

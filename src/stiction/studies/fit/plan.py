@@ -106,7 +106,7 @@ def _complete(content: Mapping[str, Any], free: tuple[Free, ...], data: Measurem
 
 
 def read_fit(content: Mapping[str, Any]) -> Fit:
-    """Return the table [fit] of a case after checking it. Raises InputError."""
+    """Return the table [fit] of a case; raise InputError if it is invalid."""
     fit: Fit = study_table(content, "fit", WANTED)
     return fit
 

@@ -1,4 +1,4 @@
-"""Fit a case that names no model: sample its free parameters, and weight the samples of a prediction by measured values.
+"""Fit a case that names no model: weight samples of its free parameters by their agreement with measured values.
 
 A free parameter is a number of the case with a low and a high end in [fit.free].
 """

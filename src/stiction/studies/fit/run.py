@@ -81,7 +81,7 @@ def fit(case: "CaseFile", data: "FilePath", *, progress: Progress = silent) -> "
     -------
     xarray.Dataset
         Over `parameter`, the numbers of [fit.free], in SI units: the best `value`; `low` and `high`, the 95 % interval by the
-        profile likelihood; `open_low` and `open_high`, whether the data set no limit at this end; `standard_error`,
+        profile likelihood; `open_low` and `open_high`: True if the data do not limit the value at this end; `standard_error`,
         `correlation`; `least` and `most`, the ends of the search range; and the profile, `profile_value` and `profile_rise`
         (rise of chi square). Over `row`: measured values, fitted values and residuals. Over `model`, if [fit] names alternative
         models: Akaike's criterion, Akaike weights and cross-validation errors. Predictions at the points of [solve]:
@@ -268,7 +268,7 @@ def _attributes(fitting: FitResult) -> dict[str, Any]:
 
 
 def _unsure(fitting: FitResult) -> list[str]:
-    """Return sentences on a search that did not converge, and on bands from too few independent samples."""
+    """Return sentences on a search that did not converge, and on prediction intervals from too few independent samples."""
     why = fitting.best.best.unfinished
     texts = [f"the search did not end at a minimum: {why}"] if why else []
     if fitting.bands is not None and fitting.bands.effective < _FEW:

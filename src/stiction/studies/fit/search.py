@@ -179,7 +179,7 @@ def _damped(values: np.ndarray, slopes: np.ndarray, damping: np.ndarray, at: np.
 
     The step is 0 for a parameter at an end of its range that would otherwise leave the range. values (sets, n): residuals.
     slopes (sets, n, columns): their derivatives. damping (sets,): Levenberg-Marquardt parameter. at (sets, columns): positions
-    of the numbers between their ends, 0 to 1.
+    of the free parameters in their ranges, 0 to 1.
     """
     gradient = np.einsum("snk,sn->sk", slopes, values)
     held = ((at <= 0.0) & (gradient > 0.0)) | ((at >= 1.0) & (gradient < 0.0))

@@ -2,9 +2,9 @@
 
 A case that names no model needs no change: the samples of its prediction are weighted by their agreement with the measured
 values, and --load predicts friction at another load from the same values. The table [fit.free] of a case names free parameters,
-each with its low and high end; a case that names a model needs it. Its 95 % intervals follow from the profile likelihood, and
-the output states what the data do not determine. --out writes pictures, tables and, with [fit.free], fitted.toml, a case file
-for `stiction run`. If interrupted after the model is fitted, the command keeps this fit.
+each with its low and high end. A case that names a model needs this table. The 95 % intervals of its free parameters follow
+from the profile likelihood, and the output states what the data do not determine. --out writes pictures, tables and, with
+[fit.free], fitted.toml, a case file for `stiction run`. If interrupted after the model is fitted, the command keeps this fit.
 """
 
 from pathlib import Path

@@ -1,7 +1,8 @@
 """Compute the curves behind figures 1 to 3 of the 2015 paper: friction coefficient against load, coated and uncoated.
 
 Source: soft_coating_2015, section 4. The paper prints the film's n_E, n_H and tau and the range of h. It does not print
-theta and lambda of any figure, nor the film values that the panels of figures 1 and 2 hold fixed: those here are chosen.
+theta and lambda of any figure, nor the film values that the panels of figures 1 and 2 hold fixed. The values used here are our
+choice.
 """
 
 from collections.abc import Iterable, Iterator, Mapping
@@ -65,10 +66,10 @@ class PanelCurves:
 
 
 def in_words(variant: str) -> str:
-    """Return the name of a variant of the paper's model for captions: "its film solved", or e.g. "corrected variant"."""
+    """Return the caption name of a variant: "film solved as a layer" for LAYERED, otherwise e.g. "corrected variant"."""
     from stiction.studies.paper.layered import LAYERED
 
-    return "its film solved" if variant == LAYERED else f"{variant} variant"
+    return "film solved as a layer" if variant == LAYERED else f"{variant} variant"
 
 
 def panel_curves(panel: Panel, theta: float, lam: float, variant: str) -> PanelCurves:

@@ -200,8 +200,8 @@ def _law(sampled: SampledCase, choice: Choice, weight: float) -> AreaLaw:
     """Return the area of all samples by one model, with its errors on benchmark surfaces.
 
     choice: the model. weight: its weight. If the model refuses a contact because the product of asperity density, radius and
-    height deviation is smaller than a Gaussian surface can have, the area is computed with the smallest Gaussian product. The
-    weight then decreases with the actual product, to 0 at half of the smallest Gaussian product. Raises InputError or
+    height deviation is smaller than a Gaussian surface can have, the area is computed with the smallest product of a Gaussian
+    surface. The weight then decreases with the actual product, to 0 at half of this smallest product. Raises InputError or
     ArithmeticError if the model refuses any contact for another reason, or has no weight for all contacts.
     """
     try:
@@ -242,10 +242,10 @@ def _law(sampled: SampledCase, choice: Choice, weight: float) -> AreaLaw:
 
 
 def _solved(sampled: SampledCase, choice: Choice) -> tuple[Points, Mapping[str, np.ndarray]]:
-    """Return the points (nominal contacts at a load), and the normalised results of one model at these points by name.
+    """Solve one model for the nominal contacts at their loads; return the points and the results.
 
-    Where no separation carries the load, the mean separation is NaN, and the other results are those at separation 0. Raises
-    InputError or ArithmeticError if the model refuses a contact.
+    The results are normalised arrays by name. Where no separation carries the load, the mean separation is NaN, and the other
+    results are those at separation 0. Raises InputError or ArithmeticError if the model refuses a contact.
     """
     points = points_of(make_problem(sampled.nominal(choice.model_key), choice), sampled.load)
     return points, solve_points(points, refuse=False).tables

@@ -30,8 +30,8 @@ def bare_metal(mixture: Mixture, level: float) -> list[float]:
 
     level: coverage probability of the interval. The list is empty if a body is not a metal, or if the contact has neither a
     film nor a stated interface other than clean metal, oxidised metal and gold contact. The contact spots are plastic, have the
-    shear strength tau_0 of clean metal, at most that of the softer body, and grow under shear. As tau_0 is proportional to the
-    hardness H, mu = tau_0/H times the junction growth does not depend on H.
+    shear strength tau_0 of clean metal, limited to the shear strength of the softer body, and grow under shear. As tau_0 is
+    proportional to the hardness H, mu = tau_0/H times the junction growth does not depend on H.
     """
     contact = mixture.sampled.contact
     bodies = (contact.first, contact.second)

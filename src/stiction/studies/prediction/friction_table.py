@@ -27,7 +27,7 @@ def friction_table(contact: Any, *, load: Any = None, level: float = 0.5) -> "xa
         One contact, as for `predict`.
     load : number, text or sequence, optional
         Normal load [N]; by default the loads of the case. The table covers the range of two or more loads. For a single load
-        it covers two decades below, and two, one or no decades above, as many as hardness times nominal area allows.
+        it covers two decades below and up to two decades above it; fewer above if hardness times nominal area is smaller.
     level : float
         Quantile of mu, between 0 and 1: 0.5 for the median, 0.05 for a lower bound.
 
@@ -89,8 +89,8 @@ def _predicted(case: Case, stated: np.ndarray, level: float) -> tuple[np.ndarray
     """Return loads [N] (n,) and the quantile `level` of mu (n,) at these loads.
 
     stated: sorted loads [N] that the table must contain. Several loads: the table covers their range. A single load: the table
-    covers two decades below it, and two, one or no decades above it, as many as hardness times nominal area allows. Loads
-    without a finite mu are left out. Raises InputError.
+    covers two decades below it and two above it, or one or none above it if hardness times nominal area is smaller. Loads
+    without a finite mu are omitted. Raises InputError.
     """
     end = "" if level == 0.5 else "_low" if level < 0.5 else "_high"
     interval = abs(1.0 - 2.0 * level) or None

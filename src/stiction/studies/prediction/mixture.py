@@ -230,10 +230,10 @@ class Mixture:
 
 
 def _most_load(sampled: SampledCase) -> np.ndarray:
-    """Return the largest load [N] that the hardness bears on the nominal area, at each of m points, (m,) or (1,).
+    """Return hardness times nominal area [N], the largest load that can be carried, for each of m points, (m,) or (1,).
 
-    A point is a contact at a load. The hardness is the median of the largest spot pressure over the samples, the nominal area
-    its mean over the samples.
+    A point is a contact at a load. The hardness is the median over the samples of the largest pressure that a contact spot can
+    bear. The nominal area is the mean over the samples.
     """
     most: np.ndarray = np.median(sampled.bodies.hardest, axis=0) * np.mean(sampled.column(sampled.drawn.nominal_area), axis=0)
     return most

@@ -110,11 +110,12 @@ class Onset:
         return self._coupled(np.clip(found, residual, 1.0), residual, score, rows)
 
     def _coupled(self, like: np.ndarray, residual: np.ndarray, score: np.ndarray, rows: np.ndarray) -> np.ndarray:
-        """Return the efficiency of unlike bodies (n, m), in which normal and tangential displacements are coupled.
+        """Return the efficiency (n, m) of unlike bodies: largest force divided by the summed strength.
 
-        like: efficiency of like bodies (n, m). residual: residual strength (fraction). score: standard normal scores (n, 1) of
-        the error. rows: index of the sampled input numbers of each sample (n,). Where like bodies lose no friction, unlike
-        bodies lose none either.
+        Normal and tangential displacements of bodies with unlike elastic constants are coupled. like: efficiency of like bodies
+        (n, m). residual: residual strength (fraction). score: standard normal scores (n, 1) for the error of the loss. rows:
+        index of the sampled input numbers of each sample (n,). Where like bodies lose no friction, unlike bodies lose none
+        either.
         """
         mean, error, most = UNLIKE
         lost = (1.0 - like) / np.maximum(1.0 - residual, 1e-12)

@@ -116,7 +116,7 @@ class SampledCase:
         The area is NaN where the model refuses a sample, cannot carry the load, or gives an impossible result. choice: the
         model. pulls: names in PULLS of the attractive forces to include; by default adhesion and liquid are left out. faint:
         whether the work of adhesion is reduced until it has no effect. Raises InputError or ArithmeticError if the model
-        refuses the nominal contact; without array parameters, only if it refuses a sample too.
+        refuses the nominal contact. The nominal contact is not solved if one batch solves all samples without an error.
         """
         left_out = [*_INTERFACE, *(name for name in PULLS if name not in pulls)]
         case = replace(_without(self.case, left_out), load=self.load, separation=None)

@@ -140,7 +140,7 @@ class Strength:
 
 
 def exact_strength(contact: Contact) -> Any:
-    """Return tau_0 [Pa] that a contact states itself, or in its interface state as a stress without a range; else None.
+    """Return tau_0 [Pa] if the contact specifies it, or its interface gives it as a stress without a range; else None.
 
     It is a number or a labelled array (xarray). A strength relative to hardness or shear modulus gives None.
     """

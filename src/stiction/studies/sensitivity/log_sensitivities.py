@@ -65,7 +65,7 @@ class _Steps:
 
 
 def numbers_of(case: Case) -> dict[str, list[Uncertain]]:
-    """Return the numbers that `_numbers` yields for a contact, as uncertain numbers whose samples are steps of the logarithm.
+    """Return the numbers of a contact (from `_numbers`) as uncertain numbers; each sample is a step of ln x.
 
     The result has a list of numbers for each input, by name of the input. Numbers that are sampled together in the case form
     one input and are changed by the same factor. Array parameters, surface energies, and roughness parameters measured from

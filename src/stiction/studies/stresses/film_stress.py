@@ -134,10 +134,10 @@ def part_that_yields(subject: Subject, where: str) -> str:
 
 
 def middle_point(data: "xarray.Dataset") -> "xarray.Dataset":
-    """Return a `film_stresses` result at the middle one of the loads or separations at which asperities are pressed.
+    """Return a `film_stresses` result at the middle of the loads or separations at which asperities are pressed.
 
-    An even number has two middle ones; the first of them is used. If no asperities are pressed, all loads or separations are
-    considered. A result at a single number is returned unchanged.
+    If their number is even, the first of the two middle ones is used. If no asperities are pressed, all loads or separations
+    are considered. A result at a single number is returned unchanged.
     """
     if not data["load"].dims:
         return data

@@ -222,8 +222,8 @@ def _layout(case: Case, variants: Sequence[Variant], names: Sequence[str]) -> Dr
 def _extend(draws: Draws, name: str, sizes: Mapping[str, int]) -> None:
     """Add the dimensions that samples of a result have and the nominal contact lacks.
 
-    The nominal result lacks the dimension of a number of one body if it depends on the other body only; a sample may depend on
-    both. sizes: length of each dimension of the samples.
+    If the nominal result depends only on one body, it lacks the dimensions of the other body's inputs. A sample may depend on
+    both bodies and have these dimensions. sizes: length of each dimension of the samples.
     """
     table, dims = draws.tables[name], draws.dims[name]
     if more := [dim for dim in sizes if dim not in (SAMPLE, *dims)]:

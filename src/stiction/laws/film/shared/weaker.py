@@ -23,8 +23,8 @@ def _weaker(substrate: Callable, film: Callable, back: Callable, of_substrate: i
     The first returns displacement, its derivative, zero load, zero area, and the slip-limited and yield-limited resistance of
     film or substrate, whichever is weaker. The second returns the film's resistance minus the substrate's.
 
-    substrate, film: formulas `along` of both regimes, with of_substrate and of_film parameters. back: formula for the
-    coordinate of the film at a displacement.
+    substrate, film: formulas `along` of substrate and film. of_substrate, of_film: number of parameters of each. back: formula
+    for the coordinate of the film at a displacement.
     """
     count = of_substrate + of_film
 
@@ -114,9 +114,10 @@ def _in_series(
 
 
 def _branches(below: Regime, above: Regime, segment: NormalSegment, tau: np.ndarray) -> np.ndarray | None:
-    """Return substrate coordinates (n, b) of the branch points of film and substrate; None if neither has any.
+    """Return the b branch points of film and substrate as coordinates (n, b) of the substrate; None if there are none.
 
-    Near a branch point a resistance varies as the square root of the distance. A coordinate is -inf where a contact has no such
+    At a branch point a resistance varies as the square root of the distance from it. A point of the film is converted by its
+    displacement, which exceeds that of the substrate by the film thickness. A coordinate is -inf where a contact has no such
     point. below, above: regimes of substrate and film. segment: segment of the substrate. tau (n,): film thickness in units of
     sigma.
     """
