@@ -62,8 +62,8 @@ def coverage(sets: int, seed: int, unknown: bool = False, say=lambda done, held:
 
 def _exact(folder: Path) -> np.ndarray:
     forward = forward_model(_plan(folder, np.full(len(LOADS), 0.3), np.full(len(LOADS), 0.01)))
-    shares = [float(one.share(TRUTH[one.name])) for one in forward.parameters]
-    return forward.values(np.array(shares))[0]
+    positions = [float(one.share(TRUTH[one.name])) for one in forward.parameters]
+    return forward.values(np.array(positions))[0]
 
 
 def _plan(folder: Path, values: np.ndarray, errors: np.ndarray | None):

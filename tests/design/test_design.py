@@ -13,7 +13,7 @@ from stiction.quantities.errors import InputError
 from stiction.report.design_pictures import design_figure
 from stiction.report.views.design import design_notes, design_view
 from stiction.solving.choice import Choice
-from stiction.solving.pointwise import WHY_NOT, solve_batch
+from stiction.solving.pointwise import REASONS, solve_batch
 from stiction.solving.problem import make_problem
 from stiction.solving.solve import solve
 from stiction.solving.yielded import yielded_shares
@@ -143,8 +143,8 @@ def test_the_worst_of_several_loads_counts():
     table = case({"target": "friction_coefficient", "value": 0.1}, RADIUS, load=["1 N", "400 N"])
     found = run_design(plan_of_design(table), lambda count, text: None)
     best = found.best()[0]
-    shares, objectives = found.shares, found.answers.objectives
-    radius = float(found.plan.free[0].at(shares[best, 0]))
+    positions, objectives = found.positions, found.answers.objectives
+    radius = float(found.plan.free[0].at(positions[best, 0]))
     subject = subject_of(table)
     there = subject.replace(roughness=subject.roughness.replace(asperity_radius=radius))
     mu = solve(there, load=[1.0, 400.0], model="persson_2001")["friction_coefficient"].values
@@ -196,7 +196,7 @@ def test_what_a_limit_of_validity_counts(deviation, work, load, kinds):
     rough = contact.roughness.replace(asperity_radius=50e-6, asperity_height_deviation=deviation)
     contact = contact.replace(roughness=rough, work_of_adhesion=work)
     solved = solve_batch(contact, Choice("greenwood_williamson_1966"), load=load)
-    bits = int(solved.validity_warnings[1]) >> len(WHY_NOT)
+    bits = int(solved.validity_warnings[1]) >> len(REASONS)
     left = [rule.kind for at, rule in enumerate(solved.rules) if bits >> at & 1]
     assert set(left) == kinds
     counted = {"claimed": len(left) - left.count("statistics"), "possible": left.count("impossible"), "any": 0}
@@ -246,7 +246,7 @@ def test_what_is_searched_under_a_ceiling_is_best_at_it():
     """Friction is strength times area over load: the most friction under a ceiling of the area has that area."""
     table = case([MOST, {"minimise": "contact_area"}], RADIUS)
     found = run_design(plan_of_design(table | {"design": table["design"] | {"effort": 1}}), lambda count, text: None)
-    before = len(found.shares)
+    before = len(found.positions)
     found.plan.__dict__["effort"] = 60
     _search_objective(found, 0, 2e-10, lambda count, text: None)
     objectives = found.answers.objectives
@@ -384,11 +384,11 @@ def test_an_interruption_keeps_the_best_so_far():
 
     plan = plan_of_design(case(MOST, RADIUS, {"area_fraction": {"high": 0.001}}))
     found = run_design(plan, stop)
-    assert found.stopped and 300 < len(found.shares) < 400
+    assert found.stopped and 300 < len(found.positions) < 400
     data = found.data()
     assert bool(data["feasible"][0]) and float(data["friction_coefficient"][0]) > 0.19 and data.attrs["stopped"] == 1
     so_far = data["best_so_far"].values
-    assert so_far.size == len(found.shares) and (so_far[1:] <= so_far[:-1]).all()
+    assert so_far.size == len(found.positions) and (so_far[1:] <= so_far[:-1]).all()
     assert -so_far[-1] == pytest.approx(float(data["friction_coefficient"][0]), rel=1e-12)
     with pytest.raises(KeyboardInterrupt):
         run_design(plan, stop, keep_on_interrupt=False)
@@ -421,7 +421,7 @@ def test_the_largest_number_of_designs_is_told_at_once_and_kept(objective, model
     counts, texts = zip(*told, strict=True)
     assert counts[0] <= 256 and sorted(set(counts)) == list(counts)
     (most,) = {int(text.removeprefix("of at most ").partition(",")[0]) for text in texts}
-    assert counts[-1] == len(found.shares) <= most <= 1.5 * len(found.shares) + 400
+    assert counts[-1] == len(found.positions) <= most <= 1.5 * len(found.positions) + 400
 
 
 def test_the_time_left_is_told_where_it_is_long(monkeypatch):
@@ -557,7 +557,7 @@ def test_a_front_of_predictions_reaches_its_ends_in_few_designs():
         }
     )
     found = run_design(plan, lambda count, text: None)
-    assert len(found.shares) <= 500
+    assert len(found.positions) <= 500
     front = found.data()
     area = front["pareto_contact_area"].values
     smooth, rough = (

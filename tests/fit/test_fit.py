@@ -56,7 +56,7 @@ def exact(name="friction_coefficient", model="fuller_tabor_1975", loads=LOADS, *
 
 
 def test_what_the_data_do_not_bound_is_spread_evenly_between_its_ends():
-    """Of two shares the first is seen with a slope of 2 in one residual and of 1 in another, the second in none: an even
+    """Of two positions the first is seen with a slope of 2 in one residual and of 1 in another, the second in none: an even
     spread has the variance 1/12, which adds to the precision that the data give, 5 over the square of their error."""
     table = np.array([[2.0, 0.0], [1.0, 0.0]])
     best = Best(np.full(2, 0.5), np.array([0.6, 0.8]), table)
@@ -178,7 +178,7 @@ def test_the_profile_is_that_of_other_searches(series):
     values = exact() + error * np.random.default_rng(8).standard_normal(LOADS.size)
     plan = plan_of_fit(case(free=BOTH), series(values, error))
     one = fitted("", forward_model(plan))
-    least = (one.residuals()(one.best.shares[None, :]) ** 2).sum()
+    least = (one.residuals()(one.best.positions[None, :]) ** 2).sum()
 
     for at, profile in enumerate(one.profiles):
 
@@ -188,7 +188,7 @@ def test_the_profile_is_that_of_other_searches(series):
 
             return minimize_scalar(sum_of_squares, bounds=(0.0, 1.0), options={"xatol": 1e-6}).fun - least - 3.841459
 
-        width, best = profile.high - profile.low, one.best.shares[at]
+        width, best = profile.high - profile.low, one.best.positions[at]
         ends = [brentq(over, best, best + side * width, xtol=3e-4 * width) for side in (-1.0, 1.0)]
         np.testing.assert_allclose([profile.low, profile.high], ends, atol=2e-3 * np.ptp(ends))
 
@@ -259,10 +259,10 @@ def test_rows_of_several_samples_are_each_asked_for_as_they_are(tmp_path):
     }  # fmt: skip
     free = {STRENGTH: {"low": "10 MPa", "high": "2 GPa", "each_sample": True}, ADHESION: BOTH[ADHESION]}
     forward = forward_model(plan_of_fit(case(free=free), written(tmp_path / "measured.csv", rows)))
-    shares = rng.uniform(0.2, 0.8, (2, len(forward.parameters)))
-    found = forward.values(shares)
+    positions = rng.uniform(0.2, 0.8, (2, len(forward.parameters)))
+    found = forward.values(positions)
     rough = parse_case({key: table for key, table in case().items() if key != "fit"}).subject.roughness
-    for numbers, said in zip(shares, found, strict=True):
+    for numbers, said in zip(positions, found, strict=True):
         given = {one.name: float(one.at(share)) for one, share in zip(forward.parameters, numbers, strict=True)}
         for at in range(n):
             radius = rows["roughness.asperity_radius [um]"][at]
@@ -296,13 +296,13 @@ def test_bands_are_those_of_the_closed_form(series):
     np.testing.assert_allclose((high - low) / best, 2 * 1.96 * deviation, rtol=0.05)
 
 
-def test_standard_errors_are_of_the_numbers_and_not_of_their_shares():
+def test_standard_errors_are_of_the_numbers_and_not_of_their_positions():
     """A share goes to the number by the slope there, by differences: one that is searched by its logarithm, and one evenly."""
     free = (Free(("contact", STRENGTH), 1e6, 1e9, True), Free(("contact", "pressure_coefficient"), 0.1, 0.5, False))
-    shares, covariance = np.array([0.4, 0.7]), np.array([[0.0004, 0.0001], [0.0001, 0.0009]])
-    best = Best(shares, np.ones(2), np.linalg.cholesky(np.linalg.inv(covariance)).T)
+    positions, covariance = np.array([0.4, 0.7]), np.array([[0.0004, 0.0001], [0.0001, 0.0009]])
+    best = Best(positions, np.ones(2), np.linalg.cholesky(np.linalg.inv(covariance)).T)
     found = Fitted("", SimpleNamespace(parameters=free), best, np.ones(3), True, 1.0, 3.84, 1, False)
-    slopes = np.array([(one.at(s + 1e-6) - one.at(s - 1e-6)) / 2e-6 for one, s in zip(free, shares, strict=True)])
+    slopes = np.array([(one.at(s + 1e-6) - one.at(s - 1e-6)) / 2e-6 for one, s in zip(free, positions, strict=True)])
     np.testing.assert_allclose(_standard_errors(found), [0.02, 0.03] * slopes, rtol=1e-6)
     assert np.isnan(_standard_errors(replace(found, best=replace(best, jacobian=np.array([[1.0, 0.0]]))))).all()
 
@@ -341,13 +341,13 @@ def test_bands_of_errors_that_are_found_are_those_of_student(tmp_path):
 def test_draws_are_of_the_likelihood_between_the_ends(middle, deviation):
     """One share that is measured itself: a normal that is cut off at 0 and 1, from a narrow one to one that is even."""
     data = SimpleNamespace(value=np.array([middle]))
-    forward = SimpleNamespace(parameters=(None,), values=lambda shares: shares, data=data)
+    forward = SimpleNamespace(parameters=(None,), values=lambda positions: positions, data=data)
     slope = np.array([[1.0 / deviation]])
     best = Best(np.array([middle]), np.zeros(1), slope)
     sets, effective = draws_of(Fitted("", forward, best, np.array([deviation]), True, 1.0, 3.84, 0, False))
     known = stats.truncnorm(-middle / deviation, (1.0 - middle) / deviation, middle, deviation)
-    shares = np.array([0.02, 0.1, 0.3, 0.5, 0.7, 0.9, 0.98])
-    np.testing.assert_allclose(np.quantile(sets[:, 0], shares), known.ppf(shares), atol=0.01)
+    levels = np.array([0.02, 0.1, 0.3, 0.5, 0.7, 0.9, 0.98])
+    np.testing.assert_allclose(np.quantile(sets[:, 0], levels), known.ppf(levels), atol=0.01)
     assert effective > 1000.0
 
 
@@ -374,7 +374,7 @@ def test_models_are_ranked_by_evidence(series):
 def test_akaikes_criterion_where_errors_are_not_given(series):
     values = exact() + 0.01 * np.random.default_rng(6).standard_normal(LOADS.size)
     one = fitted("", forward_model(plan_of_fit(case(), series(values))))
-    said = one.forward.values(one.best.shares)[0]
+    said = one.forward.values(one.best.positions)[0]
     scale = (0.05 * values.max()) ** 2  # of the residuals: the same for all models
     by_hand = 8 * np.log(((values - said) ** 2).sum() / scale / 8) + 4 + 12 / 5
     assert aicc_of(one) == pytest.approx(by_hand, rel=1e-9)
@@ -624,7 +624,7 @@ def test_a_search_goes_on_from_points_between_the_ends_too(start):
         return (sets - 0.8) * np.column_stack([10.0 * (sets[:, 0] - 0.2), np.ones(len(sets))])
 
     best = search(residuals, np.array([start]))
-    assert best.shares == pytest.approx([0.8], abs=1e-9) and best.chi_square < 1e-15
+    assert best.positions == pytest.approx([0.8], abs=1e-9) and best.chi_square < 1e-15
 
 
 def test_an_interval_ends_where_the_profile_does_also_beyond_a_bend():
@@ -635,7 +635,7 @@ def test_an_interval_ends_where_the_profile_does_also_beyond_a_bend():
         return scale * (np.stack([sets.sum(axis=1), sets[:, 1]], axis=1) - [0.8, 0.1])
 
     best = search(residuals, np.array([0.5, 0.5]))
-    assert best.shares == pytest.approx([0.7, 0.1], abs=1e-7)
+    assert best.positions == pytest.approx([0.7, 0.1], abs=1e-7)
     found = profiles(residuals, best, 3.84)[0]
     assert found.high == pytest.approx(0.8 + (0.6 / 3600.0) ** 0.5, abs=1e-5)
     # Below, nothing is in the way: the least over q of both squares is (p - 0.7)^2/(1/3600 + 1/324).

@@ -19,7 +19,7 @@ from stiction.case.read import parse_case
 from stiction.report.pictures import curve_figure, uncertainty_figure
 from stiction.report.views.run import band_lines
 from stiction.solving.choice import Choice
-from stiction.solving.pointwise import WHY_NOT, solve_batch
+from stiction.solving.pointwise import REASONS, solve_batch
 from stiction.studies.case_results import solve_case
 from stiction.studies.uncertainty import drawing
 from stiction.studies.uncertainty.bands import levels, quantiles
@@ -302,7 +302,7 @@ def test_quantiles_are_of_those_that_are_known_while_these_are_half():
     assert np.isnan(quantiles(values, np.array([0.5]))[0]).all()
 
 
-@pytest.mark.parametrize("why", WHY_NOT[:2])
+@pytest.mark.parametrize("why", REASONS[:2])
 def test_points_of_which_nothing_is_known_are_told_whatever_the_reason(why, monkeypatch):
     monkeypatch.setattr(drawing.Draws, "shares", lambda found: {why: 0.25})
     assert "25% of the samples" in solve_case(case(uncertainty={"count": 64})).attrs["outside_validity"]

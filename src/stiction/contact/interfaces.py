@@ -132,7 +132,7 @@ class Interface(Input):
         return not self.pairs or (weight is not None and (weight > 0.0 or coated or not self.of_film))
 
     def notes(self) -> list[str]:
-        """Return the source and grade of each number, and uses of this interface state that must be avoided, one text each.
+        """Return texts with the source and grade of each number, and on contacts for which this state must not be used.
 
         The grade is C where none is stated.
         """

@@ -16,7 +16,7 @@ class Source:
 
     - key: key of the BibTeX entry, in sources.bib or in the field `entries` of a record
     - where: place in the source, such as "eq. (2)", "table 1" or "p. 12"; "" for the whole work
-    - note: what was corrected (an erratum) or reconstructed; "" if the source is used as printed
+    - note: what was corrected (an erratum) or reconstructed; "" if the source is used as published
     """
 
     key: str

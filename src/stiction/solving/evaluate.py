@@ -76,7 +76,7 @@ def evaluate(
     tau : array_like (...), optional
         Film thickness in units of sigma, 0 or more.
     variant : str
-        "corrected", or "published" for the equations as printed: friction then has exp(-(h+x)^2/2) in place of the normal
+        "corrected", or "published" for the equations as published: friction then has exp(-(h+x)^2/2) in place of the normal
         density, and the contact area, which is not printed, follows eq. 1.
     threads : int
         Number of threads, 1 or more; it does not affect the results.

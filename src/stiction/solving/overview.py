@@ -130,7 +130,7 @@ def _measured(record: FilmLaw) -> list[str]:
 def _parameters(record: Record) -> dict[str, list[str]]:
     """Return the allowed values of each option of an asperity method as texts, by name; {} for other records.
 
-    The default comes first if there is one. An option without a list of values has one text that describes them.
+    The default comes first if there is one. An option without a list of values has one text that describes its allowed values.
     """
     texts: dict[str, list[str]] = {}
     for name, option in record.parameters.items() if isinstance(record, AsperityMethod) else ():

@@ -26,7 +26,7 @@ T = TypeVar("T")
 Region = dict[str, slice]
 
 # Reasons for a missing result, bits 0 to 2 of the validity warnings of a point.
-WHY_NOT = (
+REASONS = (
     "the contact is invalid: one of its numbers is out of bounds, or the model does not converge",
     "the contact cannot carry the load at any separation",
     "the load is below round-off: it is the small difference of large adhesive and compressive loads",
@@ -41,7 +41,7 @@ class BatchResult:
     """Store the results of many contacts.
 
     variables: (dimensions, values in the units of the contact, attributes) by name. validity_warnings: dimensions, and an
-    array of bits (uint32): first one bit for each reason in WHY_NOT, then one for each range in `rules`. rules: validity
+    array of bits (uint32): first one bit for each reason in REASONS, then one for each range in `rules`. rules: validity
     ranges that results can violate. subject: the contacts in the form that the model uses. attributes: attributes as in
     `solve`; {} if only some results are requested.
     """
@@ -77,7 +77,7 @@ def solve_batch(
     refused = why_not == 1 << REFUSED
     variables = variables_of(points, solved, tables, keep, refused.all(axis=1))
     validity_warnings = why_not.astype(np.uint32)
-    for bit, violated in enumerate(rules_violated(problem, tables) if check_validity else (), start=len(WHY_NOT)):
+    for bit, violated in enumerate(rules_violated(problem, tables) if check_validity else (), start=len(REASONS)):
         validity_warnings |= violated.astype(np.uint32) << np.uint32(bit)
     validity_warnings = np.where(refused, why_not, validity_warnings).reshape(points.wanted.shape)
     attributes = summary_of(problem.subject, problem, tables) if keep is None else {}
@@ -87,14 +87,11 @@ def solve_batch(
 
 def meanings_of(rules: Sequence[Validity]) -> list[str]:
     """Return the meaning of each bit of `BatchResult.validity_warnings` as text, starting with bit 0."""
-    return [*WHY_NOT, *(f"{rule.quantity} is not {rule.range}: {rule.why}" for rule in rules)]
+    return [*REASONS, *(f"{rule.quantity} is not {rule.range}: {rule.why}" for rule in rules)]
 
 
 def _solve(points: Points) -> tuple[Solved, np.ndarray]:
-    """Return the results at the points, and bits (contacts, points) that state why results are missing.
-
-    Bit i is set if the reason WHY_NOT[i] prevents a result.
-    """
+    """Return the results at the points, and bits (contacts, points): bit i is set if REASONS[i] prevents a result."""
     try:
         return _solve_together(points)
     except (InputError, ArithmeticError):
@@ -106,7 +103,7 @@ def _solve(points: Points) -> tuple[Solved, np.ndarray]:
 def _solve_in_parts(points: Points) -> tuple[Solved, np.ndarray]:
     """Solve contacts in parts, so that contacts that the model does not accept get NaN and all others get results.
 
-    Returns the results and the reason bits (contacts, points), see WHY_NOT. Raises the last error if no contact is
+    Returns the results and the reason bits (contacts, points), see REASONS. Raises the last error if no contact is
     accepted.
     """
     shape, every = points.table.shape, np.arange(len(points.problem.groups))
@@ -180,7 +177,7 @@ def _halves(region: Region) -> list[Region]:
 
 
 def _solve_together(points: Points) -> tuple[Solved, np.ndarray]:
-    """Return the results at the points, NaN where a load cannot be carried, and the bits of WHY_NOT (contacts, points).
+    """Return the results at the points, NaN where a load cannot be carried, and the bits of REASONS (contacts, points).
 
     For a model that computes no separations, tensile loads are treated as loads that cannot be carried.
     """

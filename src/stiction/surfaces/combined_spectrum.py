@@ -18,14 +18,14 @@ from stiction.surfaces.theory.moments import Moments
 if TYPE_CHECKING:
     from stiction.surfaces.heightmap import HeightMap
 
-_PER_DECADE = 40  # wave numbers of the combined spectrum in each decade
+_PER_DECADE = 40  # wavenumbers of the combined spectrum in each decade
 _MOST_WAVES = 100.0  # largest weight of a bin; with more waves, scans differ by their instruments and not by chance
 _MANY_WAVES = 30.0  # least number of waves in a bin for a comparison of its density with another scan
 
 
 @dataclass(frozen=True)
 class CombinedSpectrum:
-    """Store the power spectrum of one surface from more than one scan; call it with wave numbers [rad/m].
+    """Store the power spectrum of one surface from more than one scan; call it with wavenumbers [rad/m].
 
     Parameters
     ----------
@@ -35,7 +35,7 @@ class CombinedSpectrum:
         Power spectral density C, normalised as in `SelfAffine`; between bins ln C is linear in the logarithm of the wave
         number.
     disagreement : float
-        Largest ratio of the densities that two scans give at the same wave number. Only densities from at least 30 waves are
+        Largest ratio of the densities that two scans give at the same wavenumber. Only densities from at least 30 waves are
         compared. 1 if no two scans overlap.
     dimensions : int
         2 for a surface, 1 for a profile.
@@ -51,7 +51,7 @@ class CombinedSpectrum:
     dimensions: int = 2
 
     def __call__(self, q: np.ndarray) -> np.ndarray:
-        """Return the power spectral density C at wave numbers q [rad/m], 0 outside the wavelengths that the scans measured."""
+        """Return the power spectral density C at wavenumbers q [rad/m], 0 outside the wavelengths that the scans measured."""
         q = np.asarray(q, dtype=float)
         inside = (q >= self.wavevector[0]) & (q <= self.wavevector[-1])
         log_q = np.log(np.clip(q, self.wavevector[0], self.wavevector[-1]))
@@ -153,7 +153,7 @@ def _reliable(surface: "HeightMap", tip_radius: float | None, field: str) -> Bin
 
 
 def _smoothed(binned: BinnedSpectrum) -> BinnedSpectrum:
-    """Average a binned spectrum in bins of the wave number, _PER_DECADE of them per decade.
+    """Average a binned spectrum in bins of the wavenumber, _PER_DECADE of them per decade.
 
     In wider bins the mean would be too large where the spectrum is steep.
     """
@@ -164,9 +164,9 @@ def _smoothed(binned: BinnedSpectrum) -> BinnedSpectrum:
 
 
 def _at(spectrum: BinnedSpectrum, wavevector: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the logarithm of the power spectral density of a scan, and its weight, at given wave numbers, (bins,) each.
+    """Return the logarithm of the power spectral density of a scan, and its weight, at given wavenumbers, (bins,) each.
 
-    wavevector: wave numbers (bins,) [rad/m]. The weight is the number of waves, at most _MOST_WAVES, and 0 outside the
+    wavevector: wavenumbers (bins,) [rad/m]. The weight is the number of waves, at most _MOST_WAVES, and 0 outside the
     wavelengths of the scan.
     """
     log_q, own = np.log(wavevector), np.log(spectrum.wavevector)

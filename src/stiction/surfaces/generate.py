@@ -109,7 +109,7 @@ class _Periodic:
         """Multiply the Fourier transform of white noise by the square root of the power spectrum, in place; set the mean to 0.
 
         waves: output of `rfft2`. The factor is sqrt(s C / (dx dy)) for a map and sqrt(C / dx) for a profile, with the stretch
-        s, the power spectral density C at the wave number (s q_along, q_across), and the point spacings dx, dy. Unless
+        s, the power spectral density C at the wavenumber (s q_along, q_across), and the point spacings dx, dy. Unless
         amplitudes are random, the amplitudes of the noise are first set to their rms value. Raises InputError for an unusable
         spectrum.
         """
@@ -151,7 +151,7 @@ def gaussian_surface(
     size : (y, x) [m], each a number or text with a unit
         Size of the period.
     spectrum : callable
-        Power spectral density C(q) at wave numbers q [rad/m]: m^4 for a surface, m^3 for a profile, normalised as in
+        Power spectral density C(q) at wavenumbers q [rad/m]: m^4 for a surface, m^3 for a profile, normalised as in
         `SelfAffine`, which is such a callable.
     seed : int
         Seed of the random numbers, at least 0. The same arguments give the same heights.
@@ -286,7 +286,7 @@ def _check_grid(shape, seed) -> None:
 def _blocks(shape, size):
     """Yield blocks of rows of the output of `rfft2` for a map, as (slice of rows, q_y, q_x).
 
-    shape: (rows, columns) of the map. size: (y, x) [m]. q_y (n, 1) and q_x (1, columns // 2 + 1) are the wave numbers [rad/m]
+    shape: (rows, columns) of the map. size: (y, x) [m]. q_y (n, 1) and q_x (1, columns // 2 + 1) are the wavenumbers [rad/m]
     of the waves in the block.
     """
     rows, columns = shape

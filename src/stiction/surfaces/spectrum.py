@@ -210,8 +210,8 @@ def radial_average(spectrum: PowerSpectrum, bins: str = "log", tip_radius: float
 def tip_cutoff(spectrum: PowerSpectrum, tip_radius: float) -> float:
     """Return the wavelength [m] below which a scan shows the shape of the stylus tip instead of the surface.
 
-    spectrum: power spectrum of the scan. tip_radius: radius of the tip [m]. At this wavelength all longer waves together have
-    the rms curvature 1/(2 tip_radius). The result is 0 if the surface is so smooth that the tip follows every wave. Raises
+    spectrum: power spectrum of the scan. tip_radius: radius of the tip [m]. All waves longer than this one together have the
+    rms curvature 1/(2 tip_radius). The result is 0 if the surface is so smooth that the tip follows every wave. Raises
     InputError unless tip_radius is > 0.
     """
     if not (tip_radius > 0.0 and math.isfinite(tip_radius)):

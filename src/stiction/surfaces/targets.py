@@ -76,7 +76,7 @@ class SelfAffine:
 
     Notes
     -----
-    C is the power spectral density at the wave number q = 2 pi / wavelength [rad/m].
+    C is the power spectral density at the wavenumber q = 2 pi / wavelength [rad/m].
 
     Examples
     --------
@@ -132,7 +132,7 @@ class SelfAffine:
         return line_moments(self.dimensions, (plateau * self._shape(k) for k in (0, 2, 4)))
 
     def __call__(self, q: np.ndarray) -> np.ndarray:
-        """Return the power spectral density C at wave numbers q >= 0 [rad/m]: m^4 for a surface, m^3 for a profile.
+        """Return the power spectral density C at wavenumbers q >= 0 [rad/m]: m^4 for a surface, m^3 for a profile.
 
         C is 0 for waves shorter than `shortest` or longer than `longest`.
         """
@@ -147,7 +147,7 @@ class SelfAffine:
         return self.deviation**2 * _SOLID[self.dimensions] / self._shape(0)
 
     def _edges(self) -> tuple[float, float, float]:
-        """Return the wave numbers [rad/m] of the longest wave, the roll-off and the shortest wave."""
+        """Return the wavenumbers [rad/m] of the longest wave, the roll-off and the shortest wave."""
         return 2.0 * math.pi / self.longest, 2.0 * math.pi / self.rolloff, 2.0 * math.pi / self.shortest
 
     def _shape(self, k: int) -> float:
@@ -188,6 +188,6 @@ class GaussianCorrelation:
         return Moments(m0, 2.0 * m0 / self.length**2, 12.0 * m0 / self.length**4)
 
     def __call__(self, q: np.ndarray) -> np.ndarray:
-        """Return the power spectral density C at wave numbers q >= 0 [rad/m]: m^4 for a surface, m^3 for a profile."""
+        """Return the power spectral density C at wavenumbers q >= 0 [rad/m]: m^4 for a surface, m^3 for a profile."""
         plateau = self.deviation**2 * (math.sqrt(math.pi) * self.length) ** self.dimensions
         return plateau * np.exp(-np.minimum((0.5 * q * self.length) ** 2, 700.0))

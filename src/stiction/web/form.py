@@ -159,7 +159,7 @@ class Form:
             self._menu(name.replace("_", " "), list(values), str(value_at(tables, here) or values[0]), here)
 
     async def _choose_model(self, name: str) -> None:
-        """Solve the case with another model; for the prediction, remove model, laws and options from the case."""
+        """Solve the case with another model; if the prediction is chosen, remove model, laws and options from the case."""
         tables = self._explorer.query.tables
         kept = {key: one for key, one in tables.get("solve", {}).items() if key in ("load", "separation")}
         await self._explorer.ask(

@@ -1,4 +1,4 @@
-r"""The equations of the 2015 paper exactly as printed, for bare surfaces and for the soft film of eqs. (6) and (15).
+r"""The equations of the 2015 paper exactly as published, for bare surfaces and for the soft film of eqs. (6) and (15).
 
 *Assumes*: the printed equations. This film law belongs to the published variant of the model and serves to reproduce the paper.
 *Source*: [soft_coating_2015], eqs. (1) to (15); [theory, section 5](theory.md#5-coated-surface). The corrected variant departs
@@ -50,7 +50,7 @@ _adhesion, _load = jkr.adhesion, jkr.load
 
 @formula
 def normal(u, theta):
-    """Return displacement x = u^4, dx/du, JKR's load and contact area of an elastic asperity according to eq (1) as printed.
+    """Return displacement x = u^4, dx/du, JKR's load and contact area of an elastic asperity according to eq (1) as published.
 
     The paper uses x = a^2/(R sigma), with the contact radius a, as the displacement in units of sigma. theta: elastic adhesion
     index. Units: load in K R^(1/2) sigma^(3/2), area in pi R sigma.
@@ -78,7 +78,7 @@ LAW = Law(
 
 
 def bare_regimes(groups: Groups) -> list[Regime]:
-    """Return the elastic and the plastic regime of a surface without film, using the equations of soft_coating_2015 as printed.
+    """Return the elastic and the plastic regime of a surface without film, by the equations of soft_coating_2015 as published.
 
     groups: dimensionless groups of n contacts.
     """
@@ -86,7 +86,7 @@ def bare_regimes(groups: Groups) -> list[Regime]:
 
 
 def _film_weights(segment: NormalSegment) -> tuple[Weights, Weights]:
-    """Return two `Weights` for a segment of the film, as printed: for displacements below and above the film thickness.
+    """Return two `Weights` for a segment of the film, as published: for displacements below and above the film thickness.
 
     Beyond the film thickness the printed equations keep the elastic load without its friction, and drop the plastic load
     (departures D5, D9). Both keep the contact area.
@@ -95,7 +95,7 @@ def _film_weights(segment: NormalSegment) -> tuple[Weights, Weights]:
 
 
 def regimes(groups: Groups, law: Law) -> list[Regime]:
-    """Return the regimes of a coated surface according to the equations of soft_coating_2015 as printed.
+    """Return the regimes of a coated surface according to the equations of soft_coating_2015 as published.
 
     A regime is a segment of an asperity law together with the tangential force on it. groups: dimensionless groups of n coated
     contacts. `law` is not used, because the printed equations contain their own laws. An integral whose lower limit exceeds
@@ -117,13 +117,13 @@ def regimes(groups: Groups, law: Law) -> list[Regime]:
 
 RECORD = FilmLaw(
     key="printed",
-    title="Soft film exactly as printed in the 2015 paper; the film law of the published variant",
+    title="Soft film exactly as published in the 2015 paper; the film law of the published variant",
     grade="C",
     sources=(
         Source(
             "soft_coating_2015",
             "eqs. (6)-(9) and (15)",
-            "as printed except departures D1 and D7-D12; C1..C7 reconstructed (D12)",
+            "as published except departures D1 and D7-D12; C1..C7 reconstructed (D12)",
         ),
     ),
     regimes=regimes,

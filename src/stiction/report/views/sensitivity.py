@@ -17,7 +17,7 @@ from stiction.report.table import Column, Table, facts, numbers
 from stiction.report.view import View, picture
 from stiction.report.views.prediction import plain
 from stiction.report.views.run import draws_in_words, in_draws
-from stiction.solving.pointwise import WHY_NOT
+from stiction.solving.pointwise import REASONS
 from stiction.studies.prediction.uncertainty_sources import part_name
 
 if TYPE_CHECKING:
@@ -132,7 +132,7 @@ def _excluded(data: "xarray.Dataset") -> Iterator[Text]:
     if share := data.attrs["impossible_draws"]:
         yield Text(f"excluded: {share:.0%} of the samples, pressure above hardness or area above nominal", style="bold yellow")
     for text, share in json.loads(data.attrs["validity_warnings_of_points"]).items():
-        if text in WHY_NOT:
+        if text in REASONS:
             yield Text(f"excluded: {in_draws(share, text)}", style="bold yellow")
 
 

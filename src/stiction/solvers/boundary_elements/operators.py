@@ -197,9 +197,10 @@ def _corner_of(values, shape):
 
 
 def _distances(shape, pitch):
-    """Return the signed distances (rows, 1) along y and (columns,) along x [m] of all points of a periodic grid from the first.
+    """Return the signed distances from the first point of a periodic grid to all points, (rows, 1) and (columns,) [m].
 
-    pitch: point spacings (y, x) [m]. Each distance is to the nearest periodic copy of the first point.
+    The first array is along y, the second along x. pitch: point spacings (y, x) [m]. Each distance is to the nearest periodic
+    copy of the first point.
     """
     rows, columns = shape
     return fftfreq(rows, 1.0 / (rows * pitch[0]))[:, None], fftfreq(columns, 1.0 / (columns * pitch[1]))

@@ -57,18 +57,18 @@ def _columns(search: "DesignSearch", rows: np.ndarray, along: str) -> dict[str, 
 
     rows: indices of these designs among all that the search evaluated. along: name of the dimension of the variables.
     """
-    shares, worst, known = search.shares[rows], search.answers.worst[rows], search.answers.known
+    positions, worst, known = search.positions[rows], search.answers.worst[rows], search.answers.known
     columns: dict[str, tuple] = {}
     for at, one in enumerate(search.plan.unknowns):
         name = "load" if one.path == LOAD else one.name
         if isinstance(one, Options):
-            index = one.index(shares[:, at])
+            index = one.index(positions[:, at])
             entries = one.entries if one.is_number else one.words
             values = np.array([entries[int(i)] for i in index])
             attributes: dict[str, Any] = dict(QUANTITIES[one.path[-1]].attributes) if one.is_number else {"long_name": name}
         else:
             ends = {"searched_from": one.low, "searched_to": one.high, "spacing": "log" if one.log else "linear"}
-            values, attributes = one.at(shares[:, at]), dict(QUANTITIES[one.quantity].attributes) | ends
+            values, attributes = one.at(positions[:, at]), dict(QUANTITIES[one.quantity].attributes) | ends
         columns[name] = (along, values, attributes)
     for name, values in known.items():
         if name not in columns:
@@ -86,7 +86,7 @@ def _violated(search: "DesignSearch", rows: np.ndarray) -> np.ndarray:
     rows: indices of the designs among all that the search evaluated.
     """
     worst = search.answers.worst
-    return np.array(["\n".join(search.space.violations(search.shares[at])) if worst[at] > TOLERANCE else "" for at in rows])
+    return np.array(["\n".join(search.space.violations(search.positions[at])) if worst[at] > TOLERANCE else "" for at in rows])
 
 
 def _attributes(search: "DesignSearch", best: np.ndarray) -> dict[str, Any]:
@@ -100,7 +100,7 @@ def _attributes(search: "DesignSearch", best: np.ndarray) -> dict[str, Any]:
         "chosen": unknown,
         "limits": "\n".join(one.words for one in plan.limits),
         "validity": plan.validity,
-        "evaluated": len(search.shares),
+        "evaluated": len(search.positions),
         "tolerance": TOLERANCE,
         "uncertain": _uncertain(plan),
         "verdict": "" if answers.worst[best[0]] <= TOLERANCE else "no design meets all limits; the nearest one is shown",
@@ -119,12 +119,12 @@ def _uncertain(plan: DesignPlan) -> str:
 def designed_case(search: "DesignSearch", out: Path) -> str:
     plan = search.plan
     best = int(search.best()[0])
-    shares, worst, known = search.shares, search.answers.worst, search.answers.known
+    positions, worst, known = search.positions, search.answers.worst, search.answers.known
     comments = [f"Designed by stiction {__version__}: {', '.join(one.words for one in plan.objectives)}."]
     comments += [f"It misses the objective: {words}." for words in missed_objectives(plan, known, best)]
     if worst[best] > TOLERANCE:
-        comments += [f"It violates a limit: {words}." for words in search.space.violations(shares[best])]
-    content = _with_numbers(without_studies(plan.given), search.space.numbers(shares[best]))
+        comments += [f"It violates a limit: {words}." for words in search.space.violations(positions[best])]
+    content = _with_numbers(without_studies(plan.given), search.space.numbers(positions[best]))
     return case_text(content, comments, plan.folder, out)
 
 

@@ -1,7 +1,6 @@
 """Search the coating, roughness, materials and load that best meet an objective within constraints.
 
 A search describes a design by one position for each choice: 0 to 1 from the low to the high end of a number, or along a list.
-These positions are called shares.
 """
 
 import time
@@ -52,28 +51,28 @@ _BEYOND_ALL = 1e100  # cost of a design that violates a constraint: more than an
 class DesignSearch:
     """Hold the state of a design search: its plan, the evaluator of designs, and all designs evaluated so far.
 
-    shares (n, d): for n designs with d choices, the position of each choice, 0 to 1, between its ends or along its list.
+    positions (n, d): for n designs with d choices, the position of each choice, 0 to 1, between its ends or along its list.
     answers: results of these designs. started: time.monotonic() at the start of the search [s]. stopped: whether the user
     interrupted it.
     """
 
     plan: DesignPlan
     space: DesignSpace
-    shares: np.ndarray
+    positions: np.ndarray
     answers: Evaluated
     started: float
     stopped: bool = False
 
-    def evaluate(self, shares: np.ndarray, callback: Callback) -> Evaluated:
+    def evaluate(self, positions: np.ndarray, callback: Callback) -> Evaluated:
         """Evaluate m more designs, append them to the evaluated ones, and return their results.
 
-        shares (m, d): position of each of d choices, 0 to 1. callback: called with the number of designs evaluated so far and
-        the text `work_left`.
+        positions (m, d): of the d choices, 0 to 1. callback: called with the number of designs evaluated so far and the text
+        `work_left`.
         """
-        answers = self.space.answers(shares)
-        self.shares = np.concatenate([self.shares, shares])
+        answers = self.space.answers(positions)
+        self.positions = np.concatenate([self.positions, positions])
         self.answers = self.answers.followed_by(answers)
-        callback(len(self.shares), self.work_left)
+        callback(len(self.positions), self.work_left)
         return answers
 
     @cached_property
@@ -87,7 +86,7 @@ class DesignSearch:
 
         The number is the largest number of designs in the whole search. The time is omitted up to 90 s.
         """
-        count = len(self.shares)
+        count = len(self.positions)
         seconds = (time.monotonic() - self.started) / count * max(self.most - count, 0)
         minutes = f", at most {seconds / 60.0:.0f} min left" if seconds > 90.0 else ""
         return f"of at most {self.most}{minutes}"
@@ -99,7 +98,7 @@ class DesignSearch:
         the objective that decides. Designs that violate a constraint rank after all others, by the size of their violation.
         """
         order = np.lexsort((self.answers.objectives[:, number], np.maximum(self.answers.worst - TOLERANCE, 0.0)))
-        _, first = np.unique(self.space.combination(self.shares[order]), axis=0, return_index=True)
+        _, first = np.unique(self.space.combination(self.positions[order]), axis=0, return_index=True)
         return order[np.sort(first)]
 
     def front(self) -> np.ndarray:
@@ -202,12 +201,12 @@ def _search_objective(search: DesignSearch, number: int, ceiling: float | None, 
         return  # the first designs are all combinations of list entries
     from scipy.optimize import differential_evolution
 
-    rng = np.random.default_rng([search.plan.seed, len(search.shares)])
+    rng = np.random.default_rng([search.plan.seed, len(search.positions)])
     for members in _seeds(search, number, ceiling, rng):
         ends = np.tile([0.0, 1.0], (members.shape[1], 1))
         ends[search.space.named] = members[0, search.space.named, None]
         differential_evolution(
-            lambda shares: _cost(search, number, ceiling, shares.T, callback),
+            lambda positions: _cost(search, number, ceiling, positions.T, callback),
             ends,
             strategy="randtobest1bin",
             maxiter=search.plan.effort if ceiling is None else front_generations(search.space),
@@ -253,13 +252,13 @@ class _StopWithoutGain:
         return bool(self.generations > self.most or now[0] <= self.met)
 
 
-def _cost(search: DesignSearch, number: int, ceiling: float | None, shares: np.ndarray, callback: Callback) -> np.ndarray:
+def _cost(search: DesignSearch, number: int, ceiling: float | None, positions: np.ndarray, callback: Callback) -> np.ndarray:
     """Return the cost (n,) of n designs for one objective; a constraint violation costs more than any objective.
 
-    number: index of the objective. ceiling: upper bound of the other objective, or None. shares (n, d): position of each of d
-    choices, 0 to 1. The designs are evaluated and added to `search`.
+    number: index of the objective. ceiling: upper bound of the other objective, or None. positions (n, d): of the d choices, 0
+    to 1. The designs are evaluated and added to `search`.
     """
-    answers = search.evaluate(shares, callback)
+    answers = search.evaluate(positions, callback)
     broken = _beyond(answers.objectives, answers.worst, number, ceiling)
     return np.where(broken > 0.0, _BEYOND_ALL * (1.0 + broken), answers.objectives[:, number])
 
@@ -286,13 +285,13 @@ def _seeds(search: DesignSearch, number: int, ceiling: float | None, rng: np.ran
     number: index of the objective. ceiling: upper bound of the other objective, or None. At most half of a population are the
     best designs of this combination evaluated so far; the others are random.
     """
-    shares, objectives = search.shares, search.answers.objectives
+    positions, objectives = search.positions, search.answers.objectives
     order = np.lexsort((objectives[:, number], _beyond(objectives, search.answers.worst, number, ceiling)))
     size = population(search.space)
-    _, first, which = np.unique(search.space.combination(shares[order]), axis=0, return_index=True, return_inverse=True)
+    _, first, which = np.unique(search.space.combination(positions[order]), axis=0, return_index=True, return_inverse=True)
     members = []
     for combination in np.argsort(first)[:WAYS]:
-        known = shares[order[which.ravel() == combination][: size // 2]]
+        known = positions[order[which.ravel() == combination][: size // 2]]
         some = rng.random((size - len(known), search.space.dimension))
         some[:, search.space.named] = known[0, search.space.named]
         members.append(np.concatenate([known, some]))
@@ -309,7 +308,7 @@ def _refine_best(search: DesignSearch, number: int, callback: Callback) -> None:
     if not search.plan.free or search.space.is_predicted:
         return
     for at in search.best(number)[:REFINED]:
-        _refine(search, number, search.shares[at], callback)
+        _refine(search, number, search.positions[at], callback)
 
 
 def _refine(search: DesignSearch, number: int, start: np.ndarray, callback: Callback) -> None:
@@ -362,7 +361,7 @@ def _evolve_front(search: DesignSearch, callback: Callback) -> None:
         return  # the first designs are all combinations of list entries
     for _ in range(front_rounds(search.space)):
         front = search.front()
-        parents = search.shares[front if front.size else np.argsort(search.answers.worst)[:FEW]]
+        parents = search.positions[front if front.size else np.argsort(search.answers.worst)[:FEW]]
         parents = parents[rng.integers(len(parents), size=TOGETHER)]
         children = np.clip(parents + step * rng.standard_normal(parents.shape), 0.0, 1.0)
         children[:, named] = parents[:, named]

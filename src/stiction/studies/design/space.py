@@ -1,6 +1,6 @@
 """Evaluate many designs at once: their objectives and their constraint violations.
 
-A design has d choices. A share is the position of one choice, 0 to 1, between its low and high end or along its list.
+A design has d choices. A choice has a position, 0 to 1, between its low and high end or along its list.
 """
 
 from collections.abc import Iterator, Mapping
@@ -18,7 +18,7 @@ from stiction.quantities.sampling import sobol_points
 from stiction.quantities.shown import reason_of, show
 from stiction.records.validity_warning import ValidityWarning
 from stiction.solving.choice import RECOMMENDED, Choice
-from stiction.solving.pointwise import WHY_NOT, BatchResult, Region, solve_batch
+from stiction.solving.pointwise import REASONS, BatchResult, Region, solve_batch
 from stiction.solving.problem import make_problem
 from stiction.solving.yielded import YIELDED, require_states, yielded_shares
 from stiction.studies.case_results import choice_of_case
@@ -91,8 +91,8 @@ class DesignSpace:
 
         Raises InputError if the model, or the prediction, does not compute an objective or a limited result.
         """
-        shares = np.full((1, self.dimension), 0.5)
-        numbers, points = self._contacts(shares, np.arange(1))
+        positions = np.full((1, self.dimension), 0.5)
+        numbers, points = self._contacts(positions, np.arange(1))
         case = self.case.at(numbers)
         subject = case.subject
         if self.is_predicted:
@@ -136,15 +136,15 @@ class DesignSpace:
         kept = [one for one in self.plan.uncertain if not any(one.path[: len(path)] == path for path in replaced)]
         return [one for one in kept if one.path not in chosen]
 
-    def numbers(self, shares: np.ndarray) -> dict[Address, Any]:
+    def numbers(self, positions: np.ndarray) -> dict[Address, Any]:
         """Return the choices of one design by address in the case (tuple of keys): numbers in SI units, or list entries.
 
-        shares (d,): position of each choice, 0 to 1.
+        positions (d,): of the choices, 0 to 1.
         """
         found: dict[Address, Any] = {}
-        for one, share in zip(self.plan.options, shares, strict=False):
+        for one, share in zip(self.plan.options, positions, strict=False):
             found[one.path] = one.entries[int(one.index(share))]
-        for free, share in zip(self.plan.free, shares[len(self.plan.options) :], strict=True):
+        for free, share in zip(self.plan.free, positions[len(self.plan.options) :], strict=True):
             found[free.path] = float(free.at(share))
         return found
 
@@ -153,27 +153,27 @@ class DesignSpace:
         """Return the indices of the choices that are made from a list of names, such as materials."""
         return [at for at, one in enumerate(self.plan.options) if not one.is_number]
 
-    def combination(self, shares: np.ndarray) -> np.ndarray:
+    def combination(self, positions: np.ndarray) -> np.ndarray:
         """Return the combination of list entries of each of n designs, as indices (n, lists).
 
-        shares (n, d): position of each choice, 0 to 1. Lists of numbers are used only if there are no other lists.
+        positions (n, d): of the choices, 0 to 1. Lists of numbers are used only if there are no other lists.
         """
         some = self.named or range(len(self.plan.options))
-        columns = [self.plan.options[at].index(shares[:, at]) for at in some]
-        return np.column_stack(columns) if columns else np.zeros((len(shares), 1), dtype=int)
+        columns = [self.plan.options[at].index(positions[:, at]) for at in some]
+        return np.column_stack(columns) if columns else np.zeros((len(positions), 1), dtype=int)
 
-    def answers(self, shares: np.ndarray) -> Evaluated:
+    def answers(self, positions: np.ndarray) -> Evaluated:
         """Return objectives, constraint violations and results of n designs; 1e6, 1e6 and NaN for a refused design.
 
-        shares (n, d): position of each choice between its ends or along its list, 0 to 1.
+        positions (n, d): of the choices, between their ends or along their lists, 0 to 1.
         """
-        shares = np.atleast_2d(shares)
-        count, limits = len(shares), len(self.plan.limits) + 1
+        positions = np.atleast_2d(positions)
+        count, limits = len(positions), len(self.plan.limits) + 1
         objectives, excess = np.full((count, len(self.plan.objectives)), _REFUSED), np.full((count, limits), _REFUSED)
         known = {name: np.full(count, np.nan) for name in self.names}
-        for some in self._alike(shares):
+        for some in self._alike(positions):
             try:
-                numbers, points = self._contacts(shares, some)
+                numbers, points = self._contacts(positions, some)
             except InputError:
                 continue  # these choices together are not a valid contact
             for region, case, solved in self._taken(numbers, points):
@@ -198,13 +198,13 @@ class DesignSpace:
         """Return the names of the results that the model must compute."""
         return sorted({*self.names, "mean_separation"} - set(YIELDED))
 
-    def violations(self, shares: np.ndarray) -> list[str]:
+    def violations(self, positions: np.ndarray) -> list[str]:
         """Return the violated constraints and validity ranges of one design as texts; for a refused design, the reason.
 
-        shares (d,): position of each choice, 0 to 1.
+        positions (d,): of the choices, 0 to 1.
         """
         try:
-            numbers, points = self._contacts(shares[None, :], np.arange(1))
+            numbers, points = self._contacts(positions[None, :], np.arange(1))
             case, solved = self._alone(numbers, points)
         except InputError as error:
             return [reason_of(error)]
@@ -223,45 +223,45 @@ class DesignSpace:
         bits = _as_table(have, values, shape)[_place_of_worst(counted)][0]
         return found + [words for bit, words in _validity_bits(solved, self.plan.validity).items() if bits & bit]
 
-    def _alike(self, shares: np.ndarray) -> list[np.ndarray]:
+    def _alike(self, positions: np.ndarray) -> list[np.ndarray]:
         """Return groups of designs, as arrays of indices; in a group all lists of materials or other names have the same entry.
 
         Each group is sorted by the product of the free roughness numbers. If these are density N, radius R and height deviation
-        sigma of asperities, the product N R sigma decides which laws apply; neighbours can then be predicted together. shares
-        (n, d): position of each of d choices in its range, 0 to 1.
+        sigma of asperities, the product N R sigma decides which laws apply; neighbours can then be predicted together.
+        positions (n, d): of the d choices, 0 to 1.
         """
-        order = np.argsort(self._product_of_roughness(shares), kind="stable")
+        order = np.argsort(self._product_of_roughness(positions), kind="stable")
         if not self.named:
             return [order]
-        _, group = np.unique(self.combination(shares[order]), axis=0, return_inverse=True)
+        _, group = np.unique(self.combination(positions[order]), axis=0, return_inverse=True)
         return [order[group.ravel() == at] for at in range(group.max() + 1)]
 
-    def _product_of_roughness(self, shares: np.ndarray) -> np.ndarray:
+    def _product_of_roughness(self, positions: np.ndarray) -> np.ndarray:
         """Return for each design (n,) the product of its free roughness numbers, by which designs are sorted."""
-        product = np.ones(len(shares))
+        product = np.ones(len(positions))
         for at, free in enumerate(self.plan.free, start=len(self.plan.options)):
             if free.path[1:-1] == ("roughness",):
-                product = product * free.at(shares[:, at])
+                product = product * free.at(positions[:, at])
         return product
 
-    def _contacts(self, shares: np.ndarray, some: np.ndarray) -> tuple[dict[Address, Any], dict[str, Any]]:
+    def _contacts(self, positions: np.ndarray, some: np.ndarray) -> tuple[dict[Address, Any], dict[str, Any]]:
         """Return the chosen values of designs, with samples of uncertain numbers, and the loads as {"load": array}.
 
-        The first dict maps addresses (tuples of keys) to arrays, or to list entries such as names of materials. shares (n, d):
-        position of each choice, 0 to 1. some: indices of the designs; they must have the same entry from every list of names.
+        The first dict maps addresses (tuples of keys) to arrays, or to list entries such as names of materials. positions (n,
+        d): of the choices, 0 to 1. some: indices of the designs; they must have the same entry from every list of names.
         """
         from xarray import DataArray
 
         named: dict[Address, Any] = {}
         numbers: dict[Address, Any] = {}
         for at, one in enumerate(self.plan.options):
-            index = one.index(shares[some, at])
+            index = one.index(positions[some, at])
             if one.is_number:
                 numbers[one.path] = DataArray(np.array(one.entries)[index], dims=(_DESIGN,))
             else:
                 named[one.path] = one.entries[int(index[0])]
         for at, free in enumerate(self.plan.free, start=len(self.plan.options)):
-            numbers[free.path] = DataArray(free.at(shares[some, at]), dims=(_DESIGN,))
+            numbers[free.path] = DataArray(free.at(positions[some, at]), dims=(_DESIGN,))
         for path, values in self._sampled(named, list(numbers)).items():
             numbers[path] = DataArray(values, dims=(_SAMPLE,))
         load = numbers.pop(LOAD, None)
@@ -281,8 +281,8 @@ class DesignSpace:
         together = list(dict.fromkeys(one.dimension for one in kept))
         if not kept:
             return {}
-        shares = sobol_points(len(together), _SAMPLES, self.plan.seed)
-        return {one.path: one.at(shares[:, together.index(one.dimension)]) for one in kept}
+        positions = sobol_points(len(together), _SAMPLES, self.plan.seed)
+        return {one.path: one.at(positions[:, together.index(one.dimension)]) for one in kept}
 
     def _judged(self, subject: Any, solved: BatchResult, designs: int, loads: int) -> Evaluated:
         shape = _shape(subject, designs, loads)
@@ -372,8 +372,8 @@ def _validity_bits(solved: BatchResult, validity: str) -> dict[np.uint32, str]:
     validity: "claimed" counts all ranges except those about statistics, "possible" only those that make a result impossible,
     and "any" allows any violation. The bits of refused contacts always count.
     """
-    found = {np.uint32(1 << at): why for at, why in enumerate(WHY_NOT)}
-    for at, rule in enumerate(solved.rules, start=len(WHY_NOT)):
+    found = {np.uint32(1 << at): why for at, why in enumerate(REASONS)}
+    for at, rule in enumerate(solved.rules, start=len(REASONS)):
         if rule.kind == "impossible" if validity == "possible" else validity == "claimed" and rule.kind != "statistics":
             found[np.uint32(1 << at)] = ValidityWarning(rule.why, rule.quantity, low=rule.low, high=rule.high).rule
     return found

@@ -55,15 +55,15 @@ class Fitted:
     @property
     def values(self) -> np.ndarray:
         """Return the best-fit values (k,) of the k free parameters, in SI units."""
-        return self.at(self.best.shares)
+        return self.at(self.best.positions)
 
     @property
     def correlation(self) -> np.ndarray:
         size = np.sqrt(np.diag(self.best.bounded))
         return self.best.bounded / np.outer(size, size)
 
-    def at(self, shares: np.ndarray) -> np.ndarray:
-        return np.array([one.at(share) for one, share in zip(self.parameters, shares, strict=True)])
+    def at(self, positions: np.ndarray) -> np.ndarray:
+        return np.array([one.at(share) for one, share in zip(self.parameters, positions, strict=True)])
 
     def log_likelihood(self, rise: np.ndarray) -> np.ndarray:
         """Return the log-likelihood minus its value at the best fit, as an array of the shape of `rise`.
@@ -84,7 +84,7 @@ class Fitted:
 
 
 def _residuals(forward: ForwardModel, errors: np.ndarray) -> Residuals:
-    return lambda shares: (forward.values(shares) - forward.data.value) / errors
+    return lambda positions: (forward.values(positions) - forward.data.value) / errors
 
 
 def fitted(name: str, forward: ForwardModel, with_profiles: bool = True) -> Fitted:
@@ -96,7 +96,7 @@ def fitted(name: str, forward: ForwardModel, with_profiles: bool = True) -> Fitt
     """
     errors, stated = _errors(forward.data)
     best = _searched(forward, errors, _start(forward))
-    refused = np.flatnonzero(~np.isfinite(forward.values(best.shares)[0]))
+    refused = np.flatnonzero(~np.isfinite(forward.values(best.positions)[0]))
     if refused.size:
         line, load = forward.data.line[refused[0]], float(forward.data.load[refused[0]])
         allowed = f"a load that {forward.choice.model_key} can carry; widen the ranges of [fit.free], or delete the line"
@@ -121,7 +121,7 @@ def _searched(forward: ForwardModel, errors: np.ndarray, start: np.ndarray) -> B
     if larger == 1.0:
         return best
     if larger * np.abs(best.residuals).max() < FAR:
-        return search(_residuals(forward, errors), best.shares)
+        return search(_residuals(forward, errors), best.positions)
     return _over(best, 1.0 / larger)
 
 
@@ -154,7 +154,7 @@ def _scaled(name: str, forward: ForwardModel, best: Best, given: tuple[np.ndarra
 def refitted(fit: Fitted, forward: ForwardModel) -> Fitted:
     """Fit a model to the values in `forward`, starting from the best-fit parameters of an earlier fit; without profiles."""
     errors, stated = _errors(forward.data)
-    best = _searched(forward, errors, fit.best.shares)
+    best = _searched(forward, errors, fit.best.positions)
     return _scaled(fit.name, forward, best, (errors, stated), False)
 
 
@@ -183,12 +183,12 @@ def _start(forward: ForwardModel) -> np.ndarray:
 
     The search starts at the value in the case, or at 0.5 if the case has no value between the ends.
     """
-    shares = []
+    positions = []
     for one in forward.parameters:
         value = _given(forward.plan.content, one.path)
         share = float(one.share(value)) if isinstance(value, float) and (value > 0.0 or not one.log) else 0.5
-        shares.append(share if 0.0 <= share <= 1.0 else 0.5)
-    return np.array(shares)
+        positions.append(share if 0.0 <= share <= 1.0 else 0.5)
+    return np.array(positions)
 
 
 def _given(content, path):
@@ -235,7 +235,7 @@ def _of_one(fit: Fitted, at: int, profile: Profile) -> list[str]:
         return [f"these data bound {name} only from above: every value from its low end, {low}, to {high} fits"]
     if profile.open_high:
         return [f"these data bound {name} only from below: every value from {low} to its high end, {high}, fits"]
-    if min(fit.best.shares[at], 1.0 - fit.best.shares[at]) < _AT_END:
+    if min(fit.best.positions[at], 1.0 - fit.best.positions[at]) < _AT_END:
         return [f"{name} is best at the end of its range, {free.show(float(fit.values[at]))}: widen the range"]
     return [f"{name} is badly determined: its interval is {low} to {high}"] if _is_wide(fit, at) else []
 

@@ -1,7 +1,6 @@
 """Predict with a fitted model, with 95 % intervals from the uncertainty of its free parameters.
 
-A free parameter is a number of the case that the fit varies. Its share is its position between its low end (0) and its high end
-(1).
+A free parameter is a number of the case that the fit varies. Its position is 0 at its low end and 1 at its high end.
 """
 
 import math
@@ -55,13 +54,13 @@ def draws_of(fit: Fitted, seed: int = 1) -> tuple[np.ndarray, float]:
     points = sobol_points(k + 1, _TRIED, seed)
     root = np.linalg.cholesky(fit.best.bounded) * 1.5
     narrow = points[:, -1] < 0.75
-    inner = fit.best.shares + _student(np.clip(points[:, :k], 1e-9, 1.0 - 1e-9)) @ root.T
+    inner = fit.best.positions + _student(np.clip(points[:, :k], 1e-9, 1.0 - 1e-9)) @ root.T
     sets = np.where(narrow[:, None], inner, points[:, :k])
     sets = sets[((sets >= 0.0) & (sets <= 1.0)).all(axis=1)]
     residuals = fit.residuals()
     parts = [finite(residuals(sets[at : at + _AT_ONCE])) for at in range(0, len(sets), _AT_ONCE)]
     rise = (np.concatenate(parts) ** 2).sum(axis=1) - fit.best.chi_square
-    density = 0.75 * _density(np.linalg.solve(root, (sets - fit.best.shares).T).T, root) + 0.25
+    density = 0.75 * _density(np.linalg.solve(root, (sets - fit.best.positions).T).T, root) + 0.25
     weights = np.exp(fit.log_likelihood(rise)) / density
     weights /= weights.sum()
     effective = float(1.0 / (weights**2).sum())
@@ -95,7 +94,7 @@ def predicted(plan: FitPlan, fit: Fitted) -> Bands:
     sample = plan.data.samples[0] if any(x.sample is not None for x in fit.parameters) else None
     columns = [at for at, x in enumerate(fit.parameters) if x.sample in (None, sample)]
     sets, effective = draws_of(fit)
-    sets = np.concatenate([fit.best.shares[None, :], sets])[:, columns]
+    sets = np.concatenate([fit.best.positions[None, :], sets])[:, columns]
     named = [fit.parameters[at] for at in columns]
     arrays = _predicted_numbers(plan)
     names = [name for name in plan.data.quantities if name != "pull_off_force"] or list(plan.data.quantities)
@@ -161,8 +160,8 @@ def _predicted_numbers(plan: FitPlan) -> dict[Address, Any]:
 def _numbers(named: list[Free], sets: np.ndarray, taken: set[Address]) -> dict[Address, Any]:
     """Return the values (sets,) of free parameters, in SI units by address (tuple of keys), except for some addresses.
 
-    named: the free parameters. sets (sets, k): positions of the k numbers between their ends, 0 to 1. taken: the addresses that
-    are left out, because [fit.predict] sets these numbers.
+    named: the free parameters. sets (sets, k): positions of the k free parameters between their ends, 0 to 1. taken: the
+    addresses that are left out, because [fit.predict] sets these numbers.
     """
     return {x.path: x.at(sets[:, at]) for at, x in enumerate(named) if x.path not in taken}
 

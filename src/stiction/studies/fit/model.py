@@ -54,14 +54,14 @@ class ForwardModel:
     data: Measurements
     groups: tuple[_Group, ...]
 
-    def values(self, shares: np.ndarray) -> np.ndarray:
+    def values(self, positions: np.ndarray) -> np.ndarray:
         """Return the values of the model for the n measured values, (sets, n) in SI units; NaN where the model refuses.
 
-        shares (sets, k): for each set, the position of each of the k free parameters between its ends, 0 to 1.
+        positions (sets, k): for each set, those of the k free parameters between their ends, 0 to 1.
         """
-        shares = np.atleast_2d(shares)
-        numbers = [one.at(shares[:, at]) for at, one in enumerate(self.parameters)]
-        found = np.full((len(shares), len(self.data)), np.nan)
+        positions = np.atleast_2d(positions)
+        numbers = [one.at(positions[:, at]) for at, one in enumerate(self.parameters)]
+        found = np.full((len(positions), len(self.data)), np.nan)
         for group in self.groups:
             of = {self.parameters[at].path: numbers[at] for at in group.columns}
             found[:, group.rows] = self._of_group(group, of)

@@ -75,7 +75,7 @@ def _cross_validation_error(plan: FitPlan, fit: Fitted) -> float:
         rest = np.setdiff1d(np.arange(len(data)), fold)
         try:
             other = refitted(fit, forward_model(plan, name, data.some(rest)))
-            predicted = forward_model(plan, name, data.some(fold)).values(other.best.shares)[0]
+            predicted = forward_model(plan, name, data.some(fold)).values(other.best.positions)[0]
         except InputError:
             return float("inf")
         total[fold] = predicted - data.value[fold]

@@ -153,10 +153,10 @@ def _parameters(fit: Fitted) -> dict[str, tuple]:
     along = ("parameter",)
     free = fit.parameters
     ends = np.array([[float(f.at(end)) for end in (p.low, p.high)] for f, p in zip(free, fit.profiles, strict=True)])
-    points = max(len(p.shares) for p in fit.profiles)
+    points = max(len(p.positions) for p in fit.profiles)
     rise, value = np.full((2, len(free), points), np.nan)
     for at, (f, p) in enumerate(zip(free, fit.profiles, strict=True)):
-        rise[at, : len(p.shares)], value[at, : len(p.shares)] = p.rise, f.at(p.shares)
+        rise[at, : len(p.positions)], value[at, : len(p.positions)] = p.rise, f.at(p.positions)
     return {
         "unit": (along, [QUANTITIES[f.quantity].unit or "1" for f in free]),
         "value": (along, fit.values, {"long_name": "best value, in SI units"}),
@@ -184,7 +184,7 @@ def _standard_errors(fit: Fitted) -> np.ndarray:
 
 def _rows(fit: Fitted) -> dict[str, tuple]:
     data = fit.forward.data
-    fitted = fit.forward.values(fit.best.shares)[0]
+    fitted = fit.forward.values(fit.best.positions)[0]
     return {
         "quantity": ("row", list(data.quantity)),
         "sample": ("row", list(data.sample)),

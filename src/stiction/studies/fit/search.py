@@ -1,7 +1,7 @@
 """Fit numbers that are bounded between 0 and 1 by least squares, and compute their likelihood profiles.
 
-These numbers are called shares: positions of the free parameters of a fit between their low end (0) and their high end (1).
-Residuals are (model - measured)/standard error.
+These numbers are the positions of the free parameters of a fit between their low end (0) and their high end (1). Residuals are
+(model - measured)/standard error.
 """
 
 from collections.abc import Callable, Sequence
@@ -15,7 +15,7 @@ from stiction.quantities.sampling import sobol_points
 CONFIDENCE = 0.95
 # Largest standardised residual, used where a model refuses a set of numbers or gives NaN.
 FAR = 1e4
-_STEP = 1e-4  # step of central differences to each side, in shares
+_STEP = 1e-4  # step of central differences to each side, in positions
 # Points of a profile; rounds in which its grid is adapted; Levenberg-Marquardt steps.
 _GRID, _ROUNDS, _STEPS = 33, 4, 40
 _STARTS = 3  # starting points of a search
@@ -23,7 +23,7 @@ _AGREED = 1e-12  # relative tolerance at which a search ends
 # How often the grid cell with an end of an interval is divided, and into how many parts.
 _NARROWINGS, _CELL = 2, 8
 
-# Function from sets of shares (sets, k) to standardised residuals (sets, n).
+# Function from sets of positions (sets, k) to standardised residuals (sets, n).
 Residuals = Callable[[np.ndarray], np.ndarray]
 
 
@@ -31,12 +31,12 @@ Residuals = Callable[[np.ndarray], np.ndarray]
 class Best:
     """Hold the best fit of k free parameters to n measured values.
 
-    shares (k,): position of each free parameter between its ends, 0 to 1. residuals (n,): (model - measured)/standard error at
-    the best fit. jacobian (n, k): derivatives of the residuals with respect to the positions. unfinished: why the search did
-    not converge, "" if it did.
+    positions (k,): of the free parameters between their ends, 0 to 1. residuals (n,): (model - measured)/standard error at the
+    best fit. jacobian (n, k): derivatives of the residuals with respect to the positions. unfinished: why the search did not
+    converge, "" if it did.
     """
 
-    shares: np.ndarray
+    positions: np.ndarray
     residuals: np.ndarray
     jacobian: np.ndarray
     unfinished: str = ""
@@ -55,7 +55,7 @@ class Best:
         try:
             found = np.linalg.inv(self.jacobian.T @ self.jacobian)
         except np.linalg.LinAlgError:
-            found = np.full((len(self.shares),) * 2, np.nan)
+            found = np.full((len(self.positions),) * 2, np.nan)
         return found if np.isfinite(found).all() and (np.diag(found) > 0.0).all() else np.full(found.shape, np.nan)
 
     @cached_property
@@ -72,13 +72,13 @@ class Best:
 class Profile:
     """Hold the likelihood profile of one free parameter, on a grid of m positions between its ends.
 
-    shares (m,): positions of the number, 0 at its low and 1 at its high end. rise (m,): rise of chi square, minimised over the
+    positions (m,): of the parameter, 0 at its low and 1 at its high end. rise (m,): rise of chi square, minimised over the
     other k - 1 free parameters, above the best fit. others (m, k): positions of all k numbers at these minima. low, high: ends
     of the interval as positions, where the rise reaches a threshold. open_low, open_high: whether the rise stays below the
     threshold up to the end; low is then 0, high 1.
     """
 
-    shares: np.ndarray
+    positions: np.ndarray
     rise: np.ndarray
     others: np.ndarray
     low: float
@@ -92,19 +92,21 @@ def finite(values: np.ndarray) -> np.ndarray:
     return np.where(np.isfinite(values), np.clip(values, -FAR, FAR), FAR)
 
 
-def jacobian(residuals: Residuals, shares: np.ndarray, columns: Sequence[int] | None = None) -> tuple[np.ndarray, np.ndarray]:
+def jacobian(
+    residuals: Residuals, positions: np.ndarray, columns: Sequence[int] | None = None
+) -> tuple[np.ndarray, np.ndarray]:
     """Return residuals (sets, n) and their derivatives (sets, n, columns) with respect to the free parameters.
 
-    Derivatives are central differences, which do not step beyond the ends of a parameter. residuals: function from shares
-    (sets, k) to residuals (sets, n). shares: for each set, the positions of the k free parameters between their ends, 0 to 1.
+    Derivatives are central differences, which do not step beyond the ends of a parameter. residuals: function from positions
+    (sets, k) to residuals (sets, n). positions: for each set, those of the k free parameters between their ends, 0 to 1.
     columns: indices of the parameters with respect to which derivatives are computed, by default all.
     """
-    sets, k = shares.shape
+    sets, k = positions.shape
     columns = range(k) if columns is None else columns
-    trials = [shares]
+    trials = [positions]
     for at in columns:
         for side in (1.0, -1.0):
-            moved = shares.copy()
+            moved = positions.copy()
             moved[:, at] = np.clip(moved[:, at] + side * _STEP, 0.0, 1.0)
             trials.append(moved)
     found = finite(residuals(np.concatenate(trials)))
@@ -119,9 +121,9 @@ def jacobian(residuals: Residuals, shares: np.ndarray, columns: Sequence[int] | 
 def search(residuals: Residuals, start: np.ndarray, seed: int = 0) -> Best:
     """Return the best fit of k free parameters by bounded least squares (Branch, Coleman & Li 1999).
 
-    residuals: function from sets (sets, k) of positions of the numbers between their ends, 0 to 1, to residuals (sets, n).
-    start: positions (k,). Three points, `start` and the best of many Sobol points, are first improved by `polished`; the search
-    starts from the best of the three.
+    residuals: function from sets (sets, k) of positions of the free parameters between their ends, 0 to 1, to residuals (sets,
+    n). start: positions (k,). Three points, `start` and the best of many Sobol points, are first improved by `polished`; the
+    search starts from the best of the three.
     """
     from scipy.optimize import least_squares
 
@@ -132,9 +134,9 @@ def search(residuals: Residuals, start: np.ndarray, seed: int = 0) -> Best:
     begun = trials[order] if 0 in order else np.concatenate([trials[:1], trials[order[: _STARTS - 1]]])
     begun, sums = polished(residuals, np.clip(begun, 0.01, 0.99), range(k))
     found = least_squares(
-        lambda shares: finite(residuals(shares[None, :]))[0],
+        lambda positions: finite(residuals(positions[None, :]))[0],
         np.clip(begun[np.argmin(sums)], 1e-6, 1.0 - 1e-6),
-        lambda shares: jacobian(residuals, shares[None, :])[1][0],
+        lambda positions: jacobian(residuals, positions[None, :])[1][0],
         bounds=(0.0, 1.0),
         xtol=_AGREED,
         ftol=_AGREED,
@@ -143,35 +145,35 @@ def search(residuals: Residuals, start: np.ndarray, seed: int = 0) -> Best:
     return Best(found.x, found.fun, found.jac, "" if found.success else found.message)
 
 
-def polished(residuals: Residuals, shares: np.ndarray, columns: Sequence[int]) -> tuple[np.ndarray, np.ndarray]:
+def polished(residuals: Residuals, positions: np.ndarray, columns: Sequence[int]) -> tuple[np.ndarray, np.ndarray]:
     """Minimise the sum of squared residuals over some of the free parameters, for many starting points at once.
 
-    residuals: function that returns the residuals (sets, n) for shares (sets, k). shares: starting points; each share is the
-    position of a parameter between its lower end (0) and its upper end (1). columns: indices of the parameters that may change.
-    Returns the improved shares (sets, k) and their sums of squares (sets,). Method: Levenberg-Marquardt steps (Marquardt 1963),
-    clipped between 0 and 1.
+    residuals: function that returns the residuals (sets, n) for positions (sets, k). positions: starting points; a position is
+    0 at the lower end of a parameter and 1 at its upper end. columns: indices of the parameters that may change. Returns the
+    improved positions (sets, k) and their sums of squares (sets,). Method: Levenberg-Marquardt steps (Marquardt 1963), clipped
+    between 0 and 1.
     """
-    shares, columns = shares.copy(), list(columns)
-    sums = (finite(residuals(shares)) ** 2).sum(axis=1)
+    positions, columns = positions.copy(), list(columns)
+    sums = (finite(residuals(positions)) ** 2).sum(axis=1)
     if not columns:
-        return shares, sums
-    damping = np.full(len(shares), 1e-3)
-    going = np.arange(len(shares))
+        return positions, sums
+    damping = np.full(len(positions), 1e-3)
+    going = np.arange(len(positions))
     for _ in range(_STEPS):
-        values, slopes = jacobian(residuals, shares[going], columns)
-        trial = shares[going]
+        values, slopes = jacobian(residuals, positions[going], columns)
+        trial = positions[going]
         trial[:, columns] = np.clip(trial[:, columns] - _damped(values, slopes, damping[going], trial[:, columns]), 0.0, 1.0)
         now = (finite(residuals(trial)) ** 2).sum(axis=1)
         gain = sums[going] - now
         better = gain > 0.0
-        shares[going[better]], sums[going[better]] = trial[better], now[better]
+        positions[going[better]], sums[going[better]] = trial[better], now[better]
         damping[going] = np.where(better, damping[going] * 0.2, damping[going] * 8.0)
         small = 1e-9 * (1.0 + sums[going])
         done = (better & (gain < small)) | (~better & (damping[going] > 1e7))
         going = going[~done]
         if not going.size:
             break
-    return shares, sums
+    return positions, sums
 
 
 def _damped(values: np.ndarray, slopes: np.ndarray, damping: np.ndarray, at: np.ndarray) -> np.ndarray:
@@ -195,10 +197,10 @@ def _damped(values: np.ndarray, slopes: np.ndarray, damping: np.ndarray, at: np.
 def profiles(residuals: Residuals, best: Best, threshold: float) -> list[Profile]:
     """Return the likelihood profile of each free parameter about the best fit.
 
-    residuals: function from sets (sets, k) of positions of the k numbers between their ends, 0 to 1, to residuals (sets, n).
-    threshold: rise of chi square that marks the ends of an interval.
+    residuals: function from sets (sets, k) of positions of the k free parameters between their ends, 0 to 1, to residuals
+    (sets, n). threshold: rise of chi square that marks the ends of an interval.
     """
-    return [_profile(residuals, best, at, threshold) for at in range(len(best.shares))]
+    return [_profile(residuals, best, at, threshold) for at in range(len(best.positions))]
 
 
 def _profile(residuals: Residuals, best: Best, at: int, threshold: float) -> Profile:
@@ -207,7 +209,7 @@ def _profile(residuals: Residuals, best: Best, at: int, threshold: float) -> Pro
     threshold: rise of chi square that marks the ends of the interval. The grid is narrowed or widened until it resolves the
     interval.
     """
-    centre = best.shares[at]
+    centre = best.positions[at]
     reach = 2.0 * np.sqrt(threshold * best.bounded[at, at])
     below = above = max(reach, 1e-6)
     for _ in range(_ROUNDS):
@@ -267,14 +269,14 @@ def _along(residuals: Residuals, best: Best, at: int, grid: np.ndarray) -> tuple
     parameters (m, k) and the rise (m,).
     """
     slope = best.bounded[:, at] / best.bounded[at, at]
-    sets = np.clip(best.shares + slope * (grid - best.shares[at])[:, None], 0.0, 1.0)
+    sets = np.clip(best.positions + slope * (grid - best.positions[at])[:, None], 0.0, 1.0)
     sets[:, at] = grid
-    columns = [one for one in range(len(best.shares)) if one != at]
+    columns = [one for one in range(len(best.positions)) if one != at]
     sets, sums = polished(residuals, sets, columns)
     for _ in range(2 if columns else 0):  # restart from the solution at a neighbouring grid point if that lowers chi square
         for shift in (1, -1):
             neighbours = np.roll(sets, shift, axis=0)
-            neighbours[0 if shift == 1 else -1] = best.shares
+            neighbours[0 if shift == 1 else -1] = best.positions
             neighbours[:, at] = grid
             other = (finite(residuals(neighbours)) ** 2).sum(axis=1)
             some = np.flatnonzero(other < sums - 1e-6)

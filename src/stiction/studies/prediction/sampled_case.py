@@ -158,7 +158,7 @@ class SampledCase:
         return replace(self, case=replace(self.case.at(density), swept={**self.case.swept, **density}))
 
     def variation(self, choice: Choice) -> np.ndarray:
-        """Return the area of all samples over the area of the nominal contact, (n, m), both by one model."""
+        """Return the area of all samples divided by the area of the nominal contact, (n, m), both by one model."""
         nominal = replace(self, case=replace(self.case, uncertain=()), levels=np.zeros((1, 0)))
         return self.areas(choice) / nominal.areas(choice)
 

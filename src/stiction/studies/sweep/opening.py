@@ -20,7 +20,7 @@ from stiction import __version__
 from stiction.quantities.errors import InputError, InWords, nearest
 from stiction.quantities.paths import require_place
 from stiction.solving.choice import RECOMMENDED, Choice
-from stiction.solving.pointwise import NOT_COMPUTED, WHY_NOT, meanings_of, pieces
+from stiction.solving.pointwise import NOT_COMPUTED, REASONS, meanings_of, pieces
 from stiction.studies.prediction.many import count_of
 from stiction.studies.prediction.predict import is_predicted
 from stiction.studies.sweep.blocks import solved_of
@@ -30,7 +30,7 @@ from stiction.studies.sweep.store import CHECKSUMS, COUNTS, DONE, NOT_DONE, PART
 
 _LAWS = ("title", "model", "asperity", "tangential", "film", "options", "heights", "grade", "sources", "friction_law")
 _PACKAGES = ("numpy", "scipy", "numba", "xarray", "zarr")
-_MOST_RULES = 31 - len(WHY_NOT)
+_MOST_RULES = 31 - len(REASONS)
 _COORDINATE_CHECKSUMS = "coordinate_checksums"
 _SIZES = 2048  # histogram bins of a point in one file; few results occupy more bins
 

@@ -10,7 +10,7 @@ from stiction.laws.validity import with_warnings
 from stiction.quantities.progress import Steps
 from stiction.records.validity_warning import ValidityWarning
 from stiction.solving.choice import Choice
-from stiction.solving.pointwise import WHY_NOT
+from stiction.solving.pointwise import REASONS
 from stiction.studies.uncertainty.drawing import (
     OUTPUTS,
     Draws,
@@ -37,26 +37,26 @@ def levels(coverage: float) -> np.ndarray:
     return np.array(sorted({(1.0 - coverage) / 2.0, 0.25, 0.5, 0.75, (1.0 + coverage) / 2.0}))
 
 
-def quantiles(values: np.ndarray, shares: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return quantiles (levels, ...) of values (parts, n, ...), and their standard errors of the same shape.
+def quantiles(values: np.ndarray, levels: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return quantiles (L, ...) of values (parts, n, ...), and their standard errors of the same shape.
 
-    shares: quantile levels (levels,). The first axis of `values` is over independently scrambled Sobol sequences (Owen 1997);
+    levels (L,): quantile levels. The first axis of `values` is over independently scrambled Sobol sequences (Owen 1997);
     the scatter between them gives the standard error. A quantile is NaN if less than half of the values are finite; its error
     is NaN if this holds for any part.
     """
     parts, count = values.shape[:2]
-    overall = _quantile(values.reshape(parts * count, *values.shape[2:]), shares)
-    by_part = np.array([_quantile(part, shares) for part in values])
+    overall = _quantile(values.reshape(parts * count, *values.shape[2:]), levels)
+    by_part = np.array([_quantile(part, levels) for part in values])
     return overall, by_part.std(axis=0, ddof=1) / np.sqrt(parts)
 
 
-def _quantile(values: np.ndarray, shares: np.ndarray) -> np.ndarray:
+def _quantile(values: np.ndarray, levels: np.ndarray) -> np.ndarray:
     known = np.isfinite(values)
     if known.all():
-        return np.quantile(values, shares, axis=0)
+        return np.quantile(values, levels, axis=0)
     enough = known.mean(axis=0) >= _LEAST_KNOWN
     safe = np.where(known & enough, values, np.where(enough, np.nan, 0.0))
-    return np.where(enough, np.nanquantile(safe, shares, axis=0), np.nan)
+    return np.where(enough, np.nanquantile(safe, levels, axis=0), np.nan)
 
 
 def with_bands(data: "xarray.Dataset", case: Case, choice: Choice, progress: Steps = iter) -> "xarray.Dataset":
@@ -74,8 +74,8 @@ def with_bands(data: "xarray.Dataset", case: Case, choice: Choice, progress: Ste
         return with_warnings(data, [ValidityWarning(why)])
     wanted = case.uncertainty
     names = [name for name in OUTPUTS if name in data.data_vars]
-    shares = scrambled(len(case.unknowns), wanted.count, wanted.seed, _PARTS)
-    draws = draw(case, shares.reshape(wanted.count, -1), [Variant(choice)], names=names, progress=progress)
+    samples = scrambled(len(case.unknowns), wanted.count, wanted.seed, _PARTS)
+    draws = draw(case, samples.reshape(wanted.count, -1), [Variant(choice)], names=names, progress=progress)
     variables: dict[str, tuple] = {}
     for name in draws.tables:
         variables |= _as_variables(name, draws, levels(wanted.coverage))
@@ -98,9 +98,9 @@ def _with_stated_values_beyond(data: "xarray.Dataset") -> "xarray.Dataset":
     return with_warnings(data, [ValidityWarning(why)])
 
 
-def _as_variables(name: str, draws: Draws, shares: np.ndarray) -> dict[str, tuple]:
+def _as_variables(name: str, draws: Draws, levels: np.ndarray) -> dict[str, tuple]:
     table = draws.tables[name]
-    values, errors = quantiles(table.reshape(_PARTS, len(table) // _PARTS, *table.shape[1:]), shares)
+    values, errors = quantiles(table.reshape(_PARTS, len(table) // _PARTS, *table.shape[1:]), levels)
     dims, meaning = ("quantile", *draws.dims[name]), dict(draws.attributes[name])
     long_name = meaning.pop("comment", meaning["long_name"])
     return {
@@ -114,7 +114,7 @@ def _with_notes(data: "xarray.Dataset", case: Case, draws: Draws) -> "xarray.Dat
 
     A warning of impossible samples is added if they are more than 5 % of all points (samples at a load or separation).
     """
-    lost = sum(draws.shares().get(why, 0.0) for why in WHY_NOT[:2])
+    lost = sum(draws.shares().get(why, 0.0) for why in REASONS[:2])
     impossible = draws.impossible_share
     if lost:
         why = f"{lost:.0%} of the samples have no result: intervals are computed from the others"

@@ -20,7 +20,7 @@ from stiction.quantities.sampling import sobol_points
 from stiction.records.registry import RoughSurface, find
 from stiction.solving.choice import Choice
 from stiction.solving.conditions import excludes
-from stiction.solving.pointwise import WHY_NOT, BatchResult, meanings_of
+from stiction.solving.pointwise import REASONS, BatchResult, meanings_of
 from stiction.solving.problem import with_surface_moments
 from stiction.studies.evaluate_many import evaluate_many, evaluate_together
 
@@ -104,7 +104,7 @@ def _steps(variants: Sequence[Variant], rows: np.ndarray, points: int) -> list[t
 
 def draw(
     case: Case,
-    shares: np.ndarray,
+    levels: np.ndarray,
     variants: Sequence[Variant],
     rows: np.ndarray | None = None,
     names: Sequence[str] = OUTPUTS,
@@ -112,7 +112,7 @@ def draw(
 ) -> Draws:
     """Solve a case for samples of its uncertain numbers, and return their results.
 
-    shares: quantile levels (n, k) of the n samples, one column for each of the k entries in the case's `unknowns`. variants:
+    levels: quantile levels (n, k) of the n samples, one column for each of the k entries in the case's `unknowns`. variants:
     models that may be used. rows: index of the variant that solves each sample, by default the first. names: results to return.
     progress: receives the list of batches and returns an iterable over it. Raises InputError if a variant solves height maps,
     or if there are too many points. Raises InputError or ArithmeticError if the first variant refuses the nominal contact,
@@ -123,10 +123,10 @@ def draw(
             raise InputError(
                 "model", variant.choice.model_key, "a model that can solve many samples, because numbers are uncertain"
             )
-    count = len(shares)
+    count = len(levels)
     if alone := len(variants) == 1 and case.load is not None and count * case.load.size <= _AT_ONCE and not case.swept:
         with suppress(InputError, ArithmeticError):
-            return _all_together(case, shares, variants[0], names)
+            return _all_together(case, levels, variants[0], names)
     draws = _layout(case, variants, names)
     if count * draws.points > _MOST:
         raise InputError("uncertainty.count", count, f"at most {_MOST // draws.points} for {draws.points} points per contact")
@@ -134,7 +134,7 @@ def draw(
     rows = np.zeros(count, dtype=int) if rows is None else rows
     cases, points = [variant.case(case) for variant in variants], _points(case)
     for index, some in progress(_steps(variants, rows, draws.points)):
-        numbers, choice = case.numbers_at(shares[some]), variants[index].choice
+        numbers, choice = case.numbers_at(levels[some]), variants[index].choice
         if not alone:  # otherwise this is the one batch that was refused above
             with suppress(InputError, ArithmeticError):
                 _, together = evaluate_together(cases[index], numbers, points, choice, names)
@@ -145,20 +145,20 @@ def draw(
         some = some[possible]
         if not some.size:
             continue
-        numbers = case.numbers_at(shares[some])
+        numbers = case.numbers_at(levels[some])
         for region, _, solved in evaluate_many(cases[index], numbers, points, choice, names, along=(SAMPLE,)):
             _keep(draws, some[region.get(SAMPLE, slice(None))], solved)
     return draws
 
 
-def _all_together(case: Case, shares: np.ndarray, variant: Variant, names: Sequence[str]) -> Draws:
+def _all_together(case: Case, levels: np.ndarray, variant: Variant, names: Sequence[str]) -> Draws:
     """Solve all samples in one batch, and return their results; the nominal contact is not solved.
 
-    shares: quantile levels (n, k) of the samples. Raises InputError or ArithmeticError if the model refuses a sample.
+    levels: quantile levels (n, k) of the samples. Raises InputError or ArithmeticError if the model refuses a sample.
     """
-    numbers = case.numbers_at(shares)
+    numbers = case.numbers_at(levels)
     _, solved = evaluate_together(variant.case(case), numbers, _points(case), variant.choice, names)
-    draws, count = Draws(points=1 if case.load is None else case.load.size), len(shares)
+    draws, count = Draws(points=1 if case.load is None else case.load.size), len(levels)
     for name, (dims, values, attributes) in solved.variables.items():
         if name in names:
             sizes = {dim: size for dim, size in zip(dims, values.shape, strict=True) if dim != SAMPLE}
@@ -234,10 +234,10 @@ def _extend(draws: Draws, name: str, sizes: Mapping[str, int]) -> None:
 
 def _keep(draws: Draws, rows: np.ndarray, solved: BatchResult | None) -> None:
     if solved is None:
-        draws.validity_warnings[WHY_NOT[0]] += len(rows) * draws.points
+        draws.validity_warnings[REASONS[0]] += len(rows) * draws.points
         return
     points, bits = solved.validity_warnings
-    rules = [bit for bit, rule in enumerate(solved.rules, start=len(WHY_NOT)) if excludes(rule)]
+    rules = [bit for bit, rule in enumerate(solved.rules, start=len(REASONS)) if excludes(rule)]
     impossible = bits & np.uint32(sum(1 << bit for bit in rules)) != 0
     for name, (dims, values, _) in solved.variables.items():
         if name in draws.tables:

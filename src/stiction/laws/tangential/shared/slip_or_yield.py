@@ -8,8 +8,8 @@ With y = v^3, both resistances are equal (docs/explanation/theory.md, section 3)
     G(y) = [D s^2 + 3n(p-q) s y (y-1) + 3n^2 y^2 (y-1)^2] / y^(8/3)   equals   (e/(pi k))^2.
 
 n, p and q are the stress coefficients of `edge_yield.coefficients`, D = p^2 + q^2 - pq, g = 4/sqrt(3 K beta), and s = g |y -
-1/2| (corrected) or g sqrt(y^2 - 1/4) (as printed). The crossings are bracketed between the turning points of G, so none can be
-missed.
+1/2| (corrected) or g sqrt(y^2 - 1/4) (as published). The crossings are bracketed between the turning points of G, so none can
+be missed.
 """
 
 import math
@@ -46,7 +46,7 @@ def _numerator(y, shape, printed):
 
     Slip and yield resistance of an asperity are equal where G(y) equals a certain value. y = (u/S^(1/3))^3, with the coordinate
     u and the strength of adhesion S. shape: coefficients from `_shape`. printed: whether the slip resistance follows eq (10) of
-    soft_coating_2015 as printed.
+    soft_coating_2015 as published.
     """
     a, b, c = shape
     if printed:
@@ -206,7 +206,7 @@ def kinks_of(
 
     Both are values of the coordinate u of an adhesive elastic asperity. Below the branch point the yield condition has no real
     root. K_beta (n,): K beta times the mode-mixity share. last (n,): u at the end of the elastic asperity. printed: use eq (10)
-    of soft_coating_2015 as printed. unloading: start at the smallest stable contact instead of first touch; this adds six
+    of soft_coating_2015 as published. unloading: start at the smallest stable contact instead of first touch; this adds six
     kinks. A kink that does not exist is placed at an end of the segment or outside it.
     """
     scale = np.sqrt(6.0 * math.pi / groups.theta) ** (1.0 / 3.0)
