@@ -97,7 +97,7 @@ def test_a_warning_has_twelve_words_at_most(warning):
 
 
 def test_the_load_of_several_has_their_range(predicted):
-    assert card_of(predicted).load == working_load_in_words(predicted) == "1 N (middle of 3 loads, 100 mN to 10 N)"
+    assert card_of(predicted).load == working_load_in_words(predicted) == "1 N (middle of the loads 100 mN to 10 N)"
     assert working_load_in_words(predicted.isel(load=0)) == "100 mN"
 
 

@@ -235,12 +235,12 @@ def headline(data: "xarray.Dataset") -> str:
 def working_load_in_words(data: "xarray.Dataset") -> str:
     """Format the working load of a prediction, with the range of its loads if there are several.
 
-    For example "1 N (middle of 21 loads, 0.1 N to 10 N)".
+    For example "1 N (middle of the loads 0.1 N to 10 N)".
     """
     load, *ends = (
         show(float(value), "load", 3) for value in (at_working_load(data)["load"], data["load"].min(), data["load"].max())
     )
-    return load if data["load"].size < 2 else f"{load} (middle of {data['load'].size} loads, {' to '.join(ends)})"
+    return load if data["load"].size < 2 else f"{load} (middle of the loads {' to '.join(ends)})"
 
 
 def beside_area(attrs: dict[str, Any]) -> str:

@@ -81,7 +81,7 @@ def _weaker(contact: Contact, by_area: bool) -> str:
     by_area: whether the shear strength causes a notable part of friction; otherwise the pressure coefficient does.
     """
     if contact.interfacial_shear_strength is not None:
-        return "a lower shear strength tau_0" if by_area else "a lower pressure coefficient alpha"
+        return "a lower strength tau_0" if by_area else "a lower pressure coefficient alpha"
     is_dry = contact.interface is not None and contact.interface.name in _DRY
     return f"a weaker interface{' (e.g. lubricated)' if is_dry else ''}"
 
