@@ -37,6 +37,12 @@ def test_a_plastic_contact_has_tau_over_hardness():
     assert low < 0.98 * 0.05 and 1.02 * 0.05 < high  # a strength of one number is known to 2.5 %
 
 
+def test_a_stated_pressure_coefficient_alone_has_an_interval():
+    found = st.predict(pair(interfacial_shear_strength=0.0, pressure_coefficient=0.275), load="1 N")
+    ends = [found[f"friction_coefficient{end}"].item() / 0.275 for end in ("_low", "", "_high")]
+    assert ends == pytest.approx([0.9756, 1.0, 1.025], abs=2e-3)
+
+
 def test_what_is_pressed_flat_has_tau_over_nominal_pressure():
     found = st.predict(pair(first=SOFT, interfacial_shear_strength=1e5), load="500 N")
     exact = 1e5 * 1e-4 / 500.0

@@ -17,8 +17,8 @@ from stiction.studies.prediction.sampled_case import SampledCase
 _TRESCA = 0.5 * 3.0**0.5
 # Ratio of the stated strength to the shear strength of the body above which a metal junction may fail in the body.
 _NEAR_BODY = 0.5
-# Standard deviation of ln of a strength stated as one number: within 2.5 % at 90 % (judgement, grade C). Without scatter the
-# interval of a plastic contact, or of surfaces pressed flat, would have no width.
+# Standard deviation of ln of a strength or pressure coefficient stated as one number: within 2.5 % at 90 % (judgement, grade
+# C). Without scatter the interval of a plastic contact, or of surfaces pressed flat, would have no width.
 _STATED = 0.015
 
 
@@ -107,7 +107,7 @@ class Strength:
         state, strength, coefficient: quantile levels (n,) that select the state, tau_0 and the pressure coefficient. rows:
         index of the sampled input numbers of each sample (n,). tau_0 includes ageing. If a metal interface has a stated tau_0
         above half the shear strength of the body, it is at most that of clean metal. tau_0 is limited to the shear strength of
-        the weaker body. After this limit, a strength that is stated as one number is scattered.
+        the weaker body. After this limit, a strength that is stated as one number is scattered, and so is a stated coefficient.
         """
         from scipy.special import ndtri
 
@@ -136,6 +136,8 @@ class Strength:
         tau = _capped(tau, shear, strength[:, None], self.metallic)
         if self.stated is not None and len(self.stated) == len(self.aged) == 1:
             tau = tau * np.exp(_STATED * ndtri(strength[:, None]))
+        if not self.takes_states and len(self.coefficient) == 1:
+            alpha = alpha * np.exp(_STATED * ndtri(coefficient[:, None]))
         return tau, alpha
 
 
