@@ -245,7 +245,8 @@ def measure(wanted: MeasuredRoughness, folder: Path = Path()) -> Measured:
     if wanted.heights not in (None, "gaussian") and not alone:
         raise InputError("heights", wanted.heights, "gaussian, because the heights of the two rough bodies are combined")
     periods = {name: _prepared(scan, wanted, bodies[name], name, True) for name, scan in scans.items() if scan.periodic}
-    one_map = _one_map(solvable := SolvableMaps(maps | periods, bool(known)))
+    solvable = SolvableMaps(maps | periods, bool(known))
+    one_map = _one_map(solvable)
     heights = wanted.heights or ("gaussian" if wanted.kind and one_map is None else None)
     found: dict[str, Asperities] = {}
     surfaces: dict[str, Roughness] = {}

@@ -17,7 +17,7 @@ from stiction.solving.choice import RECOMMENDED
 from stiction.solving.pointwise import REFUSED, BatchResult, Region, bisected, pieces
 from stiction.studies.evaluate_many import part_of
 from stiction.studies.prediction.mixture import Mixture
-from stiction.studies.prediction.predict import COUNT, draws_of, intervals, with_uncertain
+from stiction.studies.prediction.predict import COUNT, draws_of, intervals, stated_count, with_uncertain
 from stiction.studies.prediction.sampled_case import SampledCase
 from stiction.studies.prediction.sources import sources_of
 from stiction.studies.prediction.unused import refusal_of
@@ -35,9 +35,7 @@ _AT_ONCE = 128  # points of a batch, which bounds the memory; errors on benchmar
 
 def count_of(case: Case, points: int) -> int:
     """Return the number of samples per prediction: that of the case or, if it states none, 512 if points <= 128, else 256."""
-    if "count" in case.uncertainty.model_fields_set:
-        return case.uncertainty.count
-    return COUNT if points <= _AT_ONCE else COUNT // 2
+    return stated_count(case, COUNT if points <= _AT_ONCE else COUNT // 2)
 
 
 def predict_many(

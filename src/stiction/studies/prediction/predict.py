@@ -216,10 +216,14 @@ def with_uncertain(case: Case) -> Case:
     return with_finish(case)
 
 
+def stated_count(case: Case, count: int) -> int:
+    """Return the number of samples that a case states; `count` if it states none."""
+    return case.uncertainty.count if "count" in case.uncertainty.model_fields_set else count
+
+
 def draws_of(case: Case, count: int = COUNT) -> Levels:
     """Return the quantile levels of all samples of a case; `count`: number of samples if the case states none."""
-    count = case.uncertainty.count if "count" in case.uncertainty.model_fields_set else count
-    return draw_levels(len(case.unknowns), count, case.uncertainty.seed)
+    return draw_levels(len(case.unknowns), stated_count(case, count), case.uncertainty.seed)
 
 
 def intervals(samples: Samples, loads: np.ndarray, level: float) -> dict[str, tuple[np.ndarray, dict[str, str]]]:
