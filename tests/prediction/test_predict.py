@@ -11,6 +11,7 @@ from scipy.stats import norm
 
 import stiction as st
 from stiction.case.read import case_in
+from stiction.contact.interfaces import Interface
 from stiction.studies.prediction.area import grown_to
 from stiction.studies.prediction.finish import with_finish
 from stiction.studies.prediction.junctions import grown, squeezed
@@ -37,8 +38,15 @@ def test_a_plastic_contact_has_tau_over_hardness():
     assert low < 0.98 * 0.05 and 1.02 * 0.05 < high  # a strength of one number is known to 2.5 %
 
 
-def test_a_stated_pressure_coefficient_alone_has_an_interval():
-    found = st.predict(pair(interfacial_shear_strength=0.0, pressure_coefficient=0.275), load="1 N")
+@pytest.mark.parametrize(
+    "stated",
+    [
+        {"interfacial_shear_strength": 0.0, "pressure_coefficient": 0.275},
+        {"interface": Interface(interfacial_shear_strength=1.0, pressure_coefficient=0.275)},
+    ],
+)
+def test_an_exact_pressure_coefficient_alone_has_an_interval(stated):
+    found = st.predict(pair(**stated), load="1 N")
     ends = [found[f"friction_coefficient{end}"].item() / 0.275 for end in ("_low", "", "_high")]
     assert ends == pytest.approx([0.9756, 1.0, 1.025], abs=2e-3)
 

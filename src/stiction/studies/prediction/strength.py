@@ -27,7 +27,8 @@ class Strength:
 
     states: states of the interface with weights; empty if the contact has an interfacial_shear_strength. stated: tau_0 [Pa]
     from `exact_strength`, or None. coefficient: pressure coefficient stated by the contact, 0 if none. takes_states: whether
-    the state of the interface supplies the pressure coefficient instead. varied: values of the uncertain numbers and array
+    the state of the interface supplies the pressure coefficient instead. coefficient_is_exact: whether this coefficient has one
+    value, without a range. varied: values of the uncertain numbers and array
     parameters of a stated interface, by name. bodies: strengths of the touching surfaces. metallic: mask (1 or m,) of points
     with metal junctions. aged: factor by which the hold time raises tau_0. Other arrays are (n or 1, m or 1).
     """
@@ -42,6 +43,8 @@ class Strength:
             self.stated = sampled.column(number)
         if contact.pressure_coefficient is not None:
             self.coefficient = sampled.column(contact.pressure_coefficient)
+        exact = _exact_coefficient(contact)
+        self.coefficient_is_exact = exact is not None and len(sampled.column(exact)) == 1
         self.varied = _varied(contact.interface, sampled) if self.states and contact.interface is not None else {}
         self.metallic = sampled.metallic
         self.takes_states = contact.pressure_coefficient is None
@@ -136,7 +139,7 @@ class Strength:
         tau = _capped(tau, shear, strength[:, None], self.metallic)
         if self.stated is not None and len(self.stated) == len(self.aged) == 1:
             tau = tau * np.exp(_STATED * ndtri(strength[:, None]))
-        if not self.takes_states and len(self.coefficient) == 1:
+        if self.coefficient_is_exact:
             alpha = alpha * np.exp(_STATED * ndtri(coefficient[:, None]))
         return tau, alpha
 
@@ -150,6 +153,14 @@ def exact_strength(contact: Contact) -> Any:
     if contact.interfacial_shear_strength is None and state is not None and "interfacial_shear_strength" not in state.range:
         return state.interfacial_shear_strength
     return contact.interfacial_shear_strength
+
+
+def _exact_coefficient(contact: Contact) -> Any:
+    """Return the pressure coefficient if the contact specifies it, or its interface gives it without a range; else None."""
+    state = contact.interface
+    if contact.pressure_coefficient is None and state is not None and "pressure_coefficient" not in state.range:
+        return state.pressure_coefficient
+    return contact.pressure_coefficient
 
 
 def _capped(tau: np.ndarray, shear: np.ndarray, level: np.ndarray, metallic: np.ndarray) -> np.ndarray:
