@@ -213,9 +213,12 @@ def test_the_next_step_opens_its_tab_also_where_no_room_shows_it(opened):
     opened.get_by_role("status").get_by_role("button", name="tab Studies", exact=True).click()
     tab = opened.get_by_role("tab", name="Studies", selected=True)
     tab.wait_for()
-    opened.wait_for_timeout(0.5 * SECOND)  # the tabs are moved gradually
+    opened.wait_for_timeout(SECOND)  # the page and the tabs are moved gradually
     box = tab.bounding_box()
     assert 0 <= box["x"] and box["x"] + box["width"] <= 390
+    header = opened.locator("header").bounding_box()["height"]
+    assert header <= box["y"] + 1 < 844 / 2  # below the header, with room for what the tab shows
+    assert opened.get_by_role("button", name="Sensitivity", exact=True).bounding_box()["y"] < 844
 
 
 FORM = ["Load", "Bodies", "Film", "Roughness", "Adhesion", "Interface"]

@@ -92,6 +92,12 @@ _STYLE = """
 :focus-visible { outline: 3px solid #E69F00; outline-offset: 1px }
 """
 _NARROW = 800  # largest width in pixels of a page of one column, as in _STYLE
+# Scrolls the tabs to the top, below the header, if they are not in the upper half of the window.
+_SCROLL_TO_TABS = """
+const top = document.querySelector('.q-tabs').getBoundingClientRect().top
+const header = document.querySelector('header').offsetHeight
+if (top < header || top > window.innerHeight / 2) window.scrollBy({ top: top - header, behavior: 'smooth' })
+"""
 # Name -> class of the tab. The first is built with the page, the others when they are first opened.
 TABS: dict[str, Callable[[Explorer], Any]] = {
     "Contact": ContactTab,
@@ -182,7 +188,12 @@ def _frame(explorer: Explorer, error: InputError | None) -> None:
 
 def _tabs(explorer: Explorer) -> None:
     built: dict[str, Any] = {}
-    explorer.open_tab = lambda name: tabs.set_value(name)
+
+    def show_tab(name: str) -> None:
+        tabs.set_value(name)
+        ui.run_javascript(_SCROLL_TO_TABS)
+
+    explorer.open_tab = show_tab
     with ui.tabs().props('align="left" outside-arrows mobile-arrows no-caps inline-label') as tabs:
         for name in TABS:
             ui.tab(name)
