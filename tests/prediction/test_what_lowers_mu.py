@@ -45,8 +45,8 @@ def test_each_change_lowers_mu(given, load, said, changes):
 @pytest.mark.parametrize(
     ("first", "interface", "said"),
     [
-        (STEEL | {"hardness": 2e8}, "clean metal", "a weaker interface (e.g. lubricated)"),
-        (ELASTIC, {"strength_over_shear_modulus": 0.01}, "a weaker interface or rougher surfaces"),
+        (STEEL | {"hardness": 2e8}, "clean metal", "a weaker interface (e.g. boundary lubricant)"),
+        (ELASTIC, {"strength_over_shear_modulus": 0.01}, "rougher surfaces; no weaker interface is known"),
     ],
 )
 def test_a_strength_that_is_relative_to_the_body_grows_with_it(first, interface, said):
@@ -56,3 +56,35 @@ def test_a_strength_that_is_relative_to_the_body_grows_with_it(first, interface,
     before, after = (answer_record(predicted(1.0, **given | {"first": first | {name: f * first[name]}})) for f in (1.0, 2.0))
     assert before["lowered_by"] == said
     assert after["friction_coefficient"] == pytest.approx(before["friction_coefficient"], rel=0.1)
+
+
+SILVER = {"coating": {"material": "silver", "thickness": "1 um", "bodies": "first"}}
+
+
+@pytest.mark.parametrize(
+    ("bodies", "interface", "weaker"),
+    [
+        ("copper", "oxidised metal", "boundary lubricant"),
+        ("copper", None, "monolayer"),
+        ("copper", "boundary lubricant", "monolayer"),
+        ("copper", "monolayer", None),  # it is the weakest at the pressure of so soft a metal
+        ("silicon", None, "boundary lubricant"),
+        ("silicon", "monolayer", "layered solid"),
+        ("hardened_steel_52100", "soft-metal film", "monolayer"),
+        ("diamond_like_carbon", "DLC humid", "DLC dry"),
+        ("ice", None, None),
+        ("silicone_rubber", "elastomer", None),
+    ],
+)
+def test_a_weaker_state_is_named_and_lowers_mu(bodies, interface, weaker):
+    """A reader was told to use a weaker interface, and not which."""
+    given = {"first": bodies, "second": bodies, "interfacial_shear_strength": None} | (
+        SILVER if interface == "soft-metal film" else {}
+    )
+    before = answer_record(predicted(1.0, **given, interface=interface))
+    if weaker is None:
+        assert "no weaker interface is known" in before["lowered_by"]
+        return
+    assert f"a weaker interface (e.g. {weaker}" in before["lowered_by"]
+    after = answer_record(predicted(1.0, **given, interface=weaker))
+    assert after["friction_coefficient"] < 0.95 * before["friction_coefficient"]

@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from stiction.contact.contact import Contact
+from stiction.contact.interfaces import interface
 from stiction.contact.materials import class_of
 from stiction.quantities.errors import InputError
 from stiction.quantities.shown import show
@@ -28,7 +29,9 @@ _SOME = 0.1  # fraction of elastic samples above which the text mentions them
 _GROWN = 1.1  # factor of junction growth, and of the area by adhesion, from which it is mentioned
 _BY_STRENGTH = 0.2  # fraction of friction that tau_0 causes, below which another area hardly changes mu
 _FEW = 10.0  # number of touching asperities below which mu varies from place to place
-_DRY = ("clean metal", "oxidised metal", "ceramic", "dry polymer", "elastomer", "gold contact")  # a lubricant weakens these
+# State that can weaken an interface, the easiest to make first -> an example that follows its name.
+_WEAK = {"boundary lubricant": "", "monolayer": "", "layered solid": " such as MoS2", "DLC dry": ""}
+_MUCH_WEAKER = 0.8  # ratio of shear strengths below which a state is named as weaker
 _STEEP = 0.93  # ratio c of interface to body strength above which mu is steep: d ln mu/d ln c = 1/(1 - c^2), 15 % for 2 %
 _SAME = 0.015  # relative difference of two strengths that counts as none
 _DECIDES = 0.05  # fraction of the variance above which a part is worth a warning
@@ -46,15 +49,15 @@ def regime_of(mixture: Mixture, samples: Samples, index: int) -> tuple[str, str]
     sentences, added = [], " plus the pressure coefficient" if mixture.strength.has_coefficient else ""
     times = _times(mixture, samples, index)
     by_area = _by_strength(samples, index) > _BY_STRENGTH  # otherwise friction is nearly alpha W, for any area
-    weaker = _weaker(mixture.sampled.contact, by_area)
+    weaker = _weaker(mixture, samples, index, by_area)
     if area > _FLAT * float(np.median(mixture.sampled.drawn.nominal_area)):
-        lever = f"more load, a smaller nominal area or {weaker}" if by_area else weaker
+        levers = ["more load", "a smaller nominal area", weaker] if by_area else [weaker]
         flat = "pulled" if pull > _STICKS else "pressed"
         sentences.append(f"The surfaces are {flat} flat: the real area is the nominal area, and mu = tau_0·A_n/P{added}.")
     elif pressure > _PLASTIC:
-        lever = weaker
+        levers = [weaker]
         if by_area and not mixture.strength.is_relative_to("shear_strength"):
-            lever += f" or a higher hardness of the {_softer(mixture)}"
+            levers.append(f"a higher hardness of the {_softer(mixture)}")
         elastic = np.nanmean(samples.pressure[:, index] < _PLASTIC) if samples.pressure.ndim == 2 else 0.0
         at_hardness = abs(pressure - 1.0) < _AT_HARDNESS
         formula = f"mu = tau_0/{'H' if at_hardness else f'({pressure:.2g} H)'}{times}{added}"
@@ -65,25 +68,48 @@ def regime_of(mixture: Mixture, samples: Samples, index: int) -> tuple[str, str]
     else:
         sentence, other = _of_pressure(mixture, pressure, index, times, added)
         sentences.append(sentence)
-        lever = f"{weaker} or {other}" if by_area else weaker
+        levers = [weaker, other] if by_area else [weaker]
     if pull > _STICKS:
         contact, load = mixture.sampled.contact, float(mixture.loads[index])
-        lever = f"less {'adhesion' if contact.adheres else 'liquid'} or {weaker}"
+        levers = [f"less {'adhesion' if contact.adheres else 'liquid'}", weaker]
         if contact.adheres and (force := _pull_off_force(mixture.sampled)) > load:
             shown = show(force, "pull_off_force", 2)
             sentences.insert(0, f"The pull-off force, {shown}, exceeds the load: use the friction force, not mu.")
-    return " ".join(sentences), lever
+    return " ".join(sentences), _alternatives(levers)
 
 
-def _weaker(contact: Contact, by_area: bool) -> str:
-    """Return what would weaken the interface, in words that name a field of a case.
+def _alternatives(levers: Sequence[str]) -> str:
+    """Return the changes that would lower mu as one text; "" among them stands for a weaker interface, if none is known.
 
-    by_area: whether the shear strength causes a notable part of friction; otherwise the pressure coefficient does.
+    >>> _alternatives(["more load", "a smaller nominal area", "a lower strength tau_0"])
+    'more load, a smaller nominal area or a lower strength tau_0'
+    >>> _alternatives(["", "rougher surfaces"])
+    'rougher surfaces; no weaker interface is known'
     """
+    *before, last = [*filter(None, levers)] or [""]
+    text = f"{', '.join(before)} or {last}" if before else last
+    return text if all(levers) else f"{text}; no weaker interface is known".removeprefix("; ")
+
+
+def _weaker(mixture: Mixture, samples: Samples, index: int, by_area: bool) -> str:
+    """Return what would weaken the interface, with the name of a weaker state; "" if there is none for these bodies.
+
+    index: position of the load among the loads of the prediction. by_area: whether the shear strength causes a notable part of
+    friction; otherwise the pressure coefficient does.
+    """
+    contact = mixture.sampled.contact
     if contact.interfacial_shear_strength is not None:
         return "a lower strength tau_0" if by_area else "a lower pressure coefficient alpha"
-    is_dry = contact.interface is not None and contact.interface.name in _DRY
-    return f"a weaker interface{' (e.g. lubricated)' if is_dry else ''}"
+    pressure = _median(samples.pressure, samples, index) * float(np.median(mixture.sampled.bodies.hardness))
+    present = _median(samples.strength + samples.coefficient * pressure, samples, index)
+    for name, example in _WEAK.items():
+        state = interface(name)
+        tau, alpha = state.at(0.5, *contact.touching)
+        holds = state.pressure_limit is None or pressure < state.pressure_limit
+        suits = holds and state.allows(*contact.touching, coated=contact.has_film)
+        if suits and tau + alpha * pressure < _MUCH_WEAKER * present:
+            return f"a weaker interface (e.g. {name}{example})"
+    return ""
 
 
 def _median(table: np.ndarray, samples: Samples, index: int) -> float:
