@@ -4,7 +4,7 @@ The random inputs form parts (interface, area model, chance, ...), which are sam
 part, only the levels of this part are exchanged between samples.
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -43,15 +43,19 @@ class Levels:
     def __getitem__(self, name: str) -> np.ndarray:
         return self.others[name]
 
-    def with_rows(self, part: str, moved: np.ndarray, rows: np.ndarray) -> "Levels":
-        """Return levels in which the columns of one part come from other samples than the columns of all other parts.
+    def exchanged(self, parts: Sequence[str], rows: np.ndarray, moved: np.ndarray) -> "tuple[Levels, np.ndarray]":
+        """Return levels in which one part after the other comes from other samples, and the rows of the inputs of each sample.
 
-        part: a key of COLUMNS. moved: indices of the samples from which the columns of this part are taken. rows: indices of
-        the samples from which the inputs and all other columns are taken. For the part "inputs", which has no such columns,
-        everything comes from `rows`.
+        parts: keys of COLUMNS, one for each block of samples in the result. rows: indices of the samples from which a block
+        takes all other columns. moved: indices of the samples from which it takes the columns of its part. The part "inputs"
+        has no such columns: for it, the returned rows are `moved`.
         """
-        others = {name: column[moved if name in COLUMNS[part] else rows] for name, column in self.others.items()}
-        return Levels(self.inputs[rows], others)
+        others = {
+            name: np.concatenate([column[moved if name in COLUMNS[part] else rows] for part in parts])
+            for name, column in self.others.items()
+        }
+        inputs = np.concatenate([moved if part == "inputs" else rows for part in parts])
+        return Levels(self.inputs[inputs], others), inputs
 
 
 def draw_levels(inputs: int, count: int, seed: int) -> Levels:

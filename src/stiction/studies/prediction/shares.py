@@ -32,8 +32,7 @@ def shares_of_variance(mixture: Mixture, levels: Levels, index: int) -> dict[str
         with np.errstate(divide="ignore", invalid="ignore"):
             return np.log(mixture.samples(levels, inputs).force[:, 0])
 
-    reference = log_mu(levels, np.arange(len(levels)))
-    variances = {part: _total(log_mu, levels, part, reference) for part in PARTS if part != "inputs" or levels.inputs.size}
+    variances = _totals(log_mu, levels)
     if "inputs" in variances:
         variances |= _of_each_input(mixture, levels, log_mu, variances.pop("inputs"))
     if _STRENGTH in variances:  # one name for a stated strength and for its scatter near the strength of the body
@@ -45,20 +44,24 @@ def shares_of_variance(mixture: Mixture, levels: Levels, index: int) -> dict[str
     return {name: float(value / total) for name, value in ordered if value / total >= _LEAST}
 
 
-def _total(log_mu: Quantity, levels: Levels, part: str, reference: np.ndarray) -> float:
-    """Return half the mean square change of a quantity if one part is exchanged between samples: its total Sobol variance.
+def _totals(log_mu: Quantity, levels: Levels) -> dict[str, float]:
+    """Return the total Sobol variance of each part: half the mean square change of a quantity if samples exchange this part.
 
-    log_mu: function that returns ln mu (n,) from levels and rows of the inputs. part: name of the part. reference: ln mu (n,)
-    of all samples before the exchange. Samples that are impossible before or after the exchange are left out.
+    log_mu: function that returns ln mu (n,) from levels and rows of the inputs. Samples that are impossible before or after the
+    exchange are left out. Without uncertain inputs, the part "inputs" is left out.
     """
-    every, orders = np.arange(len(levels)), _orders(len(levels))
+    every, (first, *others) = np.arange(len(levels)), _orders(len(levels))
+    reference = log_mu(levels, every)
+    parts = [part for part in PARTS if part != "inputs" or levels.inputs.size]
 
-    def change(moved: np.ndarray, rows: np.ndarray) -> np.ndarray:
-        return reference[rows] - log_mu(levels.with_rows(part, moved, rows), moved if part == "inputs" else rows)
+    def changes(parts: list[str], rows: np.ndarray, moved: np.ndarray) -> np.ndarray:
+        return reference[rows] - log_mu(*levels.exchanged(parts, rows, moved)).reshape(len(parts), -1)
 
-    if not np.nan_to_num(change(orders[0], every)).any():  # the part has no effect on this contact
-        return 0.0
-    return 0.5 * float(np.nanmean(change(np.concatenate(orders), np.tile(every, len(_EXCHANGES))) ** 2))
+    variances, more = dict.fromkeys(parts, 0.0), (np.tile(every, len(others)), np.concatenate(others))
+    for part, change in zip(parts, changes(parts, every, first), strict=True):
+        if np.nan_to_num(change).any():  # otherwise the part has no effect on this contact
+            variances[part] = 0.5 * float(np.nanmean(np.append(change, changes([part], *more)) ** 2))
+    return variances
 
 
 @cache
