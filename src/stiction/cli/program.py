@@ -167,9 +167,9 @@ def _stiction(
 
 
 def console():
-    from rich.console import Console
+    from stiction.report.terminal import Terminal
 
-    terminal: Any = Console()
+    terminal: Any = Terminal()
     terminal.on_broken_pipe = closed_pipe  # rich's own handler ends the program without a message
     return terminal
 

@@ -10,7 +10,7 @@ from stiction.report.table import Table, with_signs
 _GREEK = {"alpha": "α", "beta": "β", "gamma": "γ", "epsilon": "ε", "eta": "η", "theta": "θ", "lambda": "λ", "lam": "λ",
           "mu": "μ", "nu": "ν", "omega": "ω", "pi": "π", "psi": "ψ", "sigma": "σ", "tau": "τ", "Delta": "Δ"}  # fmt: skip
 _WORD = re.compile(rf"(?<![A-Za-z])({'|'.join(sorted(_GREEK, key=len, reverse=True))})(?![A-Za-z])")
-_BEFORE_UNIT = re.compile(r"(?<=\d) (?=(?:[pnuµmkMG]?(?:m[²³]?|N|Pa|J)|K|deg)(?!\w))")
+_BEFORE_UNIT = re.compile(r"(?<=\d) (?=(?:[pnuµmkMGT]?(?:m[²³]?|N|Pa|J|s)|1/[nuµmk]?(?:m[²³]?|Pa)|K|deg|ohm)(?!\w))")
 
 
 def letters(text: str) -> str:

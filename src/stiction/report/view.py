@@ -22,10 +22,11 @@ _COLUMNS, _ROWS, _LEAST_ROWS = 80, 5, 3
 
 def lines_of(part: Any, columns: int = _COLUMNS) -> int:
     """Return how many lines a text or a table takes on a terminal that is `columns` characters wide."""
-    from rich.console import Console
     from rich.text import Text
 
-    console = Console(width=columns)
+    from stiction.report.terminal import Terminal
+
+    console = Terminal(width=columns)
     return len(console.render_lines(Text(part) if isinstance(part, str) else part, console.options, pad=False))
 
 
