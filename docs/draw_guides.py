@@ -3,6 +3,7 @@
 python docs/draw_guides.py
 """
 
+import tomllib
 from pathlib import Path
 
 import matplotlib
@@ -14,20 +15,23 @@ from matplotlib.figure import Figure
 from measured_tables import measured_series
 
 import stiction as st
+from stiction.case.read import case_of
 from stiction.report.prediction_pictures import prediction_figure, validation_panel
 from stiction.solvers.boundary_elements.solve import solve_map
 from stiction.solvers.shear.compliance import HalfSpace, ShearCompliance
 from stiction.solvers.shear.operators import FreeShear
 from stiction.solvers.shear.path import Weakening, full_shift, slide_map
+from stiction.studies.prediction.around import predict_with_curve
 
 HERE = Path(__file__).parent
 BLUE, RED, GREY = "#0072B2", "#D55E00", "0.45"
 
 
 def answer() -> Figure:
-    """Return friction against load of the example that the README and the landing page show."""
-    case = st.read_case(str(HERE.parent / "examples" / "soft_film.toml"))
-    figure = prediction_figure(st.predict(case), "Silver film, 1 µm, on hardened steel")
+    """Return friction against load of the contact that the README and the landing page predict."""
+    case = (HERE.parent / "README.md").read_text(encoding="utf-8").split("```toml\n")[1].partition("```")[0]
+    data, curve = predict_with_curve(case_of(tomllib.loads(case)))
+    figure = prediction_figure(data, "Copper on copper, oxidised, ground", curve)
     figure.axes[0].lines[0].set_linewidth(4)
     return figure
 
