@@ -70,9 +70,10 @@ _PER_DECADE = 40  # the lightest solved pressure is 10^(k/40), with an integer k
 _TO_A_FACTOR_OF_E = 2  # tabulated pressures of the bare area of a map, per factor e
 _LEAST_AREA = 1e-300  # replaces an area of 0 in logarithms
 _SLOPES = -2.0, -0.5  # limits of the slope of a secant, which near convergence is a quotient of two rounding errors
-_STEPS, _PER_POINT = 40, 10  # largest number of fixed-point steps; memory of one load, as a number of points
-# Points at which the modulus is interpolated over the area, size of a negligible last term, widening of the range of moduli.
-_POINTS, _ROUND_OFF, _BEYOND = 20, 2e-14, 0.5
+_STEPS = 40  # largest number of fixed-point steps
+_PER_POINT, _IN_CACHE = 10, 25  # memory of a load, and of a wave so that a block fits in the cache, as numbers of points
+# Points at which the modulus is interpolated, less half the range of ln(area); largest last term; widening of its range.
+_POINTS, _ROUND_OFF, _BEYOND = 11, 2e-14, 0.5
 STIFF = 5.0  # film modulus over the bodies' from which on this law is inaccurate for thin films
 
 
@@ -123,18 +124,17 @@ def thickness_over_wave(groups: Groups) -> np.ndarray:
 
 
 def sphere_modulus(curve: np.ndarray, n_E: np.ndarray, a_over_t: np.ndarray) -> np.ndarray:
-    """Return the effective modulus E_P (n, ...) for a sphere on a film, divided by the modulus of the bodies without film.
+    """Return the effective modulus E_P (n, H, m) for a sphere on a film, divided by the modulus of the bodies without film.
 
     curve: coefficients (n, TERMS) of the curve of E_P. n_E (n,): film modulus divided by the modulus of the bodies without
-    film. a_over_t (n, ...): contact radius divided by film thickness.
+    film. a_over_t (n, H, m): contact radius divided by film thickness.
     """
-    more = a_over_t.ndim - 1
     z = 1.0 - 2.0 / (np.sqrt(a_over_t) + 1.0)
     sums = np.zeros_like(z)
     for term in range(TERMS - 1, -1, -1):
         sums *= z  # in place: new arrays of this size would take half of the time
-        sums += curve[(slice(None), term, *(None,) * more)]
-    return np.exp(0.5 * (1.0 - z) * np.log(n_E)[(slice(None), *(None,) * more)] + (1.0 - z * z) * sums)
+        sums += curve[:, term, None, None]
+    return np.exp(0.5 * (1.0 - z) * np.log(n_E)[:, None, None] + (1.0 - z * z) * sums)
 
 
 def area_of_waves(
@@ -153,13 +153,14 @@ def area_of_waves(
         width = (_SIZE * n_E**_BY_MODULUS / thickness)[:, None, None] / k  # a/t of the whole area
 
     def modulus_at(log_area: np.ndarray) -> np.ndarray:
-        aspect = width * np.exp(_BY_AREA * log_area)[..., None]
-        return np.sqrt(np.sum(share * sphere_modulus(curve, n_E, aspect) ** 2, axis=-1))
+        size, each = np.exp(_BY_AREA * log_area)[..., None], blocks(len(width), _IN_CACHE * log_area[0].size * k.shape[-1])
+        moduli = ((share[some], sphere_modulus(curve[some], n_E[some], width[some] * size[some])) for some in each)
+        return np.sqrt(np.concatenate([np.sum(part * modulus**2, axis=-1) for part, modulus in moduli]))
 
     def log_bare(pressure: np.ndarray) -> np.ndarray:
         return np.log(np.maximum(bare(pressure), _LEAST_AREA))
 
-    if pressure.shape[1] > _POINTS // 2:  # for fewer pressures it is faster to compute the modulus in every step
+    if pressure.shape[1] > 2:  # for fewer pressures it is faster to compute the modulus in every step
         least, most = _BEYOND * np.minimum(n_E, 1.0)[:, None], np.maximum(n_E, 1.0)[:, None] / _BEYOND
         smallest = np.where(pressure > 0.0, pressure, np.inf).min(axis=1, keepdims=True)
         largest = pressure.max(axis=1, keepdims=True)
@@ -186,8 +187,9 @@ def _interpolated(function: Callable[[np.ndarray], np.ndarray], low: np.ndarray,
     less than 2 apart are first widened to 2 about their middle. `function` itself is returned if round-off is not reached.
     """
     middle, half = 0.5 * (high + low), np.maximum(0.5 * (high - low), 1.0)
-    angles = (np.arange(_POINTS) + 0.5) * math.pi / _POINTS
-    terms = np.cos(np.outer(np.arange(_POINTS), angles)) @ np.log(function(middle + half * np.cos(angles))).T * (2.0 / _POINTS)
+    points = _POINTS + math.ceil(half.max())
+    angles = (np.arange(points) + 0.5) * math.pi / points
+    terms = np.cos(np.outer(np.arange(points), angles)) @ np.log(function(middle + half * np.cos(angles))).T * (2.0 / points)
     terms[0] *= 0.5
     if not np.abs(terms[-2:]).max() <= _ROUND_OFF:
         return function
@@ -201,8 +203,7 @@ def area_at_load(load: np.ndarray, groups: Groups) -> np.ndarray:
     """
     resolved = groups.resolved()
     require_gaussian(resolved.roughness_parameter)
-    parts = [_area(load[rows], resolved[rows]) for rows in blocks(len(load), _PER_POINT * load.shape[1])]
-    return np.concatenate(parts)
+    return np.concatenate([_area(load[rows], resolved[rows]) for rows in blocks(len(load), _PER_POINT * load.shape[1])])
 
 
 def _area(load: np.ndarray, groups: Groups) -> np.ndarray:
@@ -260,8 +261,7 @@ def area_on_map(load: np.ndarray, groups: Groups, surface: "HeightMap") -> np.nd
     resolved, density = groups.resolved(), groups.roughness_parameter[:, None]
     pressure = reduced_pressure(np.maximum(load, 0.0), density)
     slopes = groups.sharpness * slope_over_sharpness(groups.roughness_parameter)
-    each = range(len(load))
-    elastic = np.array([_elastic_on_map(pressure[i], resolved[i : i + 1], surface, float(slopes[i])) for i in each])
+    elastic = np.array([_elastic_on_map(p, resolved[i : i + 1], surface, float(slopes[i])) for i, p in enumerate(pressure)])
     return _flowing(elastic, pressure, resolved) / (math.pi * density)
 
 

@@ -53,15 +53,13 @@ def _together(share, ratio):
 def _interpolated(places: np.ndarray) -> np.ndarray:
     """Interpolate the coefficients (n, CURVES, TERMS) of the response curves at table coordinates (n, 3), -1 to 1."""
     table, modes = _table()
-    series = [chebyshev.chebvander(column, size - 1) for column, size in zip(places.T, _SIZES, strict=True)]
-    if np.ptp(places[:, 2]) == 0.0:  # typical of sweeps against a rigid counterbody; one coordinate less saves time
-        weights, table = series[:2], np.tensordot(series[2][0], table, axes=(0, 2))
+    first, second, third = (chebyshev.chebvander(column, size - 1) for column, size in zip(places.T, _SIZES, strict=True))
+    product = (first[:, :, None] * second[:, None, :]).reshape(len(places), -1)
+    if len(places) > 1 and np.ptp(places[:, 2]) == 0.0:  # typical of sweeps against a rigid counterbody; this saves time
+        weights = product @ np.tensordot(third[0], table, axes=(0, 2)).reshape(-1, _MODES)
     else:
-        weights = series
-    product = weights[0]
-    for factor in weights[1:]:
-        product = (product[:, :, None] * factor[:, None, :]).reshape(len(places), -1)
-    return (product @ table.reshape(-1, _MODES) @ modes).reshape(-1, CURVES, TERMS)
+        weights = np.einsum("nk,nkm->nm", third, (product @ table.reshape(product.shape[1], -1)).reshape(-1, _SIZES[2], _MODES))
+    return (weights @ modes).reshape(-1, CURVES, TERMS)
 
 
 @cache

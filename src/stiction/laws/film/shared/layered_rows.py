@@ -36,7 +36,7 @@ def coefficients(groups: Groups) -> np.ndarray:
     """
     columns = columns_of(groups)
     if (columns == columns[:, :1]).all():
-        return np.broadcast_to(_curves(columns[:, :1]), (len(groups), *_curves(columns[:, :1]).shape[1:]))
+        return np.broadcast_to(_curves(columns[:, :1]), (len(groups), CURVES, TERMS))
     each, which = np.unique(columns, axis=1, return_inverse=True)
     return _curves(each)[which]
 
