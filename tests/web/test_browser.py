@@ -569,6 +569,7 @@ OLD = re.compile("^This result belongs to earlier numbers: press “Compare all 
 
 def test_a_comparison_of_earlier_numbers_says_so_until_it_is_made_again(of_model):
     page = of_model
+    page.get_by_text("Why", exact=True).click()
     before = _mu_of_the_case(page)
     _tab(page, "Compare")
     page.locator("tr", has_text="soft_coating_2015 + sequential").last.wait_for(state="attached")

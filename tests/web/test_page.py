@@ -68,6 +68,11 @@ def _click(user: User, label: str) -> None:
     UserInteraction(user, {_labelled(user, ui.button, label)}, None).click()
 
 
+def _open(user: User, title: str) -> None:
+    """Open a folded section, whose elements exist from then on."""
+    _labelled(user, ui.expansion, title).set_value(True)
+
+
 async def _until(user: User, wanted) -> None:
     for _ in range(1200):  # a minute: kernels may have to be compiled
         if wanted():
@@ -94,6 +99,7 @@ def _predicted(tables) -> str:
 @in_a_loop
 async def test_the_first_screen_shows_the_prediction():
     async with _page() as user:
+        _open(user, "Model")
         assert _mu(user) == _predicted(EXAMPLE) and _labelled(user, ui.select, "model").value == "recommended"
         found = st.predict(EXAMPLE)
         here = found.sel(load=found.attrs["working_load"])
@@ -101,8 +107,9 @@ async def test_the_first_screen_shows_the_prediction():
         card = _card(user)
         assert f"{low} to {high} (90% interval) at 1 N" in card and found.shares["interface"] > 0.5
         assert f"{found.shares['interface']:.0%} interface strength, 3% other</dd>" in card
+        _open(user, "Why")
         rows = dict(pairwise(_texts(user)))
-        assert rows["state"] == letters(found.attrs["regime"])  # below "Why"
+        assert rows["state"] == letters(found.attrs["regime"])
         assert rows["next"].startswith("measure μ once and fit the case to it; ") and "narrow μ to" in rows["next"]
         assert rows["confidence"].startswith("fair (high: the interval ends within a factor of 1.5 of μ, without a warning")
 
@@ -143,6 +150,7 @@ async def test_a_surface_is_known_by_its_finish():
 async def test_a_named_model_answers_with_its_warnings_and_the_prediction_as_large_beside_it():
     async with _page(encoded(of_one_model())) as user:
         assert _mu(user) == "μ ≈ 0.046"
+        _open(user, "Why")
         assert any("valid range" in text for text in _texts(user))
         predicted = _predicted({name: table for name, table in of_one_model().items() if name != "solve"} | {
             "solve": {"separation": of_one_model()["solve"]["separation"]}})  # fmt: skip
@@ -154,6 +162,7 @@ async def test_a_named_model_answers_with_its_warnings_and_the_prediction_as_lar
 @in_a_loop
 async def test_at_given_separations_it_is_said_that_the_load_moved():
     async with _page(encoded(of_one_model())) as user:
+        _open(user, "Why")
         before = _input(user, "normal load, adhesion included P").value
         _input(user, "asperities per nominal area N").set_value("2e10 1/m^2")
         await _until(user, lambda: any(text.startswith("The load changed from 2.36 N to ") for text in _texts(user)))
@@ -193,6 +202,7 @@ async def test_a_film_that_is_switched_off_and_on_keeps_its_numbers_and_the_titl
         assert silver not in _texts(user) and _mu(user) != "μ ≈ 0.046"
         _labelled(user, ui.switch, "there is a film").set_value(True)
         await _until(user, lambda: silver in _texts(user))
+        _open(user, "properties of the film")
         assert _mu(user) == "μ ≈ 0.046" and "0.4 GPa" in [one.value for one in _elements(user, ui.input)]
         _input(user, "film thickness (the sum of both films if both bodies are coated) t").set_value("300 nm")
         await _until(user, lambda: f"Silver film, 300 nm, {steel}" in _texts(user))
@@ -255,6 +265,7 @@ async def test_the_number_on_the_page_is_that_of_a_closed_form():
     slope = math.sqrt(math.sqrt(3.0) / (64.0 * 1.7e10 * 50e-6**2))
     area = 1e-6 * math.erf(math.sqrt(2.0) * 2.0 / 1e-6 / (210e9 / (2.0 * (1.0 - 0.3**2)) * slope))
     async with _page(encoded({"contact": contact, "solve": {"load": "2 N", "model": "persson_2001"}})) as user:
+        _open(user, "Why")
         where = next(text for text in _texts(user) if text.startswith("at a load of"))
         assert where.startswith(f"at a load of 2 N, real contact area {area * 1e12:.4g} µm²")
         assert where.endswith(f"mu to four digits {200e6 * area / 2.0:.4g}")
@@ -283,6 +294,8 @@ async def test_no_field_shows_python():
     tables["solve"] = {"separation": [2, 0.5]}
     async with _page(encoded(tables)) as user:
         assert _input(user, "work of adhesion gamma").value == "1 J/m² within a factor 3"
+        _open(user, "Model")
+        _open(user, "Points of the curve")
         assert "separation: [2, 0.5]" in _texts(user)
         assert _labelled(user, ui.slider, "work of adhesion gamma, slider").value == 0.0  # of the median, 10^0 J/m^2
         _input(user, "work of adhesion gamma").set_value("1 J/m^2 within a factor 1.5")
@@ -294,6 +307,7 @@ async def test_no_field_shows_python():
 async def test_dimensionless_groups_and_several_numbers_have_a_page():
     groups = {"theta": 40, "lam": 10, "n_E": [0.5, 1.5], "n_H": 0.5, "tau": 2}
     async with _page(encoded({"indices": groups, "solve": {"separation": [2, 1, 0]}})) as user:
+        _open(user, "Why")
         assert "The curves show the first value of each array: n_E." in _texts(user)
         assert _input(user, "elastic adhesion index K sigma^(3/2) / (gamma R^(1/2)) theta").value == "40"
 

@@ -14,7 +14,7 @@ from stiction.report.card import Card, card_of, shortened
 from stiction.report.html_words import letters
 from stiction.studies.prediction.regime import without_commands
 from stiction.web.background import Latest
-from stiction.web.elements import Rows
+from stiction.web.elements import Rows, attributes
 from stiction.web.explorer import Explorer
 from stiction.web.query import Answer, predicted_beside, remarks
 
@@ -38,7 +38,9 @@ class AnswerCard:
             self._card.on("click", lambda event: explorer.open_tab(event.args), js_handler=_NAME_OF_TAB)
             self._load_moved = ui.label().classes("text-sm")
             self._old = ui.label("This is the last answer without an error: see the field in red.").classes("text-negative")
-        with ui.expansion("Why").classes("w-full").props("dense dense-toggle"):
+        section = ui.expansion("Why", on_value_change=self._draw).classes("w-full").props("dense dense-toggle")
+        self._why = attributes(section, aria_label="Why")
+        with self._why:
             self._rows = Rows(ui.element("div").classes("w-full rows text-sm answer"), _add_row)
         self._load_moved.set_visibility(False)
         explorer.listen(self.show)
@@ -56,24 +58,27 @@ class AnswerCard:
 
     def _draw(self) -> None:
         answer, (number, where) = self._explorer.answer, self._explorer.headline
-        number, named, rows = letters(number), "", []
-        prediction = answer.data if answer.is_prediction else None
+        number, prediction = letters(number), self._prediction(answer)
+        named = "" if answer.is_prediction else f"{number} by {_model(answer)}"
         warnings = [] if answer.is_prediction else warnings_of(answer.data)
-        if not answer.is_prediction:
-            model = str(answer.data.attrs["model"]).replace("_", " ")
-            named = f"{number} by {model}"
-            rows = [(model, where), *((KINDS_OF_WARNING[one.kind], str(one)) for one in warnings)]
-            if self._beside is not None and self._beside[0] is answer:
-                prediction = self._beside[1]
         if prediction is None:
             html = f'<div class="card"><p><span class="text-3xl font-bold">{escape(number)}</span> {escape(where)}</p></div>'
         else:
             card = card_on_page(prediction, named)
             html = (card._replace(warning=shortened(warnings[0].why)) if warnings else card).html(why=False)
             html = re.sub(r": (tab (\w+))", r': <button type="button" data-tab="\2">\1</button>', html)
-            rows += answer_lines(prediction, terminal=False)[1:]
         self._card.set_content(html)
-        self._rows.show([*rows, *(("computed", letters(one)) for one in remarks(answer))])
+        if self._why.value:  # rows that nobody sees would take time
+            rows = [] if answer.is_prediction else [(_model(answer), where)]
+            rows += [(KINDS_OF_WARNING[one.kind], str(one)) for one in warnings]
+            rows += [] if prediction is None else answer_lines(prediction, terminal=False)[1:]
+            self._rows.show([*rows, *(("computed", letters(one)) for one in remarks(answer))])
+
+    def _prediction(self, answer: Answer) -> xarray.Dataset | None:
+        """Return the prediction of a case or, if it names a model, the one beside its answer; None while that is missing."""
+        if answer.is_prediction:
+            return answer.data
+        return self._beside[1] if self._beside is not None and self._beside[0] is answer else None
 
     def _show_beside(self, found: tuple[Answer, xarray.Dataset | None]) -> None:
         self._beside = found
@@ -110,6 +115,10 @@ def card_on_page(prediction: xarray.Dataset, named: str = "") -> Card:
     action = without_commands(str(prediction.attrs["next_step"]), ": tab Studies", ": tab Surface")
     repeated = action.startswith("state") and card.warning.removesuffix(" is not stated").lower() in action
     return card._replace(next_step=action, warning="" if repeated else card.warning)
+
+
+def _model(answer: Answer) -> str:
+    return str(answer.data.attrs["model"]).replace("_", " ")
 
 
 def _beside(answer: Answer, load: float) -> tuple[Answer, xarray.Dataset | None]:

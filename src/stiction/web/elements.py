@@ -22,6 +22,25 @@ def attributes(element: Any, **given: Any) -> Any:
     return element
 
 
+def folded(title: str, fill: Callable[[], object], is_open: bool = False, name: str = "") -> Any:
+    """Add a folded section, and return it; its elements are added when it is first opened, because all of them take time.
+
+    fill: function that adds the elements. is_open: whether the section is open from the start. name: name for screen readers,
+    by default the title.
+    """
+    section = ui.expansion(title, value=is_open).classes("w-full").props("dense dense-toggle")
+    waiting = [fill]
+
+    def opened() -> None:
+        if section.value and waiting:
+            with section:
+                waiting.pop()()
+
+    section.on_value_change(opened)
+    opened()
+    return attributes(section, aria_label=name or title)
+
+
 class Rows:
     """Hold a page element whose rows are rebuilt when they change.
 

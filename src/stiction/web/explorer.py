@@ -44,7 +44,8 @@ def close_all() -> None:
 class Explorer:
     """Hold the case of one visitor and its answer, and call listeners after every new answer.
 
-    query: the case. answer: its results.
+    query: the case. answer: its results. headline: two texts, mu with the digits that its uncertainty justifies, and the load,
+    contact area and separation or, for a prediction, its interval and load.
     """
 
     def __init__(self, query: Query, answer: Answer):
@@ -55,6 +56,7 @@ class Explorer:
         self._history: list[Mapping[str, Any]] = []  # cases to which `undo` goes back, the newest last
         self._changed = 0.0
         self.view = View()
+        self.headline = headline(answer, self.point)
         self.rebuild: Callable[[], None] = lambda: None  # rebuilds the form when fields are added or removed
         self.client: AbstractContextManager[Any] = nullcontext()  # the page; the element that started a query may be gone
         self.open_tab: Callable[[str], object] = lambda name: None
@@ -70,6 +72,7 @@ class Explorer:
 
     def redraw(self) -> None:
         """Call all listeners again with the same answer."""
+        self.headline = headline(self.answer, self.point)
         with self.client:
             for listener in self._listeners:
                 listener()
@@ -130,11 +133,6 @@ class Explorer:
     def load(self) -> float:
         """Return the load at the shown point of the curve, in N, or normalised for dimensionless groups."""
         return float(self.answer.at(self.point)["load"])
-
-    @property
-    def headline(self) -> tuple[str, str]:
-        """Return two texts: mu with the digits that its uncertainty justifies, and load, contact area and separation."""
-        return headline(self.answer, self.point)
 
     def upload(self, name: str, content: bytes) -> str:
         """Write an uploaded file into the folder of this visitor, and return its path.

@@ -15,7 +15,7 @@ from stiction.records.registry import kinds_of_additions
 from stiction.solving.choice import DEFAULT_MODEL
 from stiction.surfaces.finished import is_finished
 from stiction.surfaces.roughness import SHAPE
-from stiction.web.elements import attributes
+from stiction.web.elements import attributes, folded
 from stiction.web.explorer import Explorer
 from stiction.web.fields import (
     ENDINGS,
@@ -81,13 +81,8 @@ class Form:
                 self._contact(parts)
             else:
                 self._fields(parts.pop("indices"))
-            with _folded("More", any(value_at(tables, one.path) is not None for one in self._rare)):
-                for one in self._rare:
-                    self._number(one)
-            with _folded("Model"):
-                self._model()
-                with _folded("Points of the curve"):
-                    self._points()
+            folded("More", self._more, any(value_at(tables, one.path) is not None for one in self._rare))
+            folded("Model", self._model)
         self.show()
 
     def _tools(self) -> None:
@@ -143,6 +138,10 @@ class Form:
         self._other.set_text("" if error is None or beside else str(error))
         self._other.set_visibility(error is not None and not beside)
 
+    def _more(self) -> None:
+        for one in self._rare:
+            self._number(one)
+
     def _model(self) -> None:
         tables, answer = self._explorer.query.tables, self._explorer.answer
         solve, names = tables.get("solve", {}), law_names(answer.case)
@@ -150,13 +149,17 @@ class Form:
         self._menu("model", [_PREDICTION, *names.pop("model")], given, ("solve", "model"), self._choose_model)
         if answer.is_prediction:
             ui.label("recommended combines all models that apply; a chosen model is shown next to it").classes("text-xs")
-        with _folded("Replace its laws"):
-            for choice, laws in names.items():
-                known = [_NONE, *laws, *(["none"] if choice in _MAY_BE_NONE else [])]
-                self._menu(choice, known, str(solve.get(choice, _NONE)), ("solve", choice))
+
+        def laws() -> None:
+            for choice, known in names.items():
+                listed = [_NONE, *known, *(["none"] if choice in _MAY_BE_NONE else [])]
+                self._menu(choice, listed, str(solve.get(choice, _NONE)), ("solve", choice))
+
+        folded("Replace its laws", laws)
         for name, values in option_values(answer.data).items():
             here = ("solve", "options", name) if name in solve.get("options", {}) else ("solve", name)
             self._menu(name.replace("_", " "), list(values), str(value_at(tables, here) or values[0]), here)
+        folded("Points of the curve", self._points)
 
     async def _choose_model(self, name: str) -> None:
         """Solve the case with another model; if the prediction is chosen, remove model, laws and options from the case."""
@@ -349,10 +352,14 @@ class Form:
         self._menu(f"material of the {label}", names, preset or _OWN, part.path, chosen, searched=True, named=False)
         known = material(preset) if preset in material_names() else None
         changed = any(value_at(tables, number.path) is not None for number in numbers_of(part))
-        with _folded("properties" + (", changed" if preset and changed else ""), not preset, f"properties of the {label}"):
+
+        def properties() -> None:
             for number in numbers_of(part):
                 value = getattr(known, number.quantity.name, None)
                 self._number(number, "" if value is None else number.text(value))
+
+        title = "properties" + (", changed" if preset and changed else "")
+        folded(title, properties, not preset, f"properties of the {label}")
 
 
 @contextmanager
@@ -363,11 +370,6 @@ def _group(title: str) -> Any:
             ui.label(title).classes("font-bold text-sm")
         with ui.element("div"):
             yield head
-
-
-def _folded(title: str, is_open: bool = False, name: str = "") -> ui.expansion:
-    folded = ui.expansion(title, value=is_open).classes("w-full").props("dense dense-toggle")
-    return attributes(folded, aria_label=name or title)  # type: ignore[no-any-return]
 
 
 def _read(text: str, kind: Callable[[str], float]) -> float | str:

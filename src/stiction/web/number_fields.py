@@ -1,5 +1,6 @@
 """Add number fields to the form, each with name, text and slider, and the field of the working load."""
 
+import math
 from collections.abc import Awaitable, Callable, Mapping
 from typing import Any
 
@@ -48,9 +49,11 @@ def draw_line(
         if value is None:
             return text, None, None
         knob = number.knob(value)
-        slider = ui.slider(min=knob.low, max=knob.high, step=knob.step, value=knob.place(value)).props("dense")
-        attributes(slider, aria_label=f"{number.label}, slider", aria_valuetext=number.text(value))
-        slider.on("update:model-value", lambda event: moved(knob.value(float(event.args))), throttle=0.05, leading_events=True)
+        slider = ui.slider(
+            min=knob.low, max=knob.high, step=knob.step, value=knob.place(value),
+            on_change=lambda event: moved(knob.value(float(event.value))),
+        )  # fmt: skip
+        attributes(slider.props("dense"), aria_label=f"{number.label}, slider", aria_valuetext=number.text(value))
     return text, slider, knob
 
 
@@ -92,39 +95,52 @@ def draw_load(explorer: Explorer, inputs: dict[tuple[str, ...], Any]) -> Callabl
         ui.label("No load is compressive: see the points of the curve.").classes("text-sm")
         return lambda: None
 
-    asked = explorer.load  # working load of the newest query, whose answer may still be missing
+    return _LoadField(explorer, inputs).follow
 
-    async def put(value: float) -> None:
-        nonlocal asked
-        if value > 0.0 and _LOAD.text(value) != _LOAD.text(asked):
-            before, asked = asked, value
-            await explorer.ask(_at_load(explorer.query.tables, before, value))
 
-    async def typed(wanted: str) -> None:
-        try:
-            value = float(to_si(wanted, "load"))
-        except InputError as error:
-            text.error = str(error)
+class _LoadField:
+    """Show the working load as text and slider, and solve the case at another load."""
+
+    def __init__(self, explorer: Explorer, inputs: dict[tuple[str, ...], Any]):
+        self._explorer = explorer
+        self._asked = load = explorer.load  # working load of the newest query, whose answer may still be missing
+        self._text, self._slider, self._knob = draw_line(_LOAD, _LOAD.text(load), load, self._typed, self._moved)
+        inputs[_LOAD.path] = self._text
+
+    async def _put(self, load: float) -> None:
+        if load > 0.0 and _LOAD.text(load) != _LOAD.text(self._asked):
+            before, self._asked = self._asked, load
+            await self._explorer.ask(_at_load(self._explorer.query.tables, before, load))
+
+    async def _typed(self, wanted: str) -> None:
+        load, self._text.error = _typed_load(wanted)
+        await self._put(load)
+
+    async def _moved(self, load: float) -> None:
+        if self._slider.value != self._knob.place(self._asked):  # otherwise `follow` moved the slider
+            await self._put(float(f"{load:.3g}"))
+
+    def follow(self) -> None:
+        """Show the working load of the newest answer."""
+        if self._explorer.waits:
             return
-        text.error = None if value > 0.0 else "load: must be > 0 N"
-        await put(value)
-
-    def follow() -> None:
-        nonlocal asked
-        if explorer.waits:
+        self._asked = load = self._explorer.load
+        if not load > 0.0:
             return
-        load, typed_load = explorer.load, _LOAD.si(text.value)
-        asked = load
-        if load > 0.0:
-            if typed_load is None or _LOAD.text(load) != _LOAD.text(typed_load):
-                text.set_value(_LOAD.text(load))
-                slider.set_value(knob.place(load))
-            attributes(slider, aria_valuetext=_LOAD.text(load))
+        typed = _LOAD.si(self._text.value)
+        if typed is None or _LOAD.text(load) != _LOAD.text(typed):
+            self._text.set_value(_LOAD.text(load))
+            self._slider.set_value(self._knob.place(load))
+        attributes(self._slider, aria_valuetext=_LOAD.text(load))
 
-    load = explorer.load
-    text, slider, knob = draw_line(_LOAD, _LOAD.text(load), load, typed, lambda value: put(float(f"{value:.3g}")))
-    inputs[_LOAD.path] = text
-    return follow
+
+def _typed_load(text: str) -> tuple[float, str | None]:
+    """Return the load [N] of a text, and the error of the text: None for a load above 0. Without a number the load is NaN."""
+    try:
+        load = float(to_si(text, "load"))
+    except InputError as error:
+        return math.nan, str(error)
+    return load, None if load > 0.0 else "load: must be > 0 N"
 
 
 def _at_load(tables: Mapping[str, Any], before: float, load: float) -> dict[str, Any]:

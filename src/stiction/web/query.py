@@ -16,7 +16,7 @@ from stiction.contact.interfaces import allowed_interfaces, interface_names
 from stiction.laws.proportion import input_warnings
 from stiction.quantities.errors import InputError
 from stiction.records.registry import all_options, kinds, of_kind
-from stiction.report.answer import answer_lines, grade_line, model_line
+from stiction.report.answer import answer_lines, at_working_load, grade_line, model_line
 from stiction.report.report_answer import interval_of, value_in_words
 from stiction.report.significant_digits import rounded
 from stiction.solving.candidates import candidates
@@ -202,7 +202,7 @@ def headline(answer: Answer, point: int) -> tuple[str, str]:
     point: index on the curve. A prediction is stated at its working load, with its interval.
     """
     if answer.is_prediction:
-        return answer_lines(answer.data)[0]
+        return answer_lines(at_working_load(answer.data))[0]  # without the range of loads, which the form shows
     here = answer.at(point)
     texts = {name: value_in_words(here[name], float(here[name]), 4) for name in (_MU, *_WHERE) if name in here}
     if _MU not in texts:
