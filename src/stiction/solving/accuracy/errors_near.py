@@ -195,10 +195,10 @@ def _film_errors(known: BenchmarkSet, errors: np.ndarray, features: ContactFeatu
     """Return the errors of `film_errors_near` for one block of points; the arguments are the same."""
     positive = features.pressure > 0.0
     features = replace(features, pressure=np.where(positive, features.pressure, 1.0))
-    loads = known["film_loads"]
+    pressure, loads = np.log(features.pressure), np.log(known["film_loads"])
     found = np.empty((len(positive), *loads.shape[:2]))
     for one in np.ndindex(*loads.shape[:2]):
-        found[:, *one] = np.interp(np.log(features.pressure), np.log(loads[one]), errors[one])
+        found[:, *one] = np.interp(pressure, loads[one], errors[one])
     of_kind, gaussian = (
         np.broadcast_to(mask[known["film_surfaces"], None], loads.shape[:2]).ravel()
         for mask in (known.of_kind(features.kind), known.gaussian)

@@ -116,10 +116,11 @@ class AreaLaw:
         area = np.exp(self.log_area[rows])
         plastic = loads / self.yields_at[rows % len(self.yields_at)]
         area = np.maximum(grown_to(np.minimum(area, nominal), self._factor(near), nominal), plastic)
-        elastic = np.maximum(area**_POWER - plastic**_POWER, 0.0) ** (1.0 / _POWER)
+        of_plastic = plastic**_POWER
+        of_elastic = np.maximum(area**_POWER - of_plastic, 0.0)
         apart, of_far = np.abs(near - self.levels[:, 2]), self.far_error * score[:, None] * self.far
         more = np.sign(of_far) * (np.hypot(apart, of_far) - apart)  # the two independent errors add up in squares
-        wide = ((elastic * np.exp(-more)) ** _POWER + plastic**_POWER) ** (1.0 / _POWER)
+        wide = (of_elastic * np.exp(-_POWER * more) + of_plastic) ** (1.0 / _POWER)
         return grown_to(np.minimum(area, nominal), wide / area, nominal)
 
     def _factor(self, error: np.ndarray) -> np.ndarray:

@@ -46,55 +46,53 @@ _MENISCUS_BIAS, _MENISCUS_ERROR = 0.7, 0.53
 class Pull:
     """Store the factors by which adhesion and menisci enlarge the contact area, for n samples at m loads.
 
-    adhesion: one array (n, m) for each adhesion model. menisci: factors by the meniscus law, (n, m). most: largest pull of
-    menisci over the load, (n, m). An array that is the same for all samples has n = 1.
+    adhesion: one array (n, m) for each adhesion model, [] without adhesion. menisci: factors by the meniscus law, and largest
+    pull of menisci over the load, two arrays (n, m); [] without menisci. An array that is the same for all samples has n = 1.
     """
 
-    def __init__(self, adhesion: list[np.ndarray], menisci: np.ndarray, most: np.ndarray):
-        self.adhesion, self.menisci, self.most = adhesion, menisci, most
+    def __init__(self, adhesion: list[np.ndarray], menisci: list[np.ndarray]):
+        self.adhesion, self.menisci = adhesion, menisci
 
     def at_load(self, index: int) -> "Pull":
         """Return the Pull for one load; index: position of this load among the m loads."""
-        *adhesion, menisci, most = (
-            table[:, [index]] if table.shape[1] > 1 else table for table in (*self.adhesion, self.menisci, self.most)
+        each = (
+            [table[:, [index]] if table.shape[1] > 1 else table for table in tables] for tables in (self.adhesion, self.menisci)
         )
-        return Pull(adhesion, menisci, most)
+        return Pull(*each)
 
     def factor(self, model: np.ndarray, error: np.ndarray, rows: np.ndarray) -> np.ndarray:
-        """Return the factor (n, m) by which adhesion and menisci together enlarge the contact area.
+        """Return the factor (n, m or 1) by which adhesion and menisci together enlarge the contact area.
 
         model: quantile levels (n,) that select the adhesion model. error: quantile levels (n,) that select its error and that
         of the meniscus law. rows: index of the sampled input numbers of each sample (n,).
         """
         from scipy.special import ndtri
 
-        score = ndtri(error)[:, None]
-        laws = np.stack([table[rows % len(table)] for table in self.adhesion])
-        which = np.minimum((model * len(laws)).astype(int), len(laws) - 1)
-        log_factor = np.log(laws[which, np.arange(len(which))]) * np.exp(_ADHESION_ERROR * score)
-        pulled, most = self.menisci[rows % len(self.menisci)] - 1.0, self.most[rows % len(self.most)]
-        more = pulled * np.exp(_MENISCUS_BIAS + _MENISCUS_ERROR * score)
-        return np.exp(log_factor) * (1.0 + np.minimum(more, np.maximum(pulled, most)))
+        score, factor = ndtri(error)[:, None], np.ones((len(rows), 1))
+        if self.adhesion:
+            laws = np.stack([table[rows % len(table)] for table in self.adhesion])
+            which = np.minimum((model * len(laws)).astype(int), len(laws) - 1)
+            factor = np.exp(np.log(laws[which, np.arange(len(which))]) * np.exp(_ADHESION_ERROR * score))
+        if self.menisci:
+            enlarged, most = (table[rows % len(table)] for table in self.menisci)
+            more = (enlarged - 1.0) * np.exp(_MENISCUS_BIAS + _MENISCUS_ERROR * score)
+            factor = factor * (1.0 + np.minimum(more, np.maximum(enlarged - 1.0, most)))
+        return factor
 
 
 def pull_of(sampled: SampledCase) -> Pull:
     """Return the `Pull` of a sampled contact: area factors of adhesion and menisci, largest meniscus force over the load.
 
-    Without adhesion, the adhesion factor is 1. Without a liquid, the meniscus factor is 1 and the force 0. Raises InputError or
-    ArithmeticError if no adhesion model applies, if the model with menisci refuses the contact, and if an adhesion model
-    refuses one of several contacts.
+    Raises InputError or ArithmeticError if no adhesion model applies, if the model with menisci refuses the contact, and if an
+    adhesion model refuses one of several contacts.
     """
-    contact, ones = sampled.contact, np.ones((1, len(sampled.loads)))
-    adhesion = _by_adhesion(sampled) if contact.adheres else [ones]
-    menisci, most = ones, 0.0 * ones
-    if contact.liquid is not None:
+    contact, liquid, menisci = sampled.contact, sampled.drawn.liquid, []
+    adhesion = _by_adhesion(sampled) if contact.adheres else []
+    if liquid is not None:
         film = "layered" if contact.has_film else None
         wet, dry = (sampled.areas(replace(choice, film=film), ("liquid",)) for choice in (_WET, _DRY))
-        menisci = _factor(wet, dry)
-        liquid = sampled.drawn.liquid
-        assert liquid is not None
-        most = sampled.column(liquid.suction * sampled.drawn.nominal_area) / sampled.loads
-    return Pull(adhesion, menisci, most)
+        menisci = [_factor(wet, dry), sampled.column(liquid.suction * sampled.drawn.nominal_area) / sampled.loads]
+    return Pull(adhesion, menisci)
 
 
 def _factor(pulled: np.ndarray, alone: np.ndarray) -> np.ndarray:

@@ -262,11 +262,11 @@ def mu_by_state(mixture: Mixture, levels: Levels, index: int, level: float) -> l
     states = mixture.strength.states
     if len(states) < 2:
         return []
-    single, intervals = mixture.at_load(index), []
-    weights = np.array([weight for _, weight in states])
-    for (state, _), place in zip(states, (np.cumsum(weights) - 0.5 * weights) / weights.sum(), strict=True):
-        fixed = Levels(levels.inputs, {**levels.others, "state": np.full(len(levels), place)})
-        mu = single.samples(fixed, np.arange(len(levels))).force[:, 0] / single.loads[0]
+    weights, rows = np.array([weight for _, weight in states]), np.tile(np.arange(len(levels)), len(states))
+    places = (np.cumsum(weights) - 0.5 * weights) / weights.sum()  # the middle of each state's range of levels
+    others = {name: column[rows] for name, column in levels.others.items()} | {"state": np.repeat(places, len(levels))}
+    force, intervals = mixture.at_load(index).samples(Levels(levels.inputs[rows], others), rows).force, []
+    for (state, _), mu in zip(states, np.split(force[:, 0] / mixture.loads[index], len(states)), strict=True):
         if np.isfinite(mu).any():
             intervals.append((*np.nanquantile(mu, [0.5 - 0.5 * level, 0.5 + 0.5 * level]), state.name))
     return [f"{low:.2g} to {high:.2g} with {name}" for low, high, name in sorted(intervals)]

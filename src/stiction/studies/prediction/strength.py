@@ -171,6 +171,8 @@ def _capped(tau: np.ndarray, shear: np.ndarray, level: np.ndarray, metallic: np.
     limit between the values of Tresca and von Mises. The width of this range grows from 0, if tau_0 is at most the body's
     strength, to its full size at twice that strength.
     """
+    if metallic.all():
+        return np.minimum(tau, shear)
     with np.errstate(divide="ignore"):
         beyond = np.clip(np.log2(tau / shear), 0.0, 1.0)
     return np.minimum(tau, np.where(metallic, shear, shear * (1.0 - (1.0 - _TRESCA) * beyond * (1.0 - level))))
