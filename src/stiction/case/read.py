@@ -102,11 +102,13 @@ class Case:
         """Return all swept numbers, and the uncertain numbers at given quantile levels, as arrays by address (tuple of keys).
 
         levels: quantile levels (n, k), one column for each of the k dimensions in `unknowns`. The values of uncertain numbers
-        are arrays along the dimension `sample` of length n, in SI units.
+        are arrays along the dimension `sample` of length n, in SI units, without coordinates, which would only take time.
         """
+        import xarray
+
         columns = list(self.unknowns)
         samples = {
-            number.path: number.array(number.at(levels[:, columns.index(number.dimension)]), SAMPLE)
+            number.path: xarray.Variable(SAMPLE, number.at(levels[:, columns.index(number.dimension)]))
             for number in self.uncertain
         }
         return {**self.swept, **samples}
