@@ -132,13 +132,15 @@ def log_sensitivities_of_prediction(case: Case, load: float) -> dict[str, float]
     numbers are those of `numbers_of` and, as interface.NAME, those of the interface state of the contact. Raises InputError or
     ArithmeticError if all predictions are refused.
     """
+    from xarray import DataArray
+
     inputs, stepped, steps = _stepped_case(case, _WIDE)
     numbers, mu = stepped.numbers_at(steps), np.full(len(steps), np.nan)
     # A surface with a finish can be predicted only one by one: its heights are left out where they do not change.
     heights = [path for path in numbers if path[1] == "roughness" and case.subject.roughness.unknowns]  # type: ignore[attr-defined]
     alone = np.repeat([any(one.path in heights for one in group) for group in stepped.unknowns.values()], len(_WIDE))
     for rows, left_out in ((np.flatnonzero(~alone), heights), (np.flatnonzero(alone), [])):
-        some = {path: value.isel({SAMPLE: rows}) for path, value in numbers.items() if path not in left_out}
+        some = {path: DataArray(value).isel({SAMPLE: rows}) for path, value in numbers.items() if path not in left_out}
         for region, _, solved in predict_many(case, some, np.array([load])) if rows.size else ():
             if solved is not None:
                 mu[rows[region[SAMPLE]]] = solved.variables["friction_coefficient"][1].ravel()
