@@ -27,7 +27,7 @@ from stiction.web.charts import chart, curve_chart, curve_legend, line
 from stiction.web.explorer import Explorer
 from stiction.web.fields import first_case
 from stiction.web.pictures import drawing_of
-from stiction.web.query import Query, headline, solved
+from stiction.web.query import Query, answered, headline, solved
 from stiction.web.share_tab import report_of
 from stiction.web.studies_tab import run_design_study
 
@@ -46,6 +46,22 @@ def test_laws_are_imported_before_the_server_answers():
     )
     found = subprocess.run([sys.executable, "-c", code], check=True, capture_output=True, text=True, timeout=300)
     assert found.stdout.strip() == "[]"
+
+
+def test_an_answer_is_kept_only_if_its_case_names_no_file(tmp_path):
+    tables = {**of_one_model(), "title": "kept"}
+    first, again = (answered(Query(tables, folder)) for folder in (Path("a"), Path("b")))
+    assert again.data is first.data and again.query.folder == Path("b")
+    other = answered(Query({**tables, "title": "another"}))
+    assert other.data is not first.data and other.data.attrs["case"] == "another"
+    file, names = tmp_path / "own.toml", frozenset({"own.toml"})
+    query = Query(tables | {"materials": "own.toml", "contact": tables["contact"] | {"first": "own"}}, tmp_path, names)
+    found = []
+    for hardness in ("3 GPa", "6 GPa"):
+        own = f'[materials.own]\nyoungs_modulus = "210 GPa"\npoissons_ratio = 0.3\nhardness = "{hardness}"\n'
+        file.write_text(own, encoding="utf-8")
+        found.append(answered(query).case.subject.first.hardness)
+    assert [float(one) for one in found] == pytest.approx([3e9, 6e9])
 
 
 # Of the frameworks, or of the page for its own use.

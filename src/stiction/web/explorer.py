@@ -1,4 +1,4 @@
-"""Hold the state of one visitor: the case, its answer, and the display settings; visitors share no state."""
+"""Hold the state of one visitor: the case, its answer and the display settings. Visitors share only answers of equal cases."""
 
 import tempfile
 import time
@@ -13,7 +13,7 @@ from stiction.quantities.errors import InputError
 from stiction.report.table import with_signs
 from stiction.web.background import Latest
 from stiction.web.fields import value_at, with_value_at
-from stiction.web.query import Answer, Query, headline, solved
+from stiction.web.query import Answer, Query, answered, headline
 
 
 @dataclass
@@ -62,7 +62,7 @@ class Explorer:
         self.open_tab: Callable[[str], object] = lambda name: None
         self.on_wait: Callable[[], None] = lambda: None  # marks the answer as old
         self._listeners: list[Callable[[], object]] = []
-        self._latest = Latest(solved, self._show, self._refuse)
+        self._latest = Latest(answered, self._show, self._refuse)
         self._uploads: tempfile.TemporaryDirectory[str] | None = None
         _open.add(self)
 

@@ -16,7 +16,7 @@ from stiction.web.contact_tab import ContactTab
 from stiction.web.explorer import Explorer
 from stiction.web.form import Form
 from stiction.web.place_tab import PlaceTab
-from stiction.web.query import Answer, Query, solved
+from stiction.web.query import Answer, Query, answered
 from stiction.web.share_tab import ShareTab
 from stiction.web.studies_tab import StudiesTab
 from stiction.web.surface_tab import SurfaceTab
@@ -125,11 +125,11 @@ def _first_answer(query: Query, state: str) -> tuple[Answer, InputError | None]:
     state: text of a case from the address; "" for the served case. After an error, the served case is solved.
     """
     if not state:
-        return solved(query), None
+        return answered(query), None
     try:
-        return solved(query.with_tables(decoded(state))), None
+        return answered(query.with_tables(decoded(state))), None
     except InputError as error:
-        return solved(query), error
+        return answered(query), error
 
 
 def _frame(explorer: Explorer, error: InputError | None) -> None:

@@ -1,9 +1,10 @@
 """Solve the case of a visitor, compare models for it, and describe the answer; safe to call from any thread."""
 
 import os
+import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, lru_cache
 from pathlib import Path
 from typing import Any
 
@@ -11,6 +12,7 @@ import numpy as np
 import xarray
 
 from stiction.case.read import Case, case_in
+from stiction.case.text import as_toml
 from stiction.contact.contact import Contact
 from stiction.contact.interfaces import allowed_interfaces, interface_names
 from stiction.laws.proportion import input_warnings
@@ -25,12 +27,13 @@ from stiction.studies.case_results import compare_case, solve_case
 from stiction.studies.comparison.compare import working_load
 from stiction.studies.prediction.around import predict_with_curve
 from stiction.studies.prediction.predict import is_predicted, prediction_of
-from stiction.web.address import refuse_other_files
+from stiction.web.address import files_named, refuse_other_files
 from stiction.web.fields import INTERFACE, with_points, with_value_at
 
 _MAX_POINTS = 20_000  # largest number of points, because the curve is computed again while a slider moves
 _MAX_SAMPLES = 4096  # largest number of samples of uncertain inputs
 _MAX_PREDICTED = 500  # largest number of loads of a prediction
+_KEPT = 64  # number of answers that are kept, each of about half a megabyte
 _MORE = "on a page; `stiction run` accepts more"
 
 
@@ -140,6 +143,21 @@ def solved(query: Query) -> Answer:
     case = read_query(query)
     data, curve = predict_with_curve(case) if is_predicted(case) else (solve_case(case),) * 2
     return Answer(query, case, data, curve, list(map(str, input_warnings(case.subject))))
+
+
+def answered(query: Query) -> Answer:
+    """Return the answer of a query as `solved` does; the last answers of all visitors are kept.
+
+    Visitors open the same examples, and return to earlier numbers. Cases that name files are solved each time, because a file
+    may change.
+    """
+    return solved(query) if files_named(query.tables) else replace(_kept(as_toml(query.tables)), query=query)
+
+
+@lru_cache(maxsize=_KEPT)
+def _kept(text: str) -> Answer:
+    """Return the answer of a case that names no file, from its text as a case file."""
+    return solved(Query(tomllib.loads(text)))
 
 
 def compared(query: Query, load: float | None, progress: Any) -> tuple[Case, xarray.Dataset, xarray.Dataset | None]:
