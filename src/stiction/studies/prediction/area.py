@@ -26,7 +26,7 @@ from stiction.solving.problem import Problem, make_problem
 from stiction.solving.state import state_of
 from stiction.studies.prediction.area_weights import area_weights
 from stiction.studies.prediction.finish import SHARPEST
-from stiction.studies.prediction.sampled_case import SampledCase
+from stiction.studies.prediction.sampled_case import SampledCase, rows_of
 
 _SUM, _FEWEST = "greenwood_williamson_1966", "roughness_parameter"
 _ON_FILM = ((Choice("rough_on_film", tangential="none"), 1.0),)
@@ -103,9 +103,9 @@ class AreaLaw:
     def corrected(self, rows: np.ndarray, loads: np.ndarray, level: np.ndarray, nominal: np.ndarray) -> np.ndarray:
         """Return the area [m2] (n, m) after correction for sampled errors of the model.
 
-        rows: rows of `log_area` (n,), one for each sample. loads: loads (m,) [N]. level: quantile levels (n,) of the error; a
-        higher level gives a smaller area. nominal: nominal area [m2] (n, m or 1), which the area never exceeds. The area is at
-        least the load over the pressure of plastic spots. Far from all benchmark surfaces, the errors on the nearest ones are
+        rows: index of the sampled numbers of each sample (n,). loads: loads (m,) [N]. level: quantile levels (n,) of the error;
+        a higher level gives a smaller area. nominal: nominal area [m2] (n, m or 1), a limit of the area. The area is at least
+        the load over the pressure of plastic spots. Far from all benchmark surfaces, the errors on the nearest ones are
         used, and the elastic part of the area becomes more uncertain. Elastic and plastic area are combined as (elastic^m +
         plastic^m)^(1/m), as in the model persson_widened.
         """
@@ -113,13 +113,13 @@ class AreaLaw:
 
         score = ndtri(level)
         near = np.array([_between(score, levels) for levels in self.levels]).T
-        area = np.exp(self.log_area[rows])
-        plastic = loads / self.yields_at[rows % len(self.yields_at)]
+        area = np.exp(rows_of(self.log_area, rows))
+        plastic = loads / rows_of(self.yields_at, rows)
         area = np.maximum(grown_to(np.minimum(area, nominal), self._factor(near), nominal), plastic)
         of_plastic = plastic**_POWER
         of_elastic = np.maximum(area**_POWER - of_plastic, 0.0)
         apart, of_far = np.abs(near - self.levels[:, 2]), self.far_error * score[:, None] * self.far
-        more = np.sign(of_far) * (np.hypot(apart, of_far) - apart)  # the two independent errors add up in squares
+        more = np.sign(of_far) * (np.sqrt(apart**2 + of_far**2) - apart)  # the two independent errors add up in squares
         wide = (of_elastic * np.exp(-_POWER * more) + of_plastic) ** (1.0 / _POWER)
         return grown_to(np.minimum(area, nominal), wide / area, nominal)
 

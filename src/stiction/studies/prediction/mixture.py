@@ -11,7 +11,7 @@ from stiction.studies.prediction.junctions import grown, squeezed
 from stiction.studies.prediction.levels import Levels
 from stiction.studies.prediction.onset import Onset
 from stiction.studies.prediction.pull import Pull, pull_of
-from stiction.studies.prediction.sampled_case import SampledCase
+from stiction.studies.prediction.sampled_case import SampledCase, rows_of
 from stiction.studies.prediction.strength import Strength
 
 # n times the variance of ln(area) of n elastic spots under a given load. For Hertz spots with exponentially distributed depths
@@ -82,7 +82,7 @@ class Mixture:
         laws = [law.at_load(index) for law in self.laws]
         return replace(self, loads=self.loads[[index]], laws=laws, pull=self.pull.at_load(index))
 
-    @property
+    @cached_property
     def touching(self) -> np.ndarray:
         """Return the number of asperities in contact at each load (m,): the weighted mean over the area models.
 
@@ -95,7 +95,7 @@ class Mixture:
         """Return a mask (m,) of the loads that exceed hardness times nominal area."""
         return self.loads > _most_load(self.sampled)
 
-    @property
+    @cached_property
     def _touching_share(self) -> np.ndarray:
         """Return the fraction of all asperities of the nominal contact that touch at each load (m,); 1 if unknown."""
         contact = self.sampled.contact
@@ -111,7 +111,7 @@ class Mixture:
         sampled, bodies = self.sampled, self.sampled.bodies
         load = self.loads[None, :]
         nominal, hardness, shear, hardest = (
-            self._of(column, inputs)
+            rows_of(column, inputs)
             for column in (sampled.column(sampled.drawn.nominal_area), bodies.hardness, bodies.shear_strength, bodies.hardest)
         )
         pull = self.pull.factor(levels["pull_model"], levels["pull_error"], inputs)
@@ -136,14 +136,6 @@ class Mixture:
             efficiency = self.onset.efficiency(force / area, area / nominal, levels["spots"], inputs)
         return Samples(force * efficiency, area, pull, growth, strength, coefficient, pressure / hardness, efficiency)
 
-    def _of(self, column: np.ndarray, inputs: np.ndarray) -> np.ndarray:
-        """Return the row of a table that each sample uses, as an array (n, m or 1).
-
-        column: an input number as a table (rows or 1, m or 1), with one column for each load; a single row serves all samples.
-        inputs: index of the row for each sample (n,).
-        """
-        return column[inputs % len(column)]
-
     def weights_of_laws(self, levels: Levels, rows: np.ndarray) -> dict[str, float]:
         """Return the fraction of the samples with indices `rows` that use each area model, by its name, at the first load."""
         which = self._laws_drawn(levels)[rows, 0]
@@ -166,8 +158,7 @@ class Mixture:
         for index, law in enumerate(self.laws):
             uses_law = which == index
             mine = uses_law.any(axis=1)
-            rows = inputs[mine] % len(law.log_area)
-            corrected = law.corrected(rows, self.loads, levels["area_error"][mine], self._of(nominal, np.flatnonzero(mine)))
+            corrected = law.corrected(inputs[mine], self.loads, levels["area_error"][mine], nominal[mine])
             areas[mine] = np.where(uses_law[mine], corrected, areas[mine])
         return areas
 
@@ -181,7 +172,7 @@ class Mixture:
         """
         if (coating := self.sampled.drawn.coating) is None:
             return 1.0
-        radius, thickness = self._spot_radius(area), self._of(self.sampled.column(coating.thickness), inputs)
+        radius, thickness = self._spot_radius(area), rows_of(self.sampled.column(coating.thickness), inputs)
         return np.where(self.strength.is_of_film(levels["state"]), 0.0, 1.0 / (1.0 + radius / thickness))
 
     def _spot_radius(self, area: np.ndarray) -> np.ndarray:
@@ -205,7 +196,7 @@ class Mixture:
         if coating is None or not np.isfinite(touching).all():
             return area, borne / area
         radius = self._spot_radius(area)
-        thickness = self._of(self.sampled.column(coating.thickness), inputs)
+        thickness = rows_of(self.sampled.column(coating.thickness), inputs)
         times = squeezed(levels["confinement"], borne / area, radius, thickness, hardness, hardest)
         return area / times, borne / area * times
 

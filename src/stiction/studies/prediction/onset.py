@@ -18,7 +18,7 @@ from stiction.solving.sliding_efficiency import (
     spread_of_spots,
 )
 from stiction.solving.spots_on_map import spread_on_map
-from stiction.studies.prediction.sampled_case import SampledCase
+from stiction.studies.prediction.sampled_case import SampledCase, rows_of
 
 _MAP = "boundary_elements"
 
@@ -97,8 +97,8 @@ class Onset:
         """
         from scipy.special import ndtri
 
-        score, side, bodies = ndtri(level)[:, None], _drawn(self.side, rows), _drawn(self.compliance[1], rows)
-        slip, residual = _drawn(self.slip, rows), _drawn(self.residual, rows)
+        score, side, bodies = ndtri(level)[:, None], rows_of(self.side, rows), rows_of(self.compliance[1], rows)
+        slip, residual = rows_of(self.slip, rows), rows_of(self.residual, rows)
         if self.spots is None:
             of_spots = self._by_numbers(share, rows) * np.exp(SPOTS_ERROR * score)
             of_edges = bodies * spread_of_edges(side, share)
@@ -119,7 +119,7 @@ class Onset:
         """
         mean, error, most = UNLIKE
         lost = (1.0 - like) / np.maximum(1.0 - residual, 1e-12)
-        loss = _drawn(self.unlike, rows) * np.maximum(mean + error * score, 0.0) * -np.expm1(-lost / most)
+        loss = rows_of(self.unlike, rows) * np.maximum(mean + error * score, 0.0) * -np.expm1(-lost / most)
         return np.maximum(like * np.exp(-loss), np.minimum(residual, like))
 
     def _by_numbers(self, share: np.ndarray, rows: np.ndarray) -> np.ndarray:
@@ -130,17 +130,12 @@ class Onset:
         height deviation of asperities. Spots that are much wider than the film thickness have the compliance of the bodies
         below the film.
         """
-        deviation, radius, density = (_drawn(table, rows) for table in (self.deviation, self.radius, self.density))
+        deviation, radius, density = (rows_of(table, rows) for table in (self.deviation, self.radius, self.density))
         spots = spot_radius(share, deviation, radius, density)
-        faces, bodies = (_drawn(table, rows) for table in self.compliance)
-        thickness = _drawn(self.thickness, rows)
+        faces, bodies = (rows_of(table, rows) for table in self.compliance)
+        thickness = rows_of(self.thickness, rows)
         below = bodies + (faces - bodies) * thickness / (thickness + spots)
         return below * spread_of_spots(spots, share, deviation * radius * density)
-
-
-def _drawn(column: np.ndarray, rows: np.ndarray) -> np.ndarray:
-    """Return the rows of a sampled input number at these indices, (len(rows), m); a column with a single row is repeated."""
-    return column[rows % len(column)]
 
 
 def _compliance(pair):

@@ -28,7 +28,7 @@ import numpy as np
 from stiction.laws.criterion.persson_tosatti_2001 import elastic_over_adhesion
 from stiction.quantities.errors import InputError
 from stiction.solving.choice import Choice
-from stiction.studies.prediction.sampled_case import SampledCase
+from stiction.studies.prediction.sampled_case import SampledCase, rows_of
 
 _SUM = "greenwood_williamson_1966"
 _ADHESION = (Choice("soft_coating_2015", tangential="none"), Choice(_SUM, asperity="maugis_1992", tangential="none"))
@@ -70,11 +70,11 @@ class Pull:
 
         score, factor = ndtri(error)[:, None], np.ones((len(rows), 1))
         if self.adhesion:
-            laws = np.stack([table[rows % len(table)] for table in self.adhesion])
+            laws = np.stack([rows_of(table, rows) for table in self.adhesion])
             which = np.minimum((model * len(laws)).astype(int), len(laws) - 1)
             factor = np.exp(np.log(laws[which, np.arange(len(which))]) * np.exp(_ADHESION_ERROR * score))
         if self.menisci:
-            enlarged, most = (table[rows % len(table)] for table in self.menisci)
+            enlarged, most = (rows_of(table, rows) for table in self.menisci)
             more = (enlarged - 1.0) * np.exp(_MENISCUS_BIAS + _MENISCUS_ERROR * score)
             factor = factor * (1.0 + np.minimum(more, np.maximum(enlarged - 1.0, most)))
         return factor

@@ -169,12 +169,12 @@ class SampledCase:
         """
         return _contact(_without(self.case, _INTERFACE + PULLS).with_surface_moments(model))
 
-    @property
+    @cached_property
     def on_map(self) -> bool:
         """Return whether the contact has a height map of its surface, even if a model uses the asperities found on it."""
         return self.contact.with_surface_moments().map is not None
 
-    @property
+    @cached_property
     def metallic(self) -> np.ndarray:
         """Return a mask (1 or m,), True where the softer of the two touching surfaces (bodies or films) is a metal.
 
@@ -231,6 +231,14 @@ class SampledCase:
         if table.ndim < 2 or table.size == len(table):
             return table.reshape(-1, 1)
         return np.broadcast_to(table, (len(table), *self.dims.values())).reshape(len(table), -1)
+
+
+def rows_of(table: np.ndarray, rows: np.ndarray) -> np.ndarray:
+    """Return the row of a table (n or 1, m) that each sample uses, (k, m); a single row serves all samples.
+
+    rows: index of the row for each of k samples, (k,).
+    """
+    return table[rows] if len(table) > 1 else np.broadcast_to(table, (len(rows), *table.shape[1:]))
 
 
 def _contact(case: Case) -> Contact:

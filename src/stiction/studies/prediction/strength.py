@@ -11,7 +11,7 @@ import numpy as np
 from stiction.contact.contact import Contact
 from stiction.contact.interfaces import Interface, interface, interface_weights
 from stiction.laws.ageing.berthoud_1999 import factor
-from stiction.studies.prediction.sampled_case import SampledCase
+from stiction.studies.prediction.sampled_case import SampledCase, rows_of
 
 # Shear strength by Tresca, Y/2, divided by the shear strength by von Mises, Y/sqrt(3).
 _TRESCA = 0.5 * 3.0**0.5
@@ -116,10 +116,10 @@ class Strength:
 
         bodies = self.bodies
         hardness, shear, modulus = (
-            table[rows % len(table)] for table in (bodies.hardness, bodies.shear_strength, bodies.shear_modulus)
+            rows_of(table, rows) for table in (bodies.hardness, bodies.shear_strength, bodies.shear_modulus)
         )
-        alpha = self.coefficient[rows % len(self.coefficient)]
-        varied = {name: table[rows % len(table)] for name, table in self.varied.items()}
+        alpha = rows_of(self.coefficient, rows)
+        varied = {name: rows_of(table, rows) for name, table in self.varied.items()}
         shapes = [table.shape for table in varied.values()]
         tau = np.zeros(np.broadcast_shapes(hardness.shape, modulus.shape, *shapes))
         alpha = np.broadcast_to(alpha, np.broadcast_shapes((len(rows), alpha.shape[1]), *shapes)).copy()
@@ -131,8 +131,8 @@ class Strength:
             if self.takes_states:
                 alpha[mine] = table.pressure_coefficient_at(coefficient[mine, None], of_state.get("pressure_coefficient"))
         if self.stated is not None:
-            tau = self.stated[rows % len(self.stated)]
-        tau = tau * self.aged[rows % len(self.aged)]
+            tau = rows_of(self.stated, rows)
+        tau = tau * rows_of(self.aged, rows)
         if self.stated is not None and self.over_body > _NEAR_BODY:  # a strong metal interface fails as clean metal does
             clean = interface("clean metal").strength_at(strength[:, None], hardness, modulus)
             tau = np.where(self.metallic, np.minimum(tau, clean), tau)
