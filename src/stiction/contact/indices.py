@@ -54,7 +54,7 @@ def check_film(theta, lam, n_E, n_H, n_g=1.0) -> None:
         alone = {"theta": (theta * n_E / n_g, n_E), "lam": (lam * (n_H * n_H / (n_E * n_g)) ** 2, n_H)}
     for (name, (value, ratio)), field in zip(alone.items(), ("n_E", "n_H"), strict=True):
         bounds = QUANTITIES[name]
-        if not np.all((value >= bounds.lower) & (value <= bounds.upper)):
+        if not np.asarray((value >= bounds.lower) & (value <= bounds.upper)).all():
             raise InputError(field, ratio, f"a ratio with which {bounds.symbol} of the film material is {bounds.allowed}")
 
 
@@ -154,7 +154,7 @@ class Indices(Subject):
         needed = ("n_E", "n_H", "tau")
         missing = [name for name in needed if getattr(self, name) is None]
         beside = [name for name in _FILM if name not in needed and getattr(self, name) is not None]
-        if np.any(self.n_g != 1):
+        if (np.asarray(self.n_g) != 1).any():
             beside.append("n_g")
         if missing and (len(missing) < len(needed) or beside):
             given = next((name for name in needed if name not in missing), None) or beside[0]
@@ -167,15 +167,15 @@ class Indices(Subject):
 
     def _check_bodies(self) -> None:
         """Raise InputError if film and bodies cannot exist together, such as an n_E above the value of a rigid film."""
-        if self.films is not None and not np.all((self.films == 1.0) | (self.films == 2.0)):
+        if self.films is not None and not np.asarray((self.films == 1.0) | (self.films == 2.0)).all():
             raise InputError("films", self.films, "1 or 2, the number of coated bodies")
         if not self.has_film or self.coated_share is None:
             return
         films: Any = 1.0 if self.films is None else self.films
         n_E: Any = self.n_E
-        if np.any((films == 2.0) & (self.coated_share == 1.0)):
+        if np.asarray((films == 2.0) & (self.coated_share == 1.0)).any():
             raise InputError("coated_share", self.coated_share, "below 1, because both bodies are coated (films = 2)")
-        if np.any((films == 1.0) & (n_E * (1.0 - self.coated_share) > 1.0 + 1e-9)):
+        if np.asarray((films == 1.0) & (n_E * (1.0 - self.coated_share) > 1.0 + 1e-9)).any():
             raise InputError("n_E", self.n_E, "at most 1/(1 - coated_share), the ratio with a rigid film")
 
     @classmethod

@@ -96,7 +96,7 @@ def _before(keys: tuple[tuple[Any, Any], ...]) -> Any:
     """
     (mine, other), *rest = keys
     equal = mine == other
-    if not rest or not np.any(equal):
+    if not rest or not np.asarray(equal).any():  # of an xarray array, `any` takes ten times as long
         return mine <= other
     return (mine < other) | (equal & _before(tuple(rest)))
 
@@ -121,10 +121,10 @@ def choose(condition, if_true, if_false):
     if hasattr(condition, "dims"):
         if if_true is None or if_false is None:
             known, chosen = (if_true, condition) if if_false is None else (if_false, ~condition)
-            return known if chosen.all() else None
+            return known if chosen.values.all() else None
         dims = {*condition.dims, *getattr(if_true, "dims", ()), *getattr(if_false, "dims", ())}
         for chosen, value in ((condition, if_true), (~condition, if_false)):  # usually one value is chosen everywhere: no copy
-            if dims == {*getattr(value, "dims", ())} and chosen.all():
+            if dims == {*getattr(value, "dims", ())} and chosen.values.all():
                 return value
         import xarray
 
