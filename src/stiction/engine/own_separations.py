@@ -17,18 +17,19 @@ _BLOCK = 128  # number of laws in a block; their nodes fit into the processor's 
 
 
 @engine_kernel
-def _sum_each(h, nodes, out):
-    """Store in out[i, k] five sums over asperity heights, for law i (parameter set) at its separation h[i, k].
+def _sum_each(h, laws, nodes, out):
+    """Store in out[law, k] five sums over asperity heights, for n laws (parameter sets) at their separations h[law, k].
 
-    The sums are fraction touching, load, area, slip-limited and yield-limited resistance. h: in units of sigma. nodes:
-    displacements (n, room), integration weights times each quantity (n, 5, room), and number of nodes of each law (n,).
+    The sums are fraction touching, load, area, slip-limited and yield-limited resistance. h: in units of sigma. laws (n,):
+    indices of the laws. nodes: displacements (n, room), integration weights times each quantity (n, 5, room), and number of
+    nodes of each of these laws (n,).
     """
     places, values, used = nodes
     for i in range(used.size):
-        x, a, b, c, d, e = places[i], values[i, 0], values[i, 1], values[i, 2], values[i, 3], values[i, 4]
+        law, x, a, b, c, d, e = laws[i], places[i], values[i, 0], values[i, 1], values[i, 2], values[i, 3], values[i, 4]
         count = 8 * (used[i] // 8)
         for k in range(h.shape[1]):
-            separation = h[i, k]
+            separation = h[law, k]
             touching = load = area = slip_limited = yield_limited = 0.0
             for node in range(count):
                 dense = gaussian_density(separation + x[node], x)
@@ -37,8 +38,8 @@ def _sum_each(h, nodes, out):
                 area += dense * c[node]
                 slip_limited += dense * d[node]
                 yield_limited += dense * e[node]
-            out[i, k, 0], out[i, k, 1], out[i, k, 2] = touching, load, area
-            out[i, k, 3], out[i, k, 4] = slip_limited, yield_limited
+            out[law, k, 0], out[law, k, 1], out[law, k, 2] = touching, load, area
+            out[law, k, 3], out[law, k, 4] = slip_limited, yield_limited
 
 
 def sums_of_each(scattered: Scattered, h: np.ndarray, threads: int = 1) -> np.ndarray:
@@ -81,9 +82,8 @@ def _fill(scattered: Scattered, laws: np.ndarray, h: np.ndarray, sums: np.ndarra
             places, values = np.empty((_BLOCK, placed.room)), np.empty((_BLOCK, len(QUANTITIES), placed.room))
             for start in range(share.start, share.stop, _BLOCK):
                 rows = laws[start : min(start + _BLOCK, share.stop)]
-                nodes, some = (places, values, np.zeros(rows.size, dtype=np.int64)), np.empty((rows.size, *out.shape[1:]))
+                nodes = places, values, np.zeros(rows.size, dtype=np.int64)
                 append(reach, shape, rows, nodes)
-                _sum_each(h[rows], nodes, some)
-                out[rows] = some
+                _sum_each(h, rows, nodes, out)
 
         in_threads(fill_slice, _slices(laws.size, threads), threads)
