@@ -165,8 +165,7 @@ def area_of_waves(
         smallest = np.where(pressure > 0.0, pressure, np.inf).min(axis=1, keepdims=True)
         largest = pressure.max(axis=1, keepdims=True)
         modulus_at = _interpolated(modulus_at, log_bare(np.minimum(smallest, largest) / most), log_bare(largest / least))
-    guess = log_bare(pressure)
-    last_guess = last_change = np.full(guess.shape, np.nan)
+    guess, last_guess, last_change = log_bare(pressure), *np.full((2, *pressure.shape), np.nan)
     for _ in range(_STEPS):
         area = bare(pressure / modulus_at(guess))
         change = np.log(np.maximum(area, _LEAST_AREA)) - guess
@@ -219,9 +218,8 @@ def elastic_share(pressure: np.ndarray, groups: Groups) -> np.ndarray:
     """
     from stiction.surfaces.theory.widened_area import of_moments  # slow to import
 
-    alpha = bandwidth(groups.roughness_parameter[:, None])
-    waves, thickness = waves_of_moments(groups.roughness_parameter), _thickness(groups)
-    return area_of_waves(pressure, lambda p: of_moments(p, alpha), waves, thickness, groups)
+    alpha, waves = bandwidth(groups.roughness_parameter[:, None]), waves_of_moments(groups.roughness_parameter)
+    return area_of_waves(pressure, lambda p: of_moments(p, alpha), waves, _thickness(groups), groups)
 
 
 def _flowing(elastic: np.ndarray, pressure: np.ndarray, groups: Groups) -> np.ndarray:
@@ -235,7 +233,9 @@ def _flowing(elastic: np.ndarray, pressure: np.ndarray, groups: Groups) -> np.nd
 
     density, unit = math.pi * groups.roughness_parameter[:, None], hardness_over_slope(groups)[:, None]
     share, hardest = elastic, np.reshape(groups.n_H, (-1, 1))
-    for _ in range(_STEPS if np.any(hardest > 1.0) else 1):
+    if not np.any(hardest > 1.0):  # the body below carries at least its own hardness
+        return with_hardness(elastic, pressure, unit * hardest)
+    for _ in range(_STEPS):
         area = share / density
         touching = expected_share(area)
         spot = np.divide(area, touching, where=touching > 0.0, out=np.zeros(area.shape))
