@@ -169,7 +169,7 @@ def area_of_waves(
     for _ in range(_STEPS):
         area = bare(pressure / modulus_at(guess))
         change = np.log(np.maximum(area, _LEAST_AREA)) - guess
-        if np.all(np.abs(change) <= 1e-13 * np.maximum(np.abs(guess), 1.0)):  # the error of the area is a tenth of the change
+        if np.all(np.abs(change) <= 1e-14 * np.maximum(np.abs(guess), 1.0)):
             break
         # The radius depends on the area to the power 0.086, so a plain step leaves a tenth of the error, a secant step less.
         with np.errstate(divide="ignore", invalid="ignore"):
