@@ -5,7 +5,8 @@
 Needs a Chromium and the extra `dev`; one server on this machine for each part. Times are of the machine it runs on; nothing is
 asserted. `first`: from the moment the port answers until charts are drawn. `redraw`: from a key on a slider until number and
 charts are drawn anew. `visitors`: fifty clients, each on a page of its own, move a slider ten times, a second apart on average,
-and wait for their number; every number is compared with one that was computed without the page.
+and wait for their number; every number is compared with one that was computed without the page. The server keeps its last
+answers, so the visitors come twice: all with the numbers of the same example, and each with numbers of his own.
 """
 
 import asyncio
@@ -114,6 +115,9 @@ def redraw() -> None:
         page.get_by_role("slider", name=LABEL).locator("[tabindex='0']").focus()
         numbers, charts = [], []
         for at in range(100):
+            if at % 10 == 0:  # a step aside, so that no answer is asked twice: the server keeps its last ones
+                page.keyboard.press("ArrowUp")
+                page.wait_for_timeout(1000)
             page.keyboard.press("PageUp" if at % 20 < 10 else "PageDown")  # ten steps: one may leave two digits as they are
             page.wait_for_function("window.number && window.drawn > window.number")
             page.wait_for_timeout(120)  # whatever comes after
@@ -133,8 +137,9 @@ def resident(process: int) -> float:
 class Visitor:
     """A browser without a window: loads the page, opens its socket, moves a slider, reads the number."""
 
-    def __init__(self, address: str, seed: int):
+    def __init__(self, address: str, seed: int, own: bool):
         self._address, self._random = address, random.Random(seed)
+        self._aside = 2e-4 * seed if own else 0.0
         self.times: list[float] = []
         self.said: list[tuple[float, str]] = []
         self._number = asyncio.Event()
@@ -176,7 +181,7 @@ class Visitor:
     async def stay(self) -> None:
         for at in range(MOVES):
             await asyncio.sleep(self._random.uniform(0.0, 2.0))
-            await self._move(-5.0 + 0.5 * (at % 2) + 0.01 * self._random.randrange(50))
+            await self._move(-5.0 + 0.5 * (at % 2) + 0.01 * self._random.randrange(50) + self._aside)
         await self._socket.disconnect()
 
 
@@ -197,8 +202,8 @@ def expected(place: float) -> str:
     return plain(card_on_page(answer.data).html(why=False))
 
 
-async def _visits(address: str, process: int) -> None:
-    everybody = [Visitor(address, seed) for seed in range(VISITORS)]
+async def _visits(address: str, process: int, own: bool) -> None:
+    everybody = [Visitor(address, seed, own) for seed in range(VISITORS)]
     for one in everybody:  # who comes meets who is there; pages are made one after the other
         await one.come()
     before = resident(process)
@@ -207,7 +212,8 @@ async def _visits(address: str, process: int) -> None:
     lasted = time.perf_counter() - began
     failed = [repr(one) for one in found if one is not None]
     told(
-        f"{VISITORS} visitors, {VISITORS * MOVES / lasted:.0f} moves a second",
+        f"{VISITORS} visitors with {'numbers of their own' if own else 'the same example'}, "
+        f"{VISITORS * MOVES / lasted:.0f} moves a second",
         [time for one in everybody for time in one.times],
     )
     said = [pair for one in everybody for pair in one.said]
@@ -219,12 +225,13 @@ async def _visits(address: str, process: int) -> None:
 
 def visitors() -> None:
     """Fifty visitors who move sliders at once."""
-    with served() as (address, process, _):
-        urllib.request.urlopen(address, timeout=600).read()
-        print(f"memory {resident(process):.0f} MB with no visitor")
-        asyncio.run(_visits(address, process))
-        time.sleep(15.0)
-        print(f"memory {resident(process):.0f} MB a quarter of a minute after all have left")
+    for own in (False, True):
+        with served() as (address, process, _):
+            urllib.request.urlopen(address, timeout=600).read()
+            print(f"memory {resident(process):.0f} MB with no visitor")
+            asyncio.run(_visits(address, process, own))
+            time.sleep(15.0)
+            print(f"memory {resident(process):.0f} MB a quarter of a minute after all have left")
 
 
 PARTS = {one.__name__: one for one in (first, redraw, visitors)}
