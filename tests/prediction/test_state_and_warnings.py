@@ -59,7 +59,7 @@ def test_spots_beyond_the_limit_of_the_interface_are_the_main_warning(monolayer)
 
 def test_roughness_is_no_lever_where_friction_is_the_pressure_coefficient(monolayer):
     """There mu = alpha, whatever the contact area."""
-    assert monolayer.lowered_by == "a weaker interface (e.g. layered solid such as MoS2)"
+    assert monolayer.lowered_by == "a weaker interface (layered solid such as MoS2)"
     ceramic = {"contact": POLYSILICON | DEPOSITED | {"interface": "ceramic"}, "solve": {"load": "1 mN"}}
     assert "rougher" in st.predict(ceramic).lowered_by
 

@@ -149,7 +149,9 @@ def test_card_and_terminal_say_why_confidence_is_low(predicted):
 def test_the_card_says_how_many_handbook_contacts_agree(predicted):
     fair = predicted.assign(friction_coefficient_low=0.5 * predicted.friction_coefficient)
     fair["friction_coefficient_high"] = 2.0 * predicted.friction_coefficient
-    assert dict(card_of(fair.assign_attrs(in_handbooks=(5, 6))).lines)["Confidence"] == "fair; 5 of 6 handbook contacts agree"
+    for contacts, agree in ((6, "5 of 6"), (5, "all 5")):
+        told = dict(card_of(fair.assign_attrs(in_handbooks=(5, contacts))).lines)["Confidence"]
+        assert told == f"fair; {agree} handbook contacts agree"
     fitted = {"measured": 3, "strength": (2e7, 1e7, 3e7), "grows_with_pressure": True}
     for none in ({"in_handbooks": (0, 0)}, {"in_handbooks": (5, 6)} | fitted):
         assert "handbook" not in dict(card_of(fair.assign_attrs(**none)).lines)["Confidence"]

@@ -123,7 +123,7 @@ def card_of(data: "xarray.Dataset", named: str = "") -> Card:
 
 
 def _confidence(data: "xarray.Dataset") -> str:
-    """Return the confidence with a reason, such as "low (wide interval)" or "fair; 5 of 6 handbook contacts agree".
+    """Return the confidence with a reason, such as "low (wide interval)" or "fair; all 5 handbook contacts agree".
 
     Handbook contacts do not support a low confidence. They are also left out if there are none, or if the user measured
     friction.
@@ -131,7 +131,7 @@ def _confidence(data: "xarray.Dataset") -> str:
     words, (held, contacts) = confidence_in_words(data), data.attrs["in_handbooks"]
     if not contacts or "measured" in data.attrs or words.startswith("low"):
         return words
-    return f"{words}; {held} of {contacts} handbook contacts agree"
+    return f"{words}; {f'{held} of {contacts}' if held < contacts else f'all {contacts}'} handbook contacts agree"
 
 
 def shortened(warning: str) -> str:

@@ -108,7 +108,7 @@ def _weaker(mixture: Mixture, samples: Samples, index: int, by_area: bool) -> st
         holds = state.pressure_limit is None or pressure < state.pressure_limit
         suits = holds and state.allows(*contact.touching, coated=contact.has_film)
         if suits and tau + alpha * pressure < _MUCH_WEAKER * present:
-            return f"a weaker interface (e.g. {name}{example})"
+            return f"a weaker interface ({name}{example})"
     return ""
 
 
