@@ -104,13 +104,10 @@ class Case:
         levels: quantile levels (n, k), one column for each of the k dimensions in `unknowns`. The values of uncertain numbers
         are arrays along the dimension `sample` of length n, in SI units, without coordinates, which would only take time.
         """
-        import xarray
+        from xarray import Variable
 
-        columns = list(self.unknowns)
-        samples = {
-            number.path: xarray.Variable(SAMPLE, number.at(levels[:, columns.index(number.dimension)]))
-            for number in self.uncertain
-        }
+        columns = dict(zip(self.unknowns, levels.T, strict=True))
+        samples = {number.path: Variable(SAMPLE, number.at(columns[number.dimension])) for number in self.uncertain}
         return {**self.swept, **samples}
 
     @property
