@@ -104,28 +104,29 @@ WATCH = """() => {
 
 
 def redraw() -> None:
-    """From a key on a slider to number and charts."""
-    with served() as (address, _, _), browser() as one:
-        page = one.new_page(viewport={"width": 1280, "height": 900})
-        page.goto(address + state())
-        page.locator("canvas").first.wait_for()
-        page.wait_for_function("window.socket && window.socket.connected")
-        page.wait_for_timeout(1500)
-        page.evaluate(WATCH)
-        page.get_by_role("slider", name=LABEL).locator("[tabindex='0']").focus()
-        numbers, charts = [], []
-        for at in range(100):
-            if at % 10 == 0:  # a step aside, so that no answer is asked twice: the server keeps its last ones
-                page.keyboard.press("ArrowUp")
-                page.wait_for_timeout(1000)
-            page.keyboard.press("PageUp" if at % 20 < 10 else "PageDown")  # ten steps: one may leave two digits as they are
-            page.wait_for_function("window.number && window.drawn > window.number")
-            page.wait_for_timeout(120)  # whatever comes after
-            number, drawn = page.evaluate("[window.number - window.began, window.drawn - window.began]")
-            numbers.append(number)
-            charts.append(drawn)
-        told("number after a slider's move", numbers)
-        told("number and charts after a slider's move", charts)
+    """From a key on a slider to number and charts, for the first contact and for one with adhesion at 51 loads."""
+    for contact, end, slider in (("first contact", "/", "film thickness"), ("film with adhesion", state(), LABEL)):
+        with served() as (address, _, _), browser() as one:
+            page = one.new_page(viewport={"width": 1280, "height": 900})
+            page.goto(address + end)
+            page.locator("canvas").first.wait_for()
+            page.wait_for_function("window.socket && window.socket.connected")
+            page.wait_for_timeout(1500)
+            page.evaluate(WATCH)
+            page.get_by_role("slider", name=slider).locator("[tabindex='0']").focus()
+            numbers, charts = [], []
+            for at in range(100):
+                if at % 10 == 0:  # a step aside, so that no answer is asked twice: the server keeps its last ones
+                    page.keyboard.press("ArrowUp")
+                    page.wait_for_timeout(1000)
+                page.keyboard.press("PageUp" if at % 20 < 10 else "PageDown")  # ten steps, as one may leave two digits alone
+                page.wait_for_function("window.number && window.drawn > window.number")
+                page.wait_for_timeout(120)  # whatever comes after
+                number, drawn = page.evaluate("[window.number - window.began, window.drawn - window.began]")
+                numbers.append(number)
+                charts.append(drawn)
+        told(f"{contact}, number after a slider's move", numbers)
+        told(f"{contact}, number and charts after a slider's move", charts)
 
 
 def resident(process: int) -> float:
