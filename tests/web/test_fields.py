@@ -71,6 +71,7 @@ def test_a_list_and_a_distribution_stand_in_a_field_and_units_have_their_signs(g
     sigma = next(one for one in _numbers(first_case()) if one.path[-1] == "asperity_height_deviation")
     assert as_written(given) == text and sigma.written(text) == given
     assert sigma.written("{ median = ") == "{ median = " and as_written(None) == "" and as_written(True) == "true"
+    assert as_written(sigma.written("[2020-01-01]")) == '["2020-01-01"]'
 
 
 @pytest.mark.parametrize(

@@ -22,6 +22,7 @@ from stiction.web.fields import first_case
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "soft_film.toml"
 MAIN = Path(__file__).parent / "simulated.py"
+LOAD = "normal load, adhesion included P"
 # Libraries of the server warn of each other.
 pytestmark = pytest.mark.filterwarnings("default")
 
@@ -163,12 +164,53 @@ async def test_a_named_model_answers_with_its_warnings_and_the_prediction_as_lar
 async def test_at_given_separations_it_is_said_that_the_load_moved():
     async with _page(encoded(of_one_model())) as user:
         _open(user, "Why")
-        before = _input(user, "normal load, adhesion included P").value
+        before = _input(user, LOAD).value
         _input(user, "asperities per nominal area N").set_value("2e10 1/m^2")
         await _until(user, lambda: any(text.startswith("The load changed from 2.36 N to ") for text in _texts(user)))
-        assert _input(user, "normal load, adhesion included P").value != before
-        _input(user, "normal load, adhesion included P").set_value("3 N")  # from then on the load is given
+        assert _input(user, LOAD).value != before
+        _input(user, LOAD).set_value("3 N")  # from then on the load is given
         await _until(user, lambda: "at a load of 3 N" in " ".join(_texts(user)))
+
+
+def _point(user: User) -> UserInteraction:
+    """The slider of the shown point of the curve."""
+    return UserInteraction(user, {_labelled(user, ui.slider, "working load of the answer")}, None)
+
+
+@in_a_loop
+async def test_a_load_is_stated_while_another_point_of_the_curve_is_shown():
+    async with _page(encoded(of_one_model())) as user:
+        _open(user, "Why")
+        _point(user).trigger("update:modelValue", 50)
+        await _until(user, lambda: "at a load of 2.36 N" not in " ".join(_texts(user)))
+        _input(user, LOAD).set_value("3 N")
+        await _until(user, lambda: "at a load of 3 N" in " ".join(_texts(user)))
+
+
+@in_a_loop
+async def test_the_load_has_a_field_as_soon_as_it_is_compressive():
+    tables, absent = of_one_model(), "The load is not compressive: see the points of the curve."
+    tables["solve"]["separation"] = {"start": 30, "stop": 0, "count": 3}
+    async with _page(encoded(tables)) as user:
+        _point(user).trigger("update:modelValue", 0)
+        await _until(user, lambda: "not defined" in _card(user))
+        _labelled(user, ui.select, "interface").set_value("soft-metal film")  # builds the form anew
+        await _until(user, lambda: absent in _texts(user))
+        _point(user).trigger("update:modelValue", 2)
+        await _until(user, lambda: absent not in _texts(user))
+        assert _input(user, LOAD).value
+
+
+@in_a_loop
+async def test_a_slider_follows_its_field():
+    async with _page() as user:
+        radius, text = "asperity tip radius R", "30000 nm"
+        for label, typed, shown, place in ((radius, text, "30 µm", math.log10(30e-6)), (LOAD, "5 N", "5 N", math.log10(5.0))):
+            slider, before = _labelled(user, ui.slider, f"{label}, slider"), _card(user)
+            _input(user, label).set_value(typed)
+            await _until(user, lambda before=before: _card(user) != before)
+            assert slider.value == pytest.approx(place) and slider.props["aria-valuetext"] == shown
+        assert _input(user, radius).value == text  # a slider that the program moves changes no number
 
 
 @in_a_loop
@@ -218,6 +260,21 @@ async def test_what_is_wrong_is_said_beside_its_field_and_the_last_answer_stays(
         assert _mu(user) == before and "This is the last answer without an error: see the field in red." in _texts(user)
         field.set_value("40 um")
         await _until(user, lambda: not field.error and _mu(user) != before)
+
+
+@in_a_loop
+async def test_an_error_moves_to_its_field_when_the_section_of_the_field_opens():
+    async with _page() as user:
+        section, ratio = "properties of the first body", "Poisson's ratio nu"
+        _open(user, section)
+        _input(user, ratio).set_value("7")
+        await _until(user, lambda: _input(user, ratio).error)
+        _labelled(user, ui.select, "interface").set_value("not stated")  # builds the form anew, with closed sections
+        await _until(user, lambda: not any(one.props.get("aria-label") == ratio for one in _elements(user, ui.input)))
+        above = next(one for one in _elements(user, ui.label) if one.text.startswith("contact.first.poissons_ratio: 7.0"))
+        assert above.visible
+        _open(user, section)
+        assert _input(user, ratio).error == "contact.first.poissons_ratio: 7.0; allowed: >= 0 and < 0.5" and not above.visible
 
 
 @in_a_loop
@@ -274,13 +331,12 @@ async def test_the_number_on_the_page_is_that_of_a_closed_form():
 @in_a_loop
 async def test_a_slider_that_moves_faster_than_the_answers_ends_at_its_last_load():
     """Each event scales the range of loads from the load before it, not from that of the last answer."""
-    label = "normal load, adhesion included P"
     async with _page() as user:
-        slider = UserInteraction(user, {_labelled(user, ui.slider, f"{label}, slider")}, None)
+        slider = UserInteraction(user, {_labelled(user, ui.slider, f"{LOAD}, slider")}, None)
         for load in (2.0, 4.0, 3.0, 3.0):
             slider.trigger("update:modelValue", math.log10(load))
         await _until(user, lambda: "at 3 N" in _card(user))
-        assert _input(user, label).value == "3 N"
+        assert _input(user, LOAD).value == "3 N"
         tables = first_case()
         tables["solve"]["load"] |= {"start": "0.3 N", "stop": "30 N"}
         assert _mu(user) == _predicted(tables)
@@ -306,10 +362,11 @@ async def test_no_field_shows_python():
 @in_a_loop
 async def test_dimensionless_groups_and_several_numbers_have_a_page():
     groups = {"theta": 40, "lam": 10, "n_E": [0.5, 1.5], "n_H": 0.5, "tau": 2}
-    async with _page(encoded({"indices": groups, "solve": {"separation": [2, 1, 0]}})) as user:
-        _open(user, "Why")
-        assert "The curves show the first value of each array: n_E." in _texts(user)
-        assert _input(user, "elastic adhesion index K sigma^(3/2) / (gamma R^(1/2)) theta").value == "40"
+    for points in {"separation": [2, 1, 0]}, {"load": [0.01, 0.1]}:
+        async with _page(encoded({"indices": groups, "solve": points})) as user:
+            _open(user, "Why")
+            assert "The curves show the first value of each array: n_E." in _texts(user)
+            assert _input(user, "elastic adhesion index K sigma^(3/2) / (gamma R^(1/2)) theta").value == "40"
 
 
 def test_a_simulated_page_leaves_the_package_as_it_was():

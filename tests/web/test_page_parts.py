@@ -68,6 +68,13 @@ def test_an_answer_is_kept_only_if_its_case_names_no_file(tmp_path):
 OTHER = {"no-wrap", "text-negative", "items-stretch"}
 
 
+def test_a_prediction_of_several_contacts_is_refused():
+    tables = first_case()
+    tables["contact"]["work_of_adhesion"] = ["0.1 J/m^2", "0.5 J/m^2"]
+    with pytest.raises(st.InputError, match=r"contact\.work_of_adhesion: .*; allowed: one number for a prediction on a page"):
+        answered(Query(tables))
+
+
 def test_every_class_that_is_used_is_in_the_style_of_the_page():
     """No library makes styles in the browser: a class that nobody defines does nothing."""
     folder = Path(stiction.web.__file__).parent

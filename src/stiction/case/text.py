@@ -56,7 +56,7 @@ def inline(value: Any) -> str:
         return "{ " + ", ".join(f"{key} = {inline(entry)}" for key, entry in value.items()) + " }"
     if isinstance(value, list | tuple):
         return "[" + ", ".join(map(inline, value)) + "]"
-    return json.dumps(value, ensure_ascii=False)
+    return json.dumps(value, ensure_ascii=False, default=str)  # a date is no number, but can be typed
 
 
 def _moved(content: Mapping, folder: Path, out: Path) -> dict[str, Any]:

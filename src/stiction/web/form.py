@@ -81,8 +81,8 @@ class Form:
                 self._contact(parts)
             else:
                 self._fields(parts.pop("indices"))
-            folded("More", self._more, any(value_at(tables, one.path) is not None for one in self._rare))
-            folded("Model", self._model)
+            self._folded("More", self._more, any(value_at(tables, one.path) is not None for one in self._rare))
+            self._folded("Model", self._model)
         self.show()
 
     def _tools(self) -> None:
@@ -138,6 +138,10 @@ class Form:
         self._other.set_text("" if error is None or beside else str(error))
         self._other.set_visibility(error is not None and not beside)
 
+    def _folded(self, title: str, fill: Callable[[], None], is_open: bool = False, name: str = "") -> None:
+        """Add a folded section, as `folded` does, whose opening moves an error that is above the form to its field."""
+        folded(title, fill, is_open, name).on_value_change(self.show)
+
     def _more(self) -> None:
         for one in self._rare:
             self._number(one)
@@ -155,11 +159,11 @@ class Form:
                 listed = [_NONE, *known, *(["none"] if choice in _MAY_BE_NONE else [])]
                 self._menu(choice, listed, str(solve.get(choice, _NONE)), ("solve", choice))
 
-        folded("Replace its laws", laws)
+        self._folded("Replace its laws", laws)
         for name, values in option_values(answer.data).items():
             here = ("solve", "options", name) if name in solve.get("options", {}) else ("solve", name)
             self._menu(name.replace("_", " "), list(values), str(value_at(tables, here) or values[0]), here)
-        folded("Points of the curve", self._points)
+        self._folded("Points of the curve", self._points)
 
     async def _choose_model(self, name: str) -> None:
         """Solve the case with another model; if the prediction is chosen, remove model, laws and options from the case."""
@@ -359,7 +363,7 @@ class Form:
                 self._number(number, "" if value is None else number.text(value))
 
         title = "properties" + (", changed" if preset and changed else "")
-        folded(title, properties, not preset, f"properties of the {label}")
+        self._folded(title, properties, not preset, f"properties of the {label}")
 
 
 @contextmanager

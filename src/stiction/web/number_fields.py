@@ -33,12 +33,12 @@ def draw_line(
     typed: Callable[[str], Awaitable[None]],
     moved: Callable[[float], Awaitable[None]],
     otherwise: str = "",
-) -> tuple[ui.input, Any, Any]:
-    """Add a label, a text field and, if there is a value, a slider, and return (text field, slider, its Knob).
+) -> tuple[ui.input, Callable[[float | None], None]]:
+    """Add a label, a text field and, if there is a value, a slider; return the text field and a mover of the slider.
 
     written: content of the text field. value: number in SI units, or None. typed: receives the text of the field. moved:
-    receives the value of the slider in SI units. otherwise: placeholder of the empty text field. Slider and Knob are None if
-    `value` is None.
+    receives the number in SI units to which the visitor moves the slider. otherwise: placeholder of the empty text field. The
+    mover receives a number in SI units; for None, or without a slider, it does nothing.
     """
     with ui.element("div").classes("number"):
         attributes(ui.label(label_of(number.path)).classes("text-xs one-line").props("aria-hidden=true"), title=number.help)
@@ -47,14 +47,27 @@ def draw_line(
         attributes(text.props("dense outlined debounce=300 hide-bottom-space"), aria_label=number.label, title=number.help)
         text.on_value_change(lambda event: typed(str(event.value or "").strip()))
         if value is None:
-            return text, None, None
+            return text, lambda value: None
         knob = number.knob(value)
-        slider = ui.slider(
-            min=knob.low, max=knob.high, step=knob.step, value=knob.place(value),
-            on_change=lambda event: moved(knob.value(float(event.value))),
-        )  # fmt: skip
-        attributes(slider.props("dense"), aria_label=f"{number.label}, slider", aria_valuetext=number.text(value))
-    return text, slider, knob
+        slider = ui.slider(min=knob.low, max=knob.high, step=knob.step, value=knob.place(value)).props("dense")
+        attributes(slider, aria_label=f"{number.label}, slider", aria_valuetext=number.text(value))
+    by_visitor = True
+
+    def changed(event: Any) -> Awaitable[None] | None:
+        value = knob.value(float(event.value))
+        attributes(slider, aria_valuetext=number.text(value))
+        return moved(value) if by_visitor else None
+
+    def move(value: float | None) -> None:
+        nonlocal by_visitor
+        if value is not None:
+            by_visitor = False
+            slider.set_value(knob.place(value))
+            by_visitor = True
+            attributes(slider, aria_valuetext=number.text(value))  # a logarithmic slider cannot stand at 0
+
+    slider.on_value_change(changed)
+    return text, move
 
 
 def draw_number(explorer: Explorer, number: Number, otherwise: str = "") -> ui.input:
@@ -69,19 +82,16 @@ def draw_number(explorer: Explorer, number: Number, otherwise: str = "") -> ui.i
 
     async def typed(wanted: str) -> None:
         if as_written(wanted) != as_written(given()):  # an equal text was set by the slider
+            move(number.si(number.written(wanted or otherwise)))
             await explorer.put(number.path, number.written(wanted) if wanted else None)
 
     async def moved(value: float) -> None:
-        attributes(slider, aria_valuetext=number.text(value))
         new = number.moved(given(), value)
-        if as_written(new) == as_written(given()):  # a slider sends its last value twice
-            return
-        put = explorer.put(number.path, new)
         text.set_value(as_written(new))
-        await put
+        await explorer.put(number.path, new)
 
     value = number.si(given() if given() is not None else otherwise or None)
-    text, slider, _ = draw_line(number, as_written(given()), value, typed, moved, otherwise)
+    text, move = draw_line(number, as_written(given()), value, typed, moved, otherwise)
     return text.classes("uncertain") if with_error(given()) else text
 
 
@@ -92,8 +102,8 @@ def draw_load(explorer: Explorer, inputs: dict[tuple[str, ...], Any]) -> Callabl
     appears below the field. If the case states separations, the load follows from them.
     """
     if not explorer.load > 0.0:
-        ui.label("No load is compressive: see the points of the curve.").classes("text-sm")
-        return lambda: None
+        ui.label("The load is not compressive: see the points of the curve.").classes("text-sm")
+        return lambda: explorer.rebuild() if explorer.load > 0.0 else None
 
     return _LoadField(explorer, inputs).follow
 
@@ -104,21 +114,23 @@ class _LoadField:
     def __init__(self, explorer: Explorer, inputs: dict[tuple[str, ...], Any]):
         self._explorer = explorer
         self._asked = load = explorer.load  # working load of the newest query, whose answer may still be missing
-        self._text, self._slider, self._knob = draw_line(_LOAD, _LOAD.text(load), load, self._typed, self._moved)
+        self._text, self._move = draw_line(_LOAD, _LOAD.text(load), load, self._typed, self._moved)
         inputs[_LOAD.path] = self._text
 
     async def _put(self, load: float) -> None:
         if load > 0.0 and _LOAD.text(load) != _LOAD.text(self._asked):
             before, self._asked = self._asked, load
-            await self._explorer.ask(_at_load(self._explorer.query.tables, before, load))
+            tables = self._explorer.query.tables
+            if not isinstance(tables.get("solve", {}).get("load"), Mapping):
+                self._explorer.view.point = None  # the new load is in the middle of the new range
+            await self._explorer.ask(_at_load(tables, before, load))
 
     async def _typed(self, wanted: str) -> None:
         load, self._text.error = _typed_load(wanted)
         await self._put(load)
 
     async def _moved(self, load: float) -> None:
-        if self._slider.value != self._knob.place(self._asked):  # otherwise `follow` moved the slider
-            await self._put(float(f"{load:.3g}"))
+        await self._put(float(f"{load:.3g}"))
 
     def follow(self) -> None:
         """Show the working load of the newest answer."""
@@ -130,8 +142,7 @@ class _LoadField:
         typed = _LOAD.si(self._text.value)
         if typed is None or _LOAD.text(load) != _LOAD.text(typed):
             self._text.set_value(_LOAD.text(load))
-            self._slider.set_value(self._knob.place(load))
-        attributes(self._slider, aria_valuetext=_LOAD.text(load))
+        self._move(load)
 
 
 def _typed_load(text: str) -> tuple[float, str | None]:

@@ -28,7 +28,7 @@ from stiction.studies.comparison.compare import working_load
 from stiction.studies.prediction.around import predict_with_curve
 from stiction.studies.prediction.predict import is_predicted, prediction_of
 from stiction.web.address import files_named, refuse_other_files
-from stiction.web.fields import INTERFACE, with_points, with_value_at
+from stiction.web.fields import INTERFACE, value_at, with_points, with_value_at
 
 _MAX_POINTS = 20_000  # largest number of points, because the curve is computed again while a slider moves
 _MAX_SAMPLES = 4096  # largest number of samples of uncertain inputs
@@ -78,15 +78,19 @@ class Answer:
         """Return whether the result is a prediction, and not the result of a model that the case names."""
         return is_predicted(self.case)
 
+    @property
+    def arrays(self) -> list[str]:
+        """Return the names of the array parameters."""
+        return [str(name) for name in self.data["contact_area"].dims[:-1]]
+
     @cached_property
     def curve(self) -> xarray.Dataset:
         """Return the results along the loads or separations, for the first value of every array parameter.
 
         The results of a prediction are sorted by load.
         """
-        *arrays, along = self.curve_data["load"].dims or (None,)
-        curve = self.curve_data.isel(dict.fromkeys(arrays, 0))
-        return curve.sortby("load") if along is not None and self.is_prediction else curve
+        curve = self.curve_data.isel(dict.fromkeys(self.arrays, 0))
+        return curve.sortby("load") if curve["load"].dims and self.is_prediction else curve
 
     def at(self, point: int) -> xarray.Dataset:
         """Return the results at the point of the curve with index `point`."""
@@ -120,6 +124,9 @@ def read_query(query: Query) -> Case:
     for field, size, limit in (("solve", case.size, most), ("uncertainty.count", samples, _MAX_SAMPLES)):
         if size > limit:
             raise InputError(field, size, f"at most {limit} {_MORE}")
+    if is_predicted(case) and case.is_swept:
+        path = next(iter(case.swept), ("sweep",))
+        raise InputError(".".join(path), value_at(query.tables, path), f"one number for a prediction {_MORE}")
     return case
 
 
@@ -238,10 +245,10 @@ def remarks(answer: Answer) -> list[str]:
     The other sentences list input warnings, inputs that were not used, remarks, and array parameters for which the curves
     show only the first value.
     """
-    attrs, (*arrays, _) = answer.data.attrs, answer.data["load"].dims or ("",)
+    attrs, arrays = answer.data.attrs, answer.arrays
     lines = [] if answer.is_prediction else [f"Model {model_line(attrs)}; grade {grade_line(attrs)}."]
     lines += [f"Warning: {one}" for one in attrs.get("warnings", [])[1:]]
     lines += [f"Input warning: {one}" for one in answer.input_warnings]
     lines += [f"Not used: {attrs['inputs_not_used']}"] if attrs.get("inputs_not_used") else []
     lines += [f"Remark: {one}" for one in str(attrs.get("remarks", "")).splitlines() if one]
-    return lines + ([f"The curves show the first value of each array: {', '.join(map(str, arrays))}."] if arrays else [])
+    return lines + ([f"The curves show the first value of each array: {', '.join(arrays)}."] if arrays else [])
