@@ -263,6 +263,22 @@ async def test_what_is_wrong_is_said_beside_its_field_and_the_last_answer_stays(
 
 
 @in_a_loop
+async def test_sections_are_open_if_they_have_stated_numbers_and_are_built_once():
+    tables = first_case()
+    tables["contact"]["second"] = {"youngs_modulus": "210 GPa", "poissons_ratio": 0.3, "hardness": "7 GPa"}
+    tables["contact"]["hardness_to_yield"] = 3.0
+    async with _page(encoded(tables)) as user:
+        assert _input(user, "hardness over yield stress (H/Y) k").value == "3.0"
+        assert _input(user, "Young's modulus E").value == "210 GPa"  # only the second body has its own numbers
+        counts = []
+        for is_open in (True, False, True):
+            for section in ("More", "properties of the first body"):
+                _labelled(user, ui.expansion, section).set_value(is_open)
+            counts.append(len(_elements(user, ui.input)))
+        assert len(set(counts)) == 1
+
+
+@in_a_loop
 async def test_an_error_moves_to_its_field_when_the_section_of_the_field_opens():
     async with _page() as user:
         section, ratio = "properties of the first body", "Poisson's ratio nu"
