@@ -16,7 +16,10 @@ from nicegui.testing.user_interaction import UserInteraction
 
 import stiction as st
 from cases import of_one_model
+from stiction.quantities.shown import show
+from stiction.quantities.units import to_si
 from stiction.report.html_words import letters
+from stiction.report.table import with_signs
 from stiction.web.address import encoded
 from stiction.web.fields import first_case
 
@@ -178,11 +181,14 @@ def _point(user: User) -> UserInteraction:
 
 
 @in_a_loop
-async def test_a_load_is_stated_while_another_point_of_the_curve_is_shown():
+async def test_the_prediction_and_a_stated_load_follow_the_point_of_the_curve():
     async with _page(encoded(of_one_model())) as user:
         _open(user, "Why")
-        _point(user).trigger("update:modelValue", 50)
+        await _until(user, lambda: "(90% interval) at 2.36 N, recommended" in _card(user))
+        _point(user).trigger("update:modelValue", 5)
         await _until(user, lambda: "at a load of 2.36 N" not in " ".join(_texts(user)))
+        load = show(to_si(_input(user, LOAD).value, "load"), "load", 3)
+        await _until(user, lambda: f"(90% interval) at {with_signs(load)}, recommended" in _card(user))
         _input(user, LOAD).set_value("3 N")
         await _until(user, lambda: "at a load of 3 N" in " ".join(_texts(user)))
 

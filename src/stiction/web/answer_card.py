@@ -31,7 +31,7 @@ class AnswerCard:
     def __init__(self, explorer: Explorer):
         self._explorer = explorer
         self._before = explorer.answer
-        self._beside: tuple[Answer, xarray.Dataset | None] | None = None
+        self._beside: tuple[tuple[Answer, float], xarray.Dataset | None] | None = None
         self._predicted = Latest(_beside, self._show_beside)
         with ui.element("div").classes("w-full answer").props('role="status" aria-live="polite"'):
             self._card = ui.html("", sanitize=False).classes("where")
@@ -53,8 +53,9 @@ class AnswerCard:
         if answer is not self._before:
             self._show_moved_load(answer)
         self._draw()
-        if not answer.is_prediction and (self._beside is None or self._beside[0] is not answer):
-            ui.timer(0.0, lambda: self._predicted.ask(answer, self._explorer.load), once=True)
+        wanted = answer, self._explorer.load
+        if not answer.is_prediction and (self._beside is None or self._beside[0] != wanted):
+            ui.timer(0.0, lambda: self._predicted.ask(*wanted), once=True)
 
     def _draw(self) -> None:
         answer, (number, where) = self._explorer.answer, self._explorer.headline
@@ -78,9 +79,9 @@ class AnswerCard:
         """Return the prediction of a case or, if it names a model, the one beside its answer; None while that is missing."""
         if answer.is_prediction:
             return answer.data
-        return self._beside[1] if self._beside is not None and self._beside[0] is answer else None
+        return self._beside[1] if self._beside is not None and self._beside[0] == (answer, self._explorer.load) else None
 
-    def _show_beside(self, found: tuple[Answer, xarray.Dataset | None]) -> None:
+    def _show_beside(self, found: tuple[tuple[Answer, float], xarray.Dataset | None]) -> None:
         self._beside = found
         self._draw()
 
@@ -121,8 +122,8 @@ def _model(answer: Answer) -> str:
     return str(answer.data.attrs["model"]).replace("_", " ")
 
 
-def _beside(answer: Answer, load: float) -> tuple[Answer, xarray.Dataset | None]:
-    return answer, predicted_beside(answer, load)
+def _beside(answer: Answer, load: float) -> tuple[tuple[Answer, float], xarray.Dataset | None]:
+    return (answer, load), predicted_beside(answer, load)
 
 
 def _add_row(row: tuple[str, str]) -> None:
