@@ -208,6 +208,17 @@ async def test_the_load_has_a_field_as_soon_as_it_is_compressive():
 
 
 @in_a_loop
+async def test_a_text_that_is_no_load_stays_until_the_next_answer():
+    async with _page() as user:
+        field = _input(user, LOAD)
+        for text, error in (("-1 N", "load: must be > 0 N"), ("abc", "load: 'abc'; allowed: any finite number in N")):
+            field.set_value(text)
+            await _until(user, lambda error=error: (field.error or "").startswith(error))
+        _input(user, "asperity tip radius R").set_value("40 um")
+        await _until(user, lambda: field.value == "1 N" and not field.error)
+
+
+@in_a_loop
 async def test_a_slider_follows_its_field():
     async with _page() as user:
         radius, text = "asperity tip radius R", "30000 nm"
@@ -296,6 +307,7 @@ async def test_an_error_moves_to_its_field_when_the_section_of_the_field_opens()
         above = next(one for one in _elements(user, ui.label) if one.text.startswith("contact.first.poissons_ratio: 7.0"))
         assert above.visible
         _open(user, section)
+        await _until(user, lambda: not above.visible)
         assert _input(user, ratio).error == "contact.first.poissons_ratio: 7.0; allowed: >= 0 and < 0.5" and not above.visible
 
 
