@@ -366,7 +366,7 @@ def next_in_words(data: "xarray.Dataset", terminal: bool = True) -> str:
     step = step if terminal else without_commands(step)
     if not ends or "measure mu once" not in step:
         return step
-    found = f"{number(float(point[_MU]))} with {USUAL_ERROR:.0%} standard error"
+    found = f"a measured {number(float(point[_MU]))} with {USUAL_ERROR:.0%} standard error"
     return f"{step}; {found} would narrow mu to {number(ends[0])} to {number(ends[1])}"
 
 

@@ -4,6 +4,7 @@ Results are xarray datasets. The notebook view of xarray hides the attributes of
 """
 
 from html import escape
+from textwrap import fill
 from typing import TYPE_CHECKING
 
 from stiction.laws.validity import warnings_of
@@ -12,11 +13,13 @@ from stiction.quantities.errors import InputError
 from stiction.records.registry import GRADES
 from stiction.report.answer import answer_lines
 from stiction.report.card import Card, card_of
+from stiction.report.html_words import unbroken
 from stiction.solving.unused import unused_of
 
 if TYPE_CHECKING:
     import xarray
 
+_WIDTH = 100  # columns of a summary as text
 _SHOWN = ("mean_separation", "load", "contact_area", "friction_force", "friction_coefficient", "touching_asperities")
 
 
@@ -36,9 +39,9 @@ class Summary:
 
     def __repr__(self) -> str:
         width = max((len(name) for name, _ in self.rows), default=0)
-        return "\n".join(
-            [self.title, *(f"  {name:{width}}  {text}" for name, text in self.rows), *(f"- {note}" for note in self.notes)]
-        )
+        rows = [f"  {name:{width}}  {unbroken(text)}" for name, text in self.rows]
+        rows = [fill(row, _WIDTH, subsequent_indent=" " * (width + 4), break_on_hyphens=False) for row in rows]
+        return "\n".join([self.title, *rows, *(f"- {note}" for note in self.notes)]).replace("\N{NO-BREAK SPACE}", " ")
 
 
 def summary(result: "xarray.Dataset") -> Summary:
