@@ -24,12 +24,55 @@ import sys
 import time
 import urllib.request
 from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import product
 from pathlib import Path
 from typing import Any
 
 VISITORS, MOVES = 50, 10
-LABEL = "asperity tip radius R"
-TITLE = "Silver film, 200 nm, on hardened steel, with adhesion"  # ten steps of the slider change its answer
+
+
+@dataclass(frozen=True)
+class Moved:
+    """A contact of which a slider is moved: the example by its title, the number by path and label, and two places."""
+
+    title: str
+    path: tuple[str, ...]
+    label: str
+    places: tuple[float, float]  # decimal logarithms in SI units; between them the answer changes in its two digits
+
+    def tables(self) -> Any:
+        from stiction.web.fields import example_cases
+
+        return example_cases()[self.title]
+
+    def address(self) -> str:
+        """Return the end of the address of the page of this contact."""
+        from stiction.web.address import encoded
+
+        return f"/?s={encoded(self.tables())}"
+
+    def expected(self, place: float) -> str:
+        """Return what the page has to say with the slider at a place, computed without the page."""
+        from stiction.quantities.shown import show
+        from stiction.web.answer_card import card_on_page
+        from stiction.web.fields import with_value_at
+        from stiction.web.query import Query, solved
+
+        answer = solved(Query(with_value_at(self.tables(), self.path, show(10.0**place, self.path[-1], 4))))
+        return plain(card_on_page(answer.data).html(why=False))
+
+
+CONTACTS = (
+    Moved(
+        "Silver film, 1 µm, on hardened steel", ("contact", "coating", "thickness"),
+        "film thickness (the sum of both films if both bodies are coated) t", (-7.2, -6.0),
+    ),
+    Moved(
+        "Silver film, 200 nm, on hardened steel, with adhesion", ("contact", "roughness", "asperity_radius"),
+        "asperity tip radius R", (-5.0, -4.5),
+    ),
+)  # fmt: skip
 
 
 @contextlib.contextmanager
@@ -49,14 +92,6 @@ def served() -> Iterator[tuple[str, int, float]]:
         finally:
             process.terminate()
             process.wait(20)
-
-
-def state() -> str:
-    """Return the end of the address of the case whose slider is moved."""
-    from stiction.web.address import encoded
-    from stiction.web.fields import example_cases
-
-    return f"/?s={encoded(example_cases()[TITLE])}"
 
 
 def told(what: str, times: list[float]) -> None:
@@ -104,16 +139,16 @@ WATCH = """() => {
 
 
 def redraw() -> None:
-    """From a key on a slider to number and charts, for the first contact and for one with adhesion at 51 loads."""
-    for contact, end, slider in (("first contact", "/", "film thickness"), ("film with adhesion", state(), LABEL)):
+    """From a key on a slider to number and charts, for a contact at 21 loads, and one with adhesion at 51."""
+    for contact in CONTACTS:
         with served() as (address, _, _), browser() as one:
             page = one.new_page(viewport={"width": 1280, "height": 900})
-            page.goto(address + end)
+            page.goto(address + contact.address())
             page.locator("canvas").first.wait_for()
             page.wait_for_function("window.socket && window.socket.connected")
             page.wait_for_timeout(1500)
             page.evaluate(WATCH)
-            page.get_by_role("slider", name=slider).locator("[tabindex='0']").focus()
+            page.get_by_role("slider", name=contact.label).locator("[tabindex='0']").focus()
             numbers, charts = [], []
             for at in range(100):
                 if at % 10 == 0:  # a step aside, so that no answer is asked twice: the server keeps its last ones
@@ -125,8 +160,8 @@ def redraw() -> None:
                 number, drawn = page.evaluate("[window.number - window.began, window.drawn - window.began]")
                 numbers.append(number)
                 charts.append(drawn)
-        told(f"{contact}, number after a slider's move", numbers)
-        told(f"{contact}, number and charts after a slider's move", charts)
+        told(f"{contact.title}: number after a slider's move", numbers)
+        told(f"{contact.title}: number and charts after a slider's move", charts)
 
 
 def resident(process: int) -> float:
@@ -138,8 +173,8 @@ def resident(process: int) -> float:
 class Visitor:
     """A browser without a window: loads the page, opens its socket, moves a slider, reads the number."""
 
-    def __init__(self, address: str, seed: int, own: bool):
-        self._address, self._random = address, random.Random(seed)
+    def __init__(self, address: str, contact: Moved, seed: int, own: bool):
+        self._contact, self._address, self._random = contact, address, random.Random(seed)
         self._aside = 2e-4 * seed if own else 0.0
         self.times: list[float] = []
         self.said: list[tuple[float, str]] = []
@@ -149,11 +184,13 @@ class Visitor:
     async def come(self) -> None:
         import socketio
 
-        page = await asyncio.to_thread(lambda: urllib.request.urlopen(self._address + state(), timeout=300).read().decode())
+        page = await asyncio.to_thread(
+            lambda: urllib.request.urlopen(self._address + self._contact.address(), timeout=300).read().decode()
+        )
         self._client = re.search(r"'client_id': '([0-9a-f-]+)'", page)[1]  # type: ignore[index]
         elements = json.loads(html.unescape(re.search(r"String\.raw`(\{.*?\})`", page, re.DOTALL)[1]))  # type: ignore[index]
         named = {one.get("props", {}).get("aria-label"): name for name, one in elements.items()}
-        self._slider = int(named[f"{LABEL}, slider"])
+        self._slider = int(named[f"{self._contact.label}, slider"])
         self._listeners = [one["listener_id"] for one in elements[str(self._slider)]["events"]]
         self._label = next(name for name, one in elements.items() if "where" in one.get("class", []))
         self._socket = socketio.AsyncClient()
@@ -182,7 +219,7 @@ class Visitor:
     async def stay(self) -> None:
         for at in range(MOVES):
             await asyncio.sleep(self._random.uniform(0.0, 2.0))
-            await self._move(-5.0 + 0.5 * (at % 2) + 0.01 * self._random.randrange(50) + self._aside)
+            await self._move(self._contact.places[at % 2] + 0.01 * self._random.randrange(50) + self._aside)
         await self._socket.disconnect()
 
 
@@ -191,20 +228,8 @@ def plain(text: str) -> str:
     return re.sub(r"<[^>]+>", "", text)
 
 
-def expected(place: float) -> str:
-    """What the page has to say, without the page."""
-    from stiction.quantities.shown import show
-    from stiction.web.answer_card import card_on_page
-    from stiction.web.fields import example_cases, with_value_at
-    from stiction.web.query import Query, solved
-
-    given = show(10.0**place, "asperity_radius", 4)
-    answer = solved(Query(with_value_at(example_cases()[TITLE], ("contact", "roughness", "asperity_radius"), given)))
-    return plain(card_on_page(answer.data).html(why=False))
-
-
-async def _visits(address: str, process: int, own: bool) -> None:
-    everybody = [Visitor(address, seed, own) for seed in range(VISITORS)]
+async def _visits(address: str, process: int, contact: Moved, own: bool) -> None:
+    everybody = [Visitor(address, contact, seed, own) for seed in range(VISITORS)]
     for one in everybody:  # who comes meets who is there; pages are made one after the other
         await one.come()
     before = resident(process)
@@ -213,12 +238,12 @@ async def _visits(address: str, process: int, own: bool) -> None:
     lasted = time.perf_counter() - began
     failed = [repr(one) for one in found if one is not None]
     told(
-        f"{VISITORS} visitors with {'numbers of their own' if own else 'the same example'}, "
+        f"{contact.title}: {VISITORS} visitors with {'numbers of their own' if own else 'the same example'}, "
         f"{VISITORS * MOVES / lasted:.0f} moves a second",
         [time for one in everybody for time in one.times],
     )
     said = [pair for one in everybody for pair in one.said]
-    known = {place: expected(place) for place in dict(said)}
+    known = {place: contact.expected(place) for place in dict(said)}
     print(f"errors {len(failed)} {failed[:2]}; numbers that are not of their own slider "
           f"{sum(known[place] != plain(text) for place, text in said)} of {len(said)}; "
           f"memory {before:.0f} MB with all pages open, {resident(process):.0f} MB at the end")  # fmt: skip
@@ -226,11 +251,11 @@ async def _visits(address: str, process: int, own: bool) -> None:
 
 def visitors() -> None:
     """Fifty visitors who move sliders at once."""
-    for own in (False, True):
+    for contact, own in product(CONTACTS, (False, True)):
         with served() as (address, process, _):
             urllib.request.urlopen(address, timeout=600).read()
             print(f"memory {resident(process):.0f} MB with no visitor")
-            asyncio.run(_visits(address, process, own))
+            asyncio.run(_visits(address, process, contact, own))
             time.sleep(15.0)
             print(f"memory {resident(process):.0f} MB a quarter of a minute after all have left")
 
