@@ -52,7 +52,8 @@ async def _page(state=""):
 
 
 def _texts(user: User) -> list[str]:
-    return [one.text for one in _elements(user, ui.label)]
+    """The texts of all labels, with plain spaces for those at which lines do not break."""
+    return [one.text.replace("\N{NO-BREAK SPACE}", " ") for one in _elements(user, ui.label)]
 
 
 def _elements(user: User, kind: type) -> list:
@@ -112,6 +113,7 @@ async def test_the_first_screen_shows_the_prediction():
         assert f"{low} to {high} (90% interval) at 1 N" in card and found.shares["interface"] > 0.5
         assert f"{found.shares['interface']:.0%} interface strength, 3% other</dd>" in card
         _open(user, "Why")
+        assert any("\N{NO-BREAK SPACE}mN (" in one.text for one in _elements(user, ui.label))
         rows = dict(pairwise(_texts(user)))
         assert rows["state"] == letters(found.attrs["regime"])
         assert rows["next"].startswith("measure μ once and fit the case to it; ") and "narrow μ to" in rows["next"]

@@ -11,7 +11,7 @@ from stiction.quantities.shown import show
 from stiction.records.claims import KINDS_OF_WARNING
 from stiction.report.answer import answer_lines, at_working_load, confidence_in_words
 from stiction.report.card import Card, card_of, shortened
-from stiction.report.html_words import letters
+from stiction.report.html_words import letters, unbroken
 from stiction.studies.prediction.regime import without_commands
 from stiction.web.background import Latest
 from stiction.web.elements import Rows, attributes
@@ -129,4 +129,4 @@ def _beside(answer: Answer, load: float) -> tuple[tuple[Answer, float], xarray.D
 def _add_row(row: tuple[str, str]) -> None:
     head, text = row
     ui.label(head).classes("font-bold")
-    ui.label(text)
+    ui.label(unbroken(text))
