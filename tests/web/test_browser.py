@@ -592,7 +592,7 @@ def test_a_comparison_of_earlier_numbers_says_so_until_it_is_made_again(of_model
 def _mu_of_the_case(page):
     """The number of the named model, from what "Why" unfolds."""
     said = page.locator(".rows").first
-    _until(page, "() => document.querySelector('.rows').textContent.includes('mu to four digits')")
+    _until(page, "() => document.querySelector('.rows')?.textContent.includes('mu to four digits')")
     return float(re.search(r"mu to four digits ([\d.]+)", said.text_content())[1])
 
 

@@ -29,7 +29,7 @@ from stiction.case.uncertain import (
 from stiction.contact.contact import Contact
 from stiction.contact.subject import Subject
 from stiction.laws.proportion import input_warnings
-from stiction.quantities.dimensions import dimensions
+from stiction.quantities.dimensions import dimensions, variable
 from stiction.quantities.errors import InputError, InputWarning, field_below
 from stiction.quantities.inputs import require_names
 from stiction.quantities.paths import read_text
@@ -104,10 +104,8 @@ class Case:
         levels: quantile levels (n, k), one column for each of the k dimensions in `unknowns`. The values of uncertain numbers
         are arrays along the dimension `sample` of length n, in SI units, without coordinates, which would only take time.
         """
-        from xarray import Variable
-
         columns = dict(zip(self.unknowns, levels.T, strict=True))
-        samples = {number.path: Variable(SAMPLE, number.at(columns[number.dimension])) for number in self.uncertain}
+        samples = {number.path: variable([SAMPLE], number.at(columns[number.dimension])) for number in self.uncertain}
         return {**self.swept, **samples}
 
     @property

@@ -14,7 +14,7 @@ from stiction.report.card import Card, card_of, shortened
 from stiction.report.html_words import letters, unbroken
 from stiction.studies.prediction.regime import without_commands
 from stiction.web.background import Latest
-from stiction.web.elements import Rows, attributes
+from stiction.web.elements import Rows, folded
 from stiction.web.explorer import Explorer
 from stiction.web.query import Answer, predicted_beside, remarks
 
@@ -38,10 +38,8 @@ class AnswerCard:
             self._card.on("click", lambda event: explorer.open_tab(event.args), js_handler=_NAME_OF_TAB)
             self._load_moved = ui.label().classes("text-sm")
             self._old = ui.label("This is the last answer without an error: see the field in red.").classes("text-negative")
-        section = ui.expansion("Why", on_value_change=self._draw).classes("w-full").props("dense dense-toggle")
-        self._why = attributes(section, aria_label="Why")
-        with self._why:
-            self._rows = Rows(ui.element("div").classes("w-full rows text-sm answer"), _add_row)
+        self._why = folded("Why", self._add_rows)
+        self._why.on_value_change(self._draw)
         self._load_moved.set_visibility(False)
         explorer.listen(self.show)
         self.show()
@@ -56,6 +54,9 @@ class AnswerCard:
         wanted = answer, self._explorer.load
         if not answer.is_prediction and (self._beside is None or self._beside[0] != wanted):
             ui.timer(0.0, lambda: self._predicted.ask(*wanted), once=True)
+
+    def _add_rows(self) -> None:
+        self._rows = Rows(ui.element("div").classes("w-full rows text-sm answer"), _add_row)
 
     def _draw(self) -> None:
         answer, (number, where) = self._explorer.answer, self._explorer.headline

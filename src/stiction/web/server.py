@@ -14,7 +14,7 @@ from stiction.web.explorer import close_all
 from stiction.web.fields import first_case
 from stiction.web.guard import Guard, names_for
 from stiction.web.page import make_page
-from stiction.web.query import Query, law_names, option_values, solved
+from stiction.web.query import Query, answered, law_names, option_values
 
 _MOST_CONNECTIONS = 1000
 # Thresholds of the garbage collection. A page consists of some 10,000 objects that refer to each other. After its visitor has
@@ -35,7 +35,7 @@ def query_of(case: Path | None) -> Query:
     else:
         tables = read_content(case)
         query = Query(tables, case.resolve().parent, frozenset(files_named(tables)))
-    answer = solved(query)
+    answer = answered(query)
     # Laws are imported on first use, and the form of every page needs these names.
     law_names(answer.case)
     option_values(answer.data)

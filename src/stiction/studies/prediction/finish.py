@@ -8,6 +8,7 @@ from stiction.case.distribution import of_samples
 from stiction.case.read import Case
 from stiction.case.uncertain import SAMPLE, Uncertain
 from stiction.contact.contact import Contact
+from stiction.quantities.dimensions import variable
 from stiction.quantities.errors import InputError, InWords
 from stiction.quantities.sampling import sobol_points
 from stiction.surfaces.finished import HEIGHTS
@@ -26,8 +27,6 @@ def with_finish(case: Case) -> Case:
     that would exclude all samples. A case with [indices], without a finish or with a scan is returned unchanged. Otherwise
     InputError is raised if a number of the roughness is an array.
     """
-    from xarray import Variable
-
     contact = case.subject
     if not isinstance(contact, Contact) or not contact.roughness.unknowns or contact.measured is not None:
         return case
@@ -37,7 +36,7 @@ def with_finish(case: Case) -> Case:
     heights = [number for number in case.uncertain if number.path[-1] in HEIGHTS]
     points = sobol_points(len(heights) + len(contact.roughness.unknowns), _ROWS, _SEED)
     levels = np.clip(points.T, 1e-6, 1.0 - 1e-6)
-    sampled = {one.path: Variable(SAMPLE, one.at(row)) for one, row in zip(heights, levels[: len(heights)], strict=True)}
+    sampled = {one.path: variable([SAMPLE], one.at(row)) for one, row in zip(heights, levels[: len(heights)], strict=True)}
     surfaces = case.at(sampled).subject.roughness  # type: ignore[attr-defined]
     drawn = np.array(surfaces.drawn(levels[len(heights) :]))
     possible = drawn[0] <= SHARPEST * drawn[1]
